@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stiction {
+
+/// What an expected value rests on.
+enum class ReferenceKind { kAnalytic, kExactComputed, kSelfConverged, kExternal, kGolden };
+
+/// Outcome of one check, and of a record as the worst of its checks. `kShown` marks a quantity that
+/// is reported beside the verdicts (the old method, a literal reading) and never decides one.
+enum class Verdict { kPass, kFail, kNotApplicable, kShown, kError };
+
+/// One quantity held against its expected value.
+struct Check {
+  std::string quantity{};  ///< what was measured, e.g. "stopping distance"
+  std::string unit{};      ///< SI; "1" when dimensionless
+  std::string claim{};     ///< one sentence, what must hold
+  std::string formula{};   ///< closed form in Unicode maths; may be empty
+  std::string source{};    ///< bibliography key or derivation
+  ReferenceKind kind = ReferenceKind::kAnalytic;
+  double value = 0.0;      ///< measured, in `unit`
+  double expected = 0.0;   ///< in `unit`
+  double error = 0.0;      ///< value − expected, or its ratio to `scale` when `relative`
+  bool relative = false;   ///< error and tolerance are relative to |scale|
+  double scale = 1.0;      ///< what a relative error is relative to, in `unit`
+  double tolerance = 0.0;  ///< |error| ≤ tolerance holds; same unit as `error`
+  std::string reason{};    ///< derivation of the tolerance
+  double digits = 0.0;     ///< −log10 of the relative error, capped at 16
+  std::string worst{};     ///< where the worst offender stood; may be empty
+  Verdict verdict = Verdict::kFail;
+};
+
+/// A quantity over time or over a parameter, decimated to what a plot can show.
+struct Series {
+  std::string name{};    ///< e.g. "kinetic energy"
+  std::string unit{};    ///< of y
+  std::string x_name{};  ///< e.g. "time"
+  std::string x_unit{};  ///< of x
+  std::vector<double> x{};
+  std::vector<double> y{};  ///< as many as x
+};
+
+/// What a run cost. All zero when nothing was counted.
+struct Cost {
+  double cpu_seconds = 0.0;            ///< process or thread CPU time of the engine's steps, s
+  std::uint64_t steps = 0;             ///< time steps
+  std::uint64_t contact_updates = 0;   ///< contacts summed over steps (and sweeps)
+  double ns_per_contact_update = 0.0;  ///< contact phases only, ns; 0 when not timed
+  std::map<std::string, double> phase_seconds{};  ///< CPU time by phase, s; empty when not timed
+};
+
+/// Where and with what a record was made.
+struct Environment {
+  std::string revision{};   ///< git revision, "+" behind it when the tree was changed
+  std::string toolchain{};  ///< compiler, version, build type, flags that matter
+  std::string machine{};    ///< processor name and core count
+  std::string date{};       ///< UTC, ISO 8601
+};
+
+/// One record: case × engine × settings. Written as one line of JSON (reports/schema.md).
+struct Record {
+  static constexpr int kSchemaVersion = 1;
+
+  std::string case_name{};  ///< path-like, e.g. "incline/threshold/mu=0.3/azimuth=30"
+  std::string title{};      ///< one line for people
+  std::string engine{};     ///< e.g. "stiction"
+  std::map<std::string, std::string> settings{};  ///< of the engine, e.g. rule → fixed-point
+  std::vector<Check> checks{};
+  std::vector<std::string> notes{};  ///< what a reader must know: why a case fails, what limits it
+  std::vector<Series> series{};
+  Cost cost{};
+  std::string state_hash{};  ///< 16 hex digits; empty when the engine has none
+  Environment environment{};
+  Verdict verdict = Verdict::kFail;
+  std::string error{};  ///< what went wrong when verdict is kError
+};
+
+/// Worst of a record's checks: error, then fail, then pass. When nothing decides: kShown if a check
+/// is shown, otherwise (an empty list too) kNotApplicable.
+Verdict combined_verdict(const std::vector<Check>& checks);
+
+/// The check that decides: of those with the worst verdict (order as above), the one whose |error|
+/// is largest against its tolerance (NaN counts as infinite; the first of equals). Null when no
+/// check is pass, fail or error. The pointer lives as long as `checks` is unchanged.
+const Check* worst_check(const std::vector<Check>& checks);
+
+/// Spelling used in records and tables ("pass", "exact-computed", …), and back.
+/// The parsers return nothing for an unknown word.
+std::string to_string(Verdict verdict);
+std::string to_string(ReferenceKind kind);
+std::optional<Verdict> parse_verdict(const std::string& word);
+std::optional<ReferenceKind> parse_reference_kind(const std::string& word);
+
+}  // namespace stiction

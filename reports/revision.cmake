@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Run at every build: writes OUTPUT only when the revision has changed, so that nothing is rebuilt
+# for nothing. Needs SOURCE, OUTPUT, FLAGS.
+execute_process(COMMAND git -C ${SOURCE} describe --always --abbrev=12 --exclude=*
+                OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+execute_process(COMMAND git -C ${SOURCE} status --porcelain
+                OUTPUT_VARIABLE changes ERROR_QUIET)
+if(NOT revision)
+  set(revision "unknown")
+elseif(changes)
+  string(APPEND revision "+")
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT
+"#pragma once
+inline constexpr char kRevision[] = \"@revision@\";
+inline constexpr char kBuildFlags[] = \"@FLAGS@\";
+")

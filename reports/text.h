@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stiction {
+
+/// Text that comes from records is not trusted: a TOML file, another engine or a broken disk wrote
+/// it. Every readable output passes it through `one_line` before its own escaping.
+
+/// One line of valid UTF-8: line breaks and tabs become spaces, other control characters (terminal
+/// escapes among them) and characters that XML forbids are dropped, broken UTF-8 becomes U+FFFD.
+std::string one_line(std::string_view text);
+
+/// Terminal columns that valid UTF-8 takes: code points, combining marks not counted. East Asian
+/// wide characters count as one, which can misalign a table and nothing else.
+std::size_t display_width(std::string_view text);
+
+/// `text`, or, when it is wider than `width`, its two ends around "…": the end of a case name tells
+/// more than its middle.
+std::string shortened(std::string_view text, std::size_t width);
+
+/// `text` filled with spaces up to `width` columns; longer text is left as it is.
+std::string padded_right(std::string_view text, std::size_t width);
+std::string padded_left(std::string_view text, std::size_t width);
+
+/// `text` broken at spaces into lines of at most `width` columns (a longer word stays whole).
+/// Empty text gives no line.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
+
+}  // namespace stiction

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/contacts.h"
+
+namespace stiction {
+
+void OneSidedContacts::clear() {
+  key.clear();
+  vertex.clear();
+  obstacle.clear();
+  depth.clear();
+  normal_force.clear();
+  friction_force.clear();
+  status.clear();
+}
+
+void OneSidedContacts::add(ContactKey contact, std::int32_t vertex_number,
+                           std::int32_t obstacle_number, double penetration_depth) {
+  key.push_back(contact);
+  vertex.push_back(vertex_number);
+  obstacle.push_back(obstacle_number);
+  depth.push_back(penetration_depth);
+  normal_force.push_back(0.0);
+  friction_force.emplace_back(Vec3::Zero());
+  status.push_back(ContactStatus::kNew);
+}
+
+}  // namespace stiction

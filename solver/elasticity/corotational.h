@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/scene.h"
+#include "solver/state.h"
+
+namespace stiction {
+
+/// Adds elastic and viscous forces of linear tetrahedra, N.
+///
+///   F = [x₁−x₀ …] Dₘ⁻¹ = R S                                     deformation gradient
+///   P = R (2μ(S − I) + λ tr(S − I) I) + β F (2μĖ + λ tr(Ė) I)     first Piola–Kirchhoff stress, Pa
+///   Ė = sym(FᵀḞ)                                                  Green strain rate, 1/s
+///   [f₁ f₂ f₃] = −V P Dₘ⁻ᵀ,   f₀ = −f₁ − f₂ − f₃
+///
+/// Corotational linear elasticity [Mueller2004] with the exact energy gradient. The damping is
+/// stiffness-proportional (Rayleigh's βK) in the limit of small strain; written with the Green
+/// strain rate it is zero for every rigid motion, keeps angular momentum to round-off (P Fᵀ is
+/// symmetric) and never creates energy (β · 2μ|Ė|² + λ tr² ≥ 0).
+void add_corotational_forces(const std::vector<Element>& elements, const State& state,
+                             std::vector<Vec3>& force);
+
+/// Elastic energy Σ V (μ|S − I|² + ½λ tr²(S − I)), J.
+double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position);
+
+}  // namespace stiction

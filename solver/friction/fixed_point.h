@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "solver/friction/rule.h"
+#include "solver/mutation.h"
+
+namespace stiction {
+
+/// Static friction made coherent over time by a fixed-point iteration, one update a step
+/// [Lazarevych2009, (14)–(18)]: one value ξ a contact, an integral controller on the slip left
+/// over.
+///
+///   ξ ← ξ + g (u·ũ)/|ũ|²      if the contact stuck in the last step
+///   stick   f = ξ λ f_max = −ξ ũ/w, clamped to |f| ≤ μ fⁿ
+///   slip    f = f_max
+///
+/// Deviations from the paper:
+/// 1. The gain g is dimensionless: g = −α|ũ|. The paper's α carries s/m and its printed −0.1 does
+///    almost nothing in SI units; `raw_alpha` restores it.
+/// 2. Initial ξ = 1; ξ is forgotten when the contact slips or separates (not in the paper).
+/// 3. A clamped contact slips, and slipping forgets ξ, so the controller cannot wind up.
+/// 4. The slip u (start of the step) is projected on ũ/|ũ| of the present step. With |ũ| ≤ 1e-12
+/// m/s
+///    that direction is round-off: ξ is held, the closed form needs no direction.
+///
+/// u → 0: ξ is constant. A fixed obstacle leaves u = 0, so ξ stays 1.
+struct FixedPoint {
+  static constexpr int kValues = 1;
+  static constexpr double kDirectionLess = 1e-12;  ///< m/s
+
+  explicit FixedPoint(const FrictionParameters& parameters)
+      : gain_(parameters.gain), raw_alpha_(parameters.raw_alpha) {}
+
+  void reset(double* memory) const { memory[0] = 1.0; }
+
+  SlipSolution solve(const SlipProblem& problem, double* memory) const {
+    double& xi = memory[0];
+    const double free_slip = problem.free_slip.norm();
+    if (problem.was == ContactStatus::kStick && free_slip > kDirectionLess) {
+      const double slip = problem.start_slip.dot(problem.free_slip) / free_slip;
+      xi += raw_alpha_ != 0.0 ? -raw_alpha_ * slip : gain_ * slip / free_slip;
+    }
+    if (!can_stick(problem)) return slipped(problem, xi);
+    const Vec3 force = -xi / problem.inverse_mass * problem.free_slip;
+    if (force.squaredNorm() > problem.bound * problem.bound) return slipped(problem, xi);
+    return {force, ContactStatus::kStick};
+  }
+
+ private:
+  SlipSolution slipped(const SlipProblem& problem, double& xi) const {
+    SlipSolution solution = sliding(problem);
+    if constexpr (kMutation == Mutation::kStaleMemory) {
+      solution.status =
+          problem.was == ContactStatus::kStick ? ContactStatus::kStick : ContactStatus::kSlip;
+    } else {
+      xi = 1.0;
+    }
+    return solution;
+  }
+
+  double gain_;
+  double raw_alpha_;
+};
+
+}  // namespace stiction

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/contacts.h"
+
+namespace stiction {
+
+/// Gains of the friction rules.
+struct FrictionParameters {
+  /// g, dimensionless: ξ ← ξ + g u/|ũ|. The paper's observed convergence implies 0.58 – 0.82; the
+  /// loop is stable for 0 < g < 2.
+  double gain = 0.7;
+  /// The paper's raw α, s/m [(16)–(18)]: ξ ← ξ − α u. Used in place of the gain when not 0.
+  double raw_alpha = 0.0;
+};
+
+/// One contact's friction problem within a step, after its normal force is known.
+struct SlipProblem {
+  Vec3 free_slip;                           ///< ũ, tangential, m/s
+  Vec3 start_slip;                          ///< u, tangential, at the start of the step, m/s
+  double inverse_mass = 0;                  ///< w > 0, m/s/N
+  double bound = 0;                         ///< μ fⁿ ≥ 0, N
+  ContactStatus was = ContactStatus::kNew;  ///< status at the end of the last step
+};
+
+/// A rule's answer: friction force on the vertex (tangential, |force| ≤ bound) and what the contact
+/// did.
+struct SlipSolution {
+  Vec3 force;
+  ContactStatus status;
+};
+
+/// −bound · ũ/|ũ|, Coulomb's sliding friction [(7)]; zero when the bound is.
+/// Precondition: |ũ| > 0, which a slipping contact has since |ũ| > w · bound ≥ 0.
+inline SlipSolution sliding(const SlipProblem& problem) {
+  return {-problem.bound / problem.free_slip.norm() * problem.free_slip, ContactStatus::kSlip};
+}
+
+/// Friction at its full bound would end the slip within the step [(11)]: u* = ũ − w μfⁿ ũ/|ũ| does
+/// not keep the sign of ũ.
+inline bool can_stick(const SlipProblem& problem) {
+  const double reach = problem.inverse_mass * problem.bound;
+  return problem.free_slip.squaredNorm() <= reach * reach;
+}
+
+// A rule is a struct in a header of its own in this folder, named after the file (fixed_point.h →
+// FixedPoint; `rule = "fixed-point"` in settings). The build lists them. It has
+//   static constexpr int kValues            memory per contact, in doubles
+//   explicit Rule(const FrictionParameters&)
+//   void reset(double* memory) const        a new contact, or one whose memory is forgotten
+//   SlipSolution solve(const SlipProblem&, double* memory) const
+// `solve` is called once a contact and step, in the order of the keys.
+
+}  // namespace stiction

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/observables.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace stiction {
+
+namespace {
+
+// Mass-weighted mean of a vertex quantity over a body's vertices.
+template <class Quantity>
+Vec3 mass_mean(const Scene& scene, const Body& body, const Quantity& quantity) {
+  Vec3 sum = Vec3::Zero();
+  const auto first = static_cast<std::size_t>(body.first_vertex);
+  for (std::size_t k = first; k < first + static_cast<std::size_t>(body.vertex_count); ++k) {
+    sum += scene.mass[k] * quantity(k);
+  }
+  return sum / body.mass;
+}
+
+}  // namespace
+
+double kinetic_energy(const Scene& scene, const State& state) {
+  double energy = 0.0;
+  for (std::size_t k = 0; k < scene.mass.size(); ++k) {
+    energy += 0.5 * scene.mass[k] * state.velocity[k].v.squaredNorm();
+  }
+  return energy;
+}
+
+double gravity_energy(const Scene& scene, const State& state, double time) {
+  const Vec3 g = scene.gravity.at(time);
+  double energy = 0.0;
+  for (std::size_t k = 0; k < scene.mass.size(); ++k) {
+    energy -= scene.mass[k] * g.dot(state.position[k].x);
+  }
+  return energy;
+}
+
+Vec3 linear_momentum(const Scene& scene, const State& state) {
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t k = 0; k < scene.mass.size(); ++k) {
+    momentum += scene.mass[k] * state.velocity[k].v;
+  }
+  return momentum;
+}
+
+Vec3 angular_momentum(const Scene& scene, const State& state) {
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t k = 0; k < scene.mass.size(); ++k) {
+    momentum += scene.mass[k] * state.position[k].x.cross(state.velocity[k].v);
+  }
+  return momentum;
+}
+
+Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body) {
+  return mass_mean(scene, body, [&](std::size_t k) -> const Vec3& { return state.position[k].x; });
+}
+
+Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body) {
+  return mass_mean(scene, body, [&](std::size_t k) -> const Vec3& { return state.velocity[k].v; });
+}
+
+bool is_finite(const State& state) {
+  return std::all_of(state.position.begin(), state.position.end(),
+                     [](const Position& p) { return p.x.allFinite(); }) &&
+         std::all_of(state.velocity.begin(), state.velocity.end(),
+                     [](const Velocity& v) { return v.v.allFinite(); });
+}
+
+}  // namespace stiction

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/scene.h"
+#include "solver/state.h"
+
+namespace stiction {
+
+// Pure functions of scene and state. SI units.
+
+/// ½ Σ m v², J; pinned vertices do not move and count nothing.
+double kinetic_energy(const Scene& scene, const State& state);
+
+/// −Σ m g·x, J, with gravity at the state's time.
+double gravity_energy(const Scene& scene, const State& state, double time);
+
+/// Σ m v, kg m/s.
+Vec3 linear_momentum(const Scene& scene, const State& state);
+
+/// Σ x × m v about the origin, kg m²/s.
+Vec3 angular_momentum(const Scene& scene, const State& state);
+
+/// Centre of mass, m, and its velocity, m/s, of one body.
+Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body);
+Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body);
+
+/// True when all positions and velocities are finite numbers.
+bool is_finite(const State& state);
+
+}  // namespace stiction

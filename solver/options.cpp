@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/options.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "solver/demand.h"
+#include "solver/friction/catalog.h"
+
+namespace stiction {
+
+void check_options(const Options& options, const Scene& scene) {
+  std::ostringstream wrong;
+  wrong.precision(6);
+  const double dt = options.time_step;
+  if (!(dt > 0.0) || !std::isfinite(dt)) {
+    wrong << "the time step must be positive and finite, not " << dt << " s";
+  } else if (dt > scene.stable_time_step) {
+    wrong << "the time step " << dt << " s is above the stability limit " << scene.stable_time_step
+          << " s, set by tetrahedron " << scene.stiffest_element << " (body '"
+          << scene.stiffest_body << "')";
+  } else if (!is_friction_rule(options.rule)) {
+    wrong << "unknown friction rule '" << options.rule << "'; there are: " << friction_rule_list();
+  } else if (!std::isfinite(options.friction.gain) || !std::isfinite(options.friction.raw_alpha)) {
+    wrong << "friction gains must be finite numbers";
+  }
+  if (!wrong.str().empty()) throw InputError(wrong.str());
+}
+
+}  // namespace stiction

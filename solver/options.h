@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "solver/friction/rule.h"
+#include "solver/scene.h"
+
+namespace stiction {
+
+/// How a scene is stepped: what a user may turn without changing the physics described.
+struct Options {
+  double time_step = 2e-4;           ///< Δt, s
+  std::string rule = "fixed-point";  ///< friction rule: a file of solver/friction/
+  FrictionParameters friction{};     ///< gains of the rules
+};
+
+/// Throws InputError with one sentence when an option is out of range or unknown, or when Δt is
+/// above the scene's element stability limit (the sentence names the limit and the element).
+void check_options(const Options& options, const Scene& scene);
+
+}  // namespace stiction

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/phases/predict.h"
+
+namespace stiction {
+
+void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force) {
+  const Vec3 g = scene.gravity.at(time);
+  force.resize(scene.mass.size());
+  for (std::size_t k = 0; k < force.size(); ++k) force[k] = scene.mass[k] * g;
+}
+
+void predict(double dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
+             std::vector<Velocity>& predicted) {
+  predicted.resize(velocity_t0.size());
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    const Velocity& old = velocity_t0[k];
+    predicted[k] = {old.v + dt * old.inverse_mass * force[k], old.inverse_mass};
+  }
+}
+
+}  // namespace stiction

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/scene.h"
+#include "solver/state.h"
+
+namespace stiction {
+
+/// Fᵢ = mᵢ g(t), N; `force` gets the scene's vertex count. Pinned vertices get a force too; it
+/// moves nothing.
+void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force);
+
+/// v* = v_t0 + Δt F/m, per vertex; 1/m = 0 where pinned.
+void predict(double dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
+             std::vector<Velocity>& predicted);
+
+}  // namespace stiction

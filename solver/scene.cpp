@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/scene.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "solver/numbering.h"
+#include "solver/scene_check.h"
+
+namespace stiction {
+
+namespace {
+
+struct Lame {
+  double mu;
+  double lambda;
+};
+
+Lame lame(const Material& material) {
+  const double nu = material.poisson_ratio;
+  const double e = material.youngs_modulus;
+  return {e / (2.0 * (1.0 + nu)), e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))};
+}
+
+// Columns x₁ − x₀, x₂ − x₀, x₃ − x₀.
+Mat3 edges(const TetMesh& mesh, Eigen::Index tetrahedron) {
+  const auto corners = mesh.tetrahedra.col(tetrahedron);
+  Mat3 d;
+  for (int k = 0; k < 3; ++k) {
+    d.col(k) = mesh.vertices.col(corners[k + 1]) - mesh.vertices.col(corners[0]);
+  }
+  return d;
+}
+
+std::vector<double> lumped_masses(const BodyDescription& body) {
+  std::vector<double> mass(static_cast<std::size_t>(body.mesh.vertices.cols()), 0.0);
+  for (Eigen::Index e = 0; e < body.mesh.tetrahedra.cols(); ++e) {
+    const double quarter = 0.25 * body.material.density * signed_volume(body.mesh, e);
+    for (int k = 0; k < 4; ++k) {
+      mass[static_cast<std::size_t>(body.mesh.tetrahedra(k, e))] += quarter;
+    }
+  }
+  for (double& m : mass) {
+    if (m == 0.0) m = body.point_mass;
+  }
+  return mass;
+}
+
+Element element_of(const BodyDescription& body, Eigen::Index tetrahedron,
+                   const std::vector<int>& scene_vertex) {
+  const Mat3 rest_edges = edges(body.mesh, tetrahedron);
+  const Mat3 inverse = rest_edges.inverse();
+  const double volume = signed_volume(body.mesh, tetrahedron);
+  const Lame parameters = lame(body.material);
+  Element element;
+  for (int k = 0; k < 4; ++k) {
+    const auto described = static_cast<std::size_t>(body.mesh.tetrahedra(k, tetrahedron));
+    element.vertex[k] = scene_vertex[described];
+  }
+  Eigen::Map<Mat3>(element.inverse_rest_edges) = inverse;
+  element.mu_volume = parameters.mu * volume;
+  element.lambda_volume = parameters.lambda * volume;
+  element.damping_time = body.material.damping_time;
+  return element;
+}
+
+void add_body(const BodyDescription& body, Scene& scene) {
+  const int first = scene.vertex_count();
+  const auto count = body.mesh.vertices.cols();
+  const Numbering numbering = spatial_numbering(body.mesh);
+  const std::vector<double> mass = lumped_masses(body);
+
+  std::vector<int> scene_vertex(static_cast<std::size_t>(count));
+  for (Eigen::Index k = 0; k < count; ++k) {
+    scene_vertex[static_cast<std::size_t>(k)] =
+        first + numbering.place[static_cast<std::size_t>(k)];
+  }
+
+  scene.rest_position.conservativeResize(3, first + count);
+  scene.initial_velocity.conservativeResize(3, first + count);
+  scene.mass.resize(static_cast<std::size_t>(first + count));
+  for (std::size_t k = 0; k < scene_vertex.size(); ++k) {
+    const int place = scene_vertex[k];
+    const auto source = static_cast<Eigen::Index>(k);
+    scene.rest_position.col(place) = body.mesh.vertices.col(source);
+    scene.initial_velocity.col(place) = Vec3::Zero();
+    if (body.initial_velocity.cols() > 0) {
+      scene.initial_velocity.col(place) = body.initial_velocity.col(source);
+    }
+    scene.mass[static_cast<std::size_t>(place)] = mass[k];
+  }
+  scene.inverse_mass.resize(scene.mass.size());
+  for (auto k = static_cast<std::size_t>(first); k < scene.mass.size(); ++k) {
+    scene.inverse_mass[k] = 1.0 / scene.mass[k];
+  }
+  for (const int described : body.pinned) {
+    const int place = scene_vertex[static_cast<std::size_t>(described)];
+    scene.inverse_mass[static_cast<std::size_t>(place)] = 0.0;
+    scene.initial_velocity.col(place).setZero();
+  }
+  for (int k = 0; k < numbering.surface_count; ++k) scene.surface_vertex.push_back(first + k);
+
+  const auto described_before = static_cast<int>(scene.elements.size());
+  const std::size_t first_element = scene.elements.size();
+  for (Eigen::Index e = 0; e < body.mesh.tetrahedra.cols(); ++e) {
+    scene.elements.push_back(element_of(body, e, scene_vertex));
+    const double limit = element_time_step_limit(body.mesh, e, body.material);
+    if (limit < scene.stable_time_step) {
+      scene.stable_time_step = limit;
+      scene.stiffest_element = described_before + static_cast<int>(e);
+      scene.stiffest_body = body.name;
+    }
+  }
+  std::stable_sort(scene.elements.begin() + static_cast<std::ptrdiff_t>(first_element),
+                   scene.elements.end(), [](const Element& a, const Element& b) {
+                     return *std::min_element(a.vertex, a.vertex + 4) <
+                            *std::min_element(b.vertex, b.vertex + 4);
+                   });
+  scene.scene_vertex.insert(scene.scene_vertex.end(), scene_vertex.begin(), scene_vertex.end());
+  scene.bodies.push_back(
+      {body.name, first, static_cast<int>(count), std::accumulate(mass.begin(), mass.end(), 0.0)});
+}
+
+}  // namespace
+
+double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
+                               const Material& material) {
+  // ω² of the lumped element: eigenvalues of (4/ρ) Lᵀ B Bᵀ L with D = L Lᵀ the elasticity matrix
+  // (Voigt) and B the 6 × 12 strain matrix; the six zero modes drop out by working in strain space.
+  const Mat3 gradients = edges(mesh, tetrahedron).inverse();  // rows: ∇N₁, ∇N₂, ∇N₃
+  Eigen::Matrix<double, 6, 12> b = Eigen::Matrix<double, 6, 12>::Zero();
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 g = k == 0 ? Vec3(-gradients.colwise().sum().transpose())
+                          : Vec3(gradients.row(k - 1).transpose());
+    auto columns = b.middleCols<3>(3 * k);
+    columns.diagonal() = g;
+    columns(3, 0) = g.y();
+    columns(3, 1) = g.x();
+    columns(4, 1) = g.z();
+    columns(4, 2) = g.y();
+    columns(5, 0) = g.z();
+    columns(5, 2) = g.x();
+  }
+  const Lame parameters = lame(material);
+  Eigen::Matrix<double, 6, 6> d = Eigen::Matrix<double, 6, 6>::Zero();
+  d.topLeftCorner<3, 3>().setConstant(parameters.lambda);
+  d.topLeftCorner<3, 3>().diagonal().array() += 2.0 * parameters.mu;
+  d.bottomRightCorner<3, 3>().diagonal().setConstant(parameters.mu);
+  const Eigen::Matrix<double, 6, 6> l = d.llt().matrixL();
+  const Eigen::Matrix<double, 6, 6> operator_ = l.transpose() * (b * b.transpose()) * l;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(operator_,
+                                                                         Eigen::EigenvaluesOnly);
+  const double omega2 = 4.0 / material.density * eigen.eigenvalues().maxCoeff();
+  const double beta = material.damping_time;
+  return std::sqrt(beta * beta + 4.0 / omega2) - beta;
+}
+
+Scene build_scene(const SceneDescription& description) {
+  check_description(description);
+  Scene scene;
+  scene.half_spaces = description.half_spaces;
+  scene.gravity = description.gravity;
+  scene.stable_time_step = std::numeric_limits<double>::infinity();
+  for (const BodyDescription& body : description.bodies) add_body(body, scene);
+  check_start(scene);
+  return scene;
+}
+
+}  // namespace stiction

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/gravity.h"
+#include "solver/mesh.h"
+
+namespace stiction {
+
+using Mat3 = Eigen::Matrix3d;
+
+/// Isotropic linear elasticity (corotational) with strain-rate damping. SI units.
+struct Material {
+  double density = 1000.0;      ///< kg/m³, > 0
+  double youngs_modulus = 1e6;  ///< Pa, > 0
+  double poisson_ratio = 0.3;   ///< dimensionless, in (−1, ½)
+  double damping_time = 0.0;  ///< β in s, ≥ 0: viscous stress = β · elasticity · strain rate
+};
+
+/// A deformable body, or a point mass (one vertex, no tetrahedra, `point_mass` > 0).
+struct BodyDescription {
+  std::string name;
+  TetMesh mesh;                       ///< initial and rest shape, m
+  Material material;                  ///< unused by point masses
+  double point_mass = 0.0;            ///< kg, of each vertex that no tetrahedron carries
+  Eigen::Matrix3Xd initial_velocity;  ///< 3 × vertex count, m/s; empty means at rest
+  std::vector<int> pinned;            ///< vertices that never move
+};
+
+/// A fixed obstacle: the points x with (x − point)·normal < 0 are inside it.
+struct HalfSpace {
+  std::string name;
+  Vec3 point = Vec3::Zero();    ///< any point of the plane, m
+  Vec3 normal = Vec3::UnitZ();  ///< outward, unit length
+  double friction = 0.0;        ///< μ against every body, dimensionless, ≥ 0
+};
+
+/// What a user describes; `build_scene` checks it and turns it into a Scene.
+struct SceneDescription {
+  std::vector<BodyDescription> bodies;
+  std::vector<HalfSpace> half_spaces;
+  Gravity gravity;
+};
+
+/// One tetrahedron as the force kernel reads it: two cache lines.
+struct alignas(64) Element {
+  std::int32_t vertex[4];        ///< scene vertices
+  double inverse_rest_edges[9];  ///< Dₘ⁻¹, column major, 1/m
+  double mu_volume;              ///< second Lamé parameter × rest volume, J
+  double lambda_volume;          ///< first Lamé parameter × rest volume, J
+  double damping_time;           ///< β, s
+};
+static_assert(sizeof(Element) == 128);
+
+/// A body's place in the scene's arrays.
+struct Body {
+  std::string name;
+  int first_vertex = 0;  ///< its vertices are contiguous
+  int vertex_count = 0;
+  double mass = 0.0;  ///< kg, pinned vertices included
+};
+
+/// Constant data of a simulation. Vertices of a body are renumbered at load: along a space-filling
+/// curve, those on the surface first; elements follow their vertices.
+struct Scene {
+  std::vector<Body> bodies;
+  std::vector<HalfSpace> half_spaces;
+  Gravity gravity;
+
+  Eigen::Matrix3Xd rest_position;     ///< 3 × vertex count, m
+  Eigen::Matrix3Xd initial_velocity;  ///< 3 × vertex count, m/s
+  std::vector<double> mass;           ///< lumped, per vertex, kg
+  std::vector<double> inverse_mass;   ///< 1/kg, 0 where pinned
+  std::vector<int> surface_vertex;    ///< vertices that can touch something, increasing
+  std::vector<Element> elements;
+  std::vector<int> scene_vertex;  ///< scene vertex of the k-th described vertex (bodies in order)
+
+  double stable_time_step = 0.0;  ///< s; infinite when nothing is elastic
+  int stiffest_element = -1;      ///< described number, counted over bodies in order
+  std::string stiffest_body;      ///< whose element that is
+
+  int vertex_count() const { return static_cast<int>(mass.size()); }
+};
+
+/// Checks a description and builds the scene.
+/// Throws InputError with one sentence for: NaN or infinite numbers, indices out of range, inverted
+/// or zero-volume tetrahedra, vertices without mass, negative density, stiffness, damping or μ,
+/// a Poisson ratio outside (−1, ½), normals that are not unit vectors, keyframes out of order, and
+/// bodies that start inside an obstacle.
+Scene build_scene(const SceneDescription& description);
+
+/// Largest stable time step of one element, s: symplectic Euler with viscous damping β needs
+/// Δt ≤ √(β² + 4/ω²) − β, with ω² the largest eigenvalue of the lumped element; the smallest
+/// element value bounds the mesh [IronsTreharne1971].
+double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
+                               const Material& material);
+
+}  // namespace stiction

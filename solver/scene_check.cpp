@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/scene_check.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "solver/demand.h"
+
+namespace stiction {
+
+namespace {
+
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+  std::ostringstream sentence;
+  sentence.precision(9);
+  (sentence << ... << parts);
+  throw InputError(sentence.str());
+}
+
+void check_material(const std::string& who, const Material& material) {
+  const double nu = material.poisson_ratio;
+  if (!(material.density > 0.0) || !std::isfinite(material.density)) {
+    refuse(who, ": density must be positive and finite, not ", material.density, " kg/m³");
+  }
+  if (!(material.youngs_modulus > 0.0) || !std::isfinite(material.youngs_modulus)) {
+    refuse(who, ": Young's modulus must be positive and finite, not ", material.youngs_modulus,
+           " Pa");
+  }
+  if (!(nu > -1.0 && nu < 0.5)) {
+    refuse(who, ": Poisson's ratio must lie between -1 and 0.5, not ", nu);
+  }
+  if (!(material.damping_time >= 0.0) || !std::isfinite(material.damping_time)) {
+    refuse(who, ": damping time must be non-negative and finite, not ", material.damping_time,
+           " s");
+  }
+}
+
+void check_tetrahedra(const std::string& who, const TetMesh& mesh) {
+  for (Eigen::Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
+    for (int k = 0; k < 4; ++k) {
+      const int v = mesh.tetrahedra(k, e);
+      if (v < 0 || v >= mesh.vertices.cols()) {
+        refuse(who, ": tetrahedron ", e, " refers to vertex ", v, ", but there are only ",
+               mesh.vertices.cols(), " vertices");
+      }
+    }
+    const double volume = signed_volume(mesh, e);
+    double longest = 0.0;
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < a; ++b) {
+        longest = std::max(longest, (mesh.vertices.col(mesh.tetrahedra(a, e)) -
+                                     mesh.vertices.col(mesh.tetrahedra(b, e)))
+                                        .norm());
+      }
+    }
+    // Below 1e-12 of its longest edge cubed the sign of a volume is round-off.
+    const double smallest = 1e-12 * longest * longest * longest;
+    if (volume < -smallest) {
+      refuse(who, ": tetrahedron ", e, " is inverted (volume ", volume, " m³)");
+    }
+    if (!(volume > smallest)) {
+      refuse(who, ": tetrahedron ", e, " has zero volume (", volume, " m³)");
+    }
+  }
+}
+
+void check_body(const BodyDescription& body) {
+  const std::string who = "body '" + body.name + "'";
+  const TetMesh& mesh = body.mesh;
+  if (mesh.vertices.cols() == 0) refuse(who, ": has no vertices");
+  for (Eigen::Index v = 0; v < mesh.vertices.cols(); ++v) {
+    if (!mesh.vertices.col(v).allFinite()) {
+      refuse(who, ": vertex ", v, " has a coordinate that is not a finite number");
+    }
+  }
+  if (body.initial_velocity.cols() != 0 && body.initial_velocity.cols() != mesh.vertices.cols()) {
+    refuse(who, ": ", body.initial_velocity.cols(), " initial velocities for ",
+           mesh.vertices.cols(), " vertices");
+  }
+  if (!body.initial_velocity.allFinite()) {
+    refuse(who, ": an initial velocity is not a finite number");
+  }
+  if (mesh.tetrahedra.cols() > 0) check_material(who, body.material);
+  check_tetrahedra(who, mesh);
+  std::vector<bool> carried(static_cast<std::size_t>(mesh.vertices.cols()), false);
+  for (const int v : mesh.tetrahedra.reshaped()) carried[static_cast<std::size_t>(v)] = true;
+  for (std::size_t v = 0; v < carried.size(); ++v) {
+    if (!carried[v] && !(body.point_mass > 0.0 && std::isfinite(body.point_mass))) {
+      refuse(who, ": vertex ", v,
+             " belongs to no tetrahedron and needs a positive point mass, not ", body.point_mass,
+             " kg");
+    }
+  }
+  for (const int v : body.pinned) {
+    if (v < 0 || v >= mesh.vertices.cols()) {
+      refuse(who, ": pinned vertex ", v, " does not exist, there are ", mesh.vertices.cols(),
+             " vertices");
+    }
+  }
+}
+
+void check_obstacle(const HalfSpace& obstacle) {
+  const std::string who = "obstacle '" + obstacle.name + "'";
+  if (!obstacle.point.allFinite()) refuse(who, ": its point is not a finite number");
+  // A normal whose length is off by more than round-off would scale every depth.
+  if (!(std::abs(obstacle.normal.norm() - 1.0) < 1e-12)) {
+    refuse(who, ": its normal must have length 1, not ", obstacle.normal.norm());
+  }
+  if (!(obstacle.friction >= 0.0) || !std::isfinite(obstacle.friction)) {
+    refuse(who, ": the friction coefficient must be non-negative and finite, not ",
+           obstacle.friction);
+  }
+}
+
+}  // namespace
+
+void check_description(const SceneDescription& description) {
+  if (description.bodies.empty()) refuse("the scene has no bodies");
+  for (const BodyDescription& body : description.bodies) check_body(body);
+  for (const HalfSpace& obstacle : description.half_spaces) check_obstacle(obstacle);
+  const Gravity& gravity = description.gravity;
+  if (gravity.time.size() != gravity.acceleration.size()) {
+    refuse("gravity: ", gravity.time.size(), " times for ", gravity.acceleration.size(),
+           " accelerations");
+  }
+  for (std::size_t k = 0; k < gravity.time.size(); ++k) {
+    if (!std::isfinite(gravity.time[k]) || !gravity.acceleration[k].allFinite()) {
+      refuse("gravity: keyframe ", k, " is not a finite number");
+    }
+    if (k > 0 && !(gravity.time[k] > gravity.time[k - 1])) {
+      refuse("gravity: keyframe ", k, " at ", gravity.time[k], " s does not follow ",
+             gravity.time[k - 1], " s");
+    }
+  }
+}
+
+void check_start(const Scene& scene) {
+  if (scene.vertex_count() == 0) return;
+  const double size = scene.rest_position.cwiseAbs().maxCoeff();
+  // Round-off of a placed mesh: a depth d starts a vertex at d/Δt, so 1e-13 of a metre-sized scene
+  // is below 1e-9 m/s at the usual steps; anything deeper was meant.
+  const double allowed = 1e-13 * std::max(size, 1.0);
+  for (const Body& body : scene.bodies) {
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+      if (scene.inverse_mass[static_cast<std::size_t>(v)] == 0.0) continue;
+      for (const HalfSpace& obstacle : scene.half_spaces) {
+        const double gap = obstacle.normal.dot(scene.rest_position.col(v) - obstacle.point);
+        if (gap < -allowed) {
+          refuse("body '", body.name, "': starts ", -gap, " m inside obstacle '", obstacle.name,
+                 "'");
+        }
+      }
+    }
+  }
+}
+
+}  // namespace stiction

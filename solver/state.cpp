@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/state.h"
+
+#include "solver/hash.h"
+
+namespace stiction {
+
+State initial_state(const Scene& scene) {
+  State state;
+  const auto count = static_cast<std::size_t>(scene.vertex_count());
+  state.position.resize(count);
+  state.velocity.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    state.position[k] = {scene.rest_position.col(column), 0.0};
+    state.velocity[k] = {scene.initial_velocity.col(column), scene.inverse_mass[k]};
+  }
+  return state;
+}
+
+std::uint64_t hash_of(const State& state) {
+  Fnv1a hash;
+  hash.add(&state.step, sizeof state.step);
+  for (const Position& p : state.position) hash.add(p.x.data(), sizeof p.x);
+  for (const Velocity& v : state.velocity) hash.add(v.v.data(), sizeof v.v);
+  const FrictionMemory& memory = state.memory;
+  hash.add(memory.key.data(), memory.key.size() * sizeof(ContactKey));
+  hash.add(memory.status.data(), memory.status.size() * sizeof(ContactStatus));
+  hash.add(memory.value.data(), memory.value.size() * sizeof(double));
+  return hash.value();
+}
+
+}  // namespace stiction

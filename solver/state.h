@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/contacts.h"
+#include "solver/scene.h"
+
+namespace stiction {
+
+/// 32-byte records: one contact update reads a vertex's velocity and inverse mass from half a cache
+/// line. The inverse mass is constant and stands here as a copy of `Scene::inverse_mass`.
+struct alignas(32) Velocity {
+  Vec3 v;               ///< m/s
+  double inverse_mass;  ///< 1/kg
+};
+struct alignas(32) Position {
+  Vec3 x;  ///< m
+  double unused;
+};
+static_assert(sizeof(Velocity) == 32 && sizeof(Position) == 32);
+
+/// Everything that a step changes and the next step reads: what is hashed, saved and restored. A
+/// copy of a State is a snapshot; assigning it back restores it, friction memory included.
+struct State {
+  std::uint64_t step = 0;          ///< steps done; time is t = step · Δt
+  std::vector<Position> position;  ///< per vertex
+  std::vector<Velocity> velocity;  ///< per vertex
+  FrictionMemory memory;           ///< of the contacts of the last step
+};
+
+/// The scene's initial state.
+State initial_state(const Scene& scene);
+
+/// FNV-1a over step count, positions, velocities and friction memory, 64 bits. Equal states have
+/// equal hashes; golden hashes hold per toolchain only.
+std::uint64_t hash_of(const State& state);
+
+}  // namespace stiction

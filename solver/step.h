@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/options.h"
+#include "solver/scene.h"
+#include "solver/state.h"
+#include "solver/workspace.h"
+
+namespace stiction {
+
+/// Advances `state` by one time step Δt: symplectic Euler with a contact predictor and corrector
+/// [Lazarevych2009, sec. 3].
+///
+///   1  v* = v_t0 + Δt M⁻¹ F(x_t0, v_t0),   x* = x_t0 + Δt v*
+///   2  contacts: vertices whose x* lies inside an obstacle
+///   3  normal forces, then friction, on v* in place, contact by contact (Seidel)
+///   4  x_t1 = x_t0 + Δt v_t1
+///
+/// The options must have passed `check_options` for this scene.
+void step(const Scene& scene, const Options& options, State& state, Workspace& workspace);
+
+}  // namespace stiction

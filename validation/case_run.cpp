@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/case_run.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "validation/verdict.h"
+
+namespace stiction {
+
+namespace {
+
+Settings merged(Settings base, const Settings& over) {
+  for (const auto& [name, value] : over) base[name] = value;
+  return base;
+}
+
+}  // namespace
+
+Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
+                       const Problem& problem)
+    : run_(run), engine_(kind.make(settings)) {
+  engine_->load(problem);
+  run_.started(*engine_);
+}
+
+Simulation::~Simulation() { run_.ended(*engine_); }
+
+double Simulation::time() const {
+  return static_cast<double>(engine_->steps_done()) * engine_->time_step();
+}
+
+void Simulation::advance_to(double time) {
+  const auto target = static_cast<std::uint64_t>(std::llround(time / engine_->time_step()));
+  if (target > engine_->steps_done()) engine_->advance(target - engine_->steps_done());
+}
+
+CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale)
+    : engine_(std::move(engine)),
+      settings_(std::move(settings)),
+      tolerance_scale_(tolerance_scale) {
+  record_.case_name = which.name;
+  record_.title = which.title;
+  record_.engine = engine_.name;
+  record_.settings = settings_;
+}
+
+std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Settings& extra) {
+  return std::make_unique<Simulation>(*this, engine_, merged(settings_, extra), problem);
+}
+
+void CaseRun::check(Check check) {
+  judge(check, tolerance_scale_);
+  record_.checks.push_back(std::move(check));
+}
+
+void CaseRun::started(const Engine& engine) {
+  if (settings_resolved_) return;
+  record_.settings = engine.settings();
+  settings_resolved_ = true;
+}
+
+void CaseRun::ended(const Engine& engine) {
+  const Cost cost = engine.cost();
+  Cost& total = record_.cost;
+  total.cpu_seconds += cost.cpu_seconds;
+  total.steps += cost.steps;
+  total.contact_updates += cost.contact_updates;
+  for (const auto& [phase, seconds] : cost.phase_seconds) total.phase_seconds[phase] += seconds;
+  if (cost.ns_per_contact_update > 0.0) {
+    const auto updates = static_cast<double>(cost.contact_updates);
+    timed_contacts_ += updates;
+    contact_seconds_ += 1e-9 * cost.ns_per_contact_update * updates;
+  }
+  const std::uint64_t hash = engine.state_hash();
+  hash_.add(&hash, sizeof hash);
+}
+
+Record CaseRun::record() const {
+  Record record = record_;
+  if (timed_contacts_ > 0.0) {
+    record.cost.ns_per_contact_update = 1e9 * contact_seconds_ / timed_contacts_;
+  }
+  if (record.cost.steps > 0) record.state_hash = fmt::format("{:016x}", hash_.value());
+  record.verdict = combined_verdict(record.checks);
+  return record;
+}
+
+}  // namespace stiction

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "reports/record.h"
+#include "solver/hash.h"
+#include "validation/case.h"
+#include "validation/engine.h"
+
+namespace stiction {
+
+class CaseRun;
+
+/// An engine that has taken a problem. Its cost and state hash go into the case's record when the
+/// object ends, so no simulated step is ever left out of the bill.
+class Simulation {
+ public:
+  Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
+             const Problem& problem);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  double time() const;           ///< s
+  void advance_to(double time);  ///< to the nearest step, never backwards
+  Engine& engine() { return *engine_; }
+  const Engine& engine() const { return *engine_; }
+
+ private:
+  CaseRun& run_;
+  std::unique_ptr<Engine> engine_;
+};
+
+/// What a case is given to run with, and where it leaves what it found.
+class CaseRun {
+ public:
+  /// `settings` are the variant's with the user's over them. A tolerance is multiplied by
+  /// `tolerance_scale` before it is compared.
+  CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale);
+
+  /// Starts the engine on a problem, with the run's settings and `extra` over them.
+  std::unique_ptr<Simulation> simulate(const Problem& problem, const Settings& extra = {});
+
+  /// Fills in error, digits and verdict from value, expected and tolerance, and keeps the check.
+  /// |error| ≤ tolerance passes; a value that is no number fails.
+  void check(Check check);
+  void note(std::string text) { record_.notes.push_back(std::move(text)); }
+  void add(Series series) { record_.series.push_back(std::move(series)); }
+
+  const EngineKind& engine() const { return engine_; }
+  const Settings& settings() const { return settings_; }
+
+  /// The record so far, verdict and cost included; environment left to the caller.
+  Record record() const;
+
+ private:
+  friend class Simulation;
+  void started(const Engine& engine);  // the record's settings are those of the first simulation
+  void ended(const Engine& engine);
+
+  EngineKind engine_;
+  Settings settings_;
+  double tolerance_scale_;
+  Record record_;
+  bool settings_resolved_ = false;
+  Fnv1a hash_;
+  double timed_contacts_ = 0.0;  // contact updates of engines that timed them
+  double contact_seconds_ = 0.0;
+};
+
+}  // namespace stiction

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/incline.h"
+#include "validation/case_run.h"
+#include "validation/incline_problem.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr double kHeight = 0.1;  // m
+
+Problem drop(const Shape& shape, double height, double duration) {
+  InclineSetup setup;
+  setup.shape = shape;
+  setup.duration = duration;
+  Problem problem = incline_problem(setup);
+  problem.bodies[0].position.z() += height;
+  return problem;
+}
+
+double total(const Energies& energies) {
+  return energies.kinetic + energies.gravity + energies.elastic;
+}
+
+void run_free_fall(CaseRun& run) {
+  Problem problem = drop(PointShape{}, kHeight, 0.1);
+  const std::unique_ptr<Simulation> simulation = run.simulate(problem);
+  simulation->advance_to(0.1);
+  const auto steps = static_cast<std::int64_t>(simulation->engine().steps_done());
+  const reference::PointState expected = reference::discrete_free_fall(
+      {kHeight, 0.0}, kStandardGravity, simulation->engine().time_step(), steps);
+  const BodyMotion motion = simulation->engine().body(0);
+  const double round_off = 4.0 * static_cast<double>(steps) * 1.1e-16;
+  run.check({.quantity = "height after 0.1 s",
+             .unit = "m",
+             .claim = "without contact a point mass falls freely",
+             .formula = "xₙ = h − gΔt² n(n+1)/2",
+             .source = "symplectic Euler, reference/incline.h",
+             .kind = ReferenceKind::kExactComputed,
+             .value = motion.position.z(),
+             .expected = expected.position,
+             .relative = true,
+             .tolerance = round_off,
+             .reason = "round-off: four roundings a step"});
+  run.check({.quantity = "velocity after 0.1 s",
+             .unit = "m/s",
+             .claim = "… at the speed it must have",
+             .formula = "vₙ = −gΔt n",
+             .source = "symplectic Euler, reference/incline.h",
+             .kind = ReferenceKind::kExactComputed,
+             .value = motion.velocity.z(),
+             .expected = expected.velocity,
+             .relative = true,
+             .tolerance = round_off,
+             .reason = "round-off: four roundings a step"});
+}
+
+void run_bounce(CaseRun& run) {
+  const Problem problem = drop(PointShape{}, kHeight, 0.3);
+  const std::unique_ptr<Simulation> simulation = run.simulate(problem);
+  const double dt = simulation->engine().time_step();
+  double rise = 0.0;
+  double lowest = kHeight;
+  double gain = 0.0;
+  double energy = total(simulation->engine().energies());
+  Series height{"height", "m", "time", "s", {}, {}};
+  while (simulation->time() < problem.duration - 0.5 * dt) {
+    simulation->advance_to(simulation->time() + dt);
+    const Engine& engine = simulation->engine();
+    rise = std::max(rise, engine.body(0).velocity.z());
+    lowest = std::min(lowest, engine.body(0).position.z());
+    const double now = total(engine.energies());
+    gain = std::max(gain, now - energy);
+    energy = now;
+    if (engine.steps_done() % 10 == 0) {
+      height.x.push_back(simulation->time());
+      height.y.push_back(engine.body(0).position.z());
+    }
+  }
+  run.add(std::move(height));
+  const double round_off = 1e-15;
+  run.check(
+      {.quantity = "fastest rise",
+       .unit = "m/s",
+       .claim = "the half-space rule does not rebound: the whole depth is closed within a step",
+       .formula = "F = m d/Δt² ends the step on the plane",
+       .source = "[Lazarevych2009], (3), in the limit of a fixed obstacle",
+       .kind = ReferenceKind::kAnalytic,
+       .value = rise,
+       .expected = 0.0,
+       .tolerance = round_off / dt,
+       .reason = "round-off of a position on the plane, 1e-15 m, over one step"});
+  run.check({.quantity = "deepest penetration",
+             .unit = "m",
+             .claim = "at the end of a step nothing is inside the obstacle",
+             .formula = "gap ≥ 0",
+             .source = "Signorini",
+             .kind = ReferenceKind::kAnalytic,
+             .value = std::min(0.0, lowest),
+             .expected = 0.0,
+             .tolerance = round_off,
+             .reason = "round-off of a position on the plane"});
+  run.check({.quantity = "largest energy gain in a step",
+             .unit = "J",
+             .claim = "contact never creates energy",
+             .formula = "Eₙ₊₁ ≤ Eₙ (free fall loses ½mg²Δt² a step)",
+             .source = "normal_force.h",
+             .kind = ReferenceKind::kAnalytic,
+             .value = gain,
+             .expected = 0.0,
+             .tolerance = 1e-15,
+             .reason = "round-off of 1 J"});
+  run.check({.quantity = "height at the end",
+             .unit = "m",
+             .claim = "it lies on the plane",
+             .formula = "x = 0",
+             .source = "Signorini",
+             .kind = ReferenceKind::kAnalytic,
+             .value = simulation->engine().body(0).position.z(),
+             .expected = 0.0,
+             .tolerance = round_off,
+             .reason = "round-off of a position on the plane"});
+}
+
+void run_rest(CaseRun& run) {
+  InclineSetup setup;
+  const std::unique_ptr<Simulation> simulation = run.simulate(settled_incline_problem(setup));
+  simulation->advance_to(1.0);
+  const Engine& engine = simulation->engine();
+  double normal_force = 0.0;
+  double deepest = 0.0;
+  for (const ContactSample& contact : engine.contacts()) {
+    normal_force += contact.normal_force;
+    deepest = std::min(deepest, contact.gap);
+  }
+  run.check({.quantity = "sum of normal forces",
+             .unit = "N",
+             .claim = "a box at rest presses on the plane with its weight",
+             .formula = "ΣN = mg",
+             .source = "equilibrium",
+             .kind = ReferenceKind::kAnalytic,
+             .value = normal_force,
+             .expected = setup.mass * kStandardGravity,
+             .relative = true,
+             .tolerance = 1e-9,
+             .reason =
+                 "normal forces are depth · m/Δt² with depths of gΔt² = 4e-7 m beside "
+                 "positions rounded to 1.4e-17 m: 4e-11 a contact, and a factor for the elastic "
+                 "forces' round-off"});
+  run.check({.quantity = "kinetic energy",
+             .unit = "J",
+             .claim = "it is at rest",
+             .formula = "½Σmv² = 0",
+             .source = "equilibrium",
+             .kind = ReferenceKind::kAnalytic,
+             .value = engine.energies().kinetic,
+             .expected = 0.0,
+             .tolerance = 1e-24,
+             .reason = "the goal of the deformable cases: 1.4e-12 m/s for 1 kg"});
+  run.check({.quantity = "deepest penetration",
+             .unit = "m",
+             .claim = "nothing is inside the obstacle",
+             .formula = "gap ≥ 0",
+             .source = "Signorini",
+             .kind = ReferenceKind::kAnalytic,
+             .value = deepest,
+             .expected = 0.0,
+             .tolerance = 1e-15,
+             .reason = "round-off of a position on the plane"});
+}
+
+void run_box_drop(CaseRun& run) {
+  const Problem problem = drop(InclineSetup{}.shape, 0.02, 1.0);
+  const std::unique_ptr<Simulation> simulation = run.simulate(problem);
+  const double dt = simulation->engine().time_step();
+  const double start = total(simulation->engine().energies());
+  double highest = start;
+  Series series{"total energy", "J", "time", "s", {}, {}};
+  while (simulation->time() < problem.duration - 0.5 * dt) {
+    simulation->advance_to(simulation->time() + 5.0 * dt);
+    const double energy = total(simulation->engine().energies());
+    highest = std::max(highest, energy);
+    series.x.push_back(simulation->time());
+    series.y.push_back(energy);
+  }
+  run.add(std::move(series));
+  const double kinetic_at_impact = 1.0 * kStandardGravity * 0.02;
+  run.check({.quantity = "largest energy above the start",
+             .unit = "J",
+             .claim = "a falling, bouncing elastic box never has more energy than at the start",
+             .formula = "E(t) ≤ E(0)",
+             .source = "energy balance: contact, friction and damping only take",
+             .kind = ReferenceKind::kAnalytic,
+             .value = highest - start,
+             .expected = 0.0,
+             .relative = true,
+             .scale = kinetic_at_impact,
+             .tolerance = 1e-14,
+             .reason = "round-off; the integrator's own energy error has the sign of a loss"});
+}
+
+}  // namespace
+
+std::vector<Case> cases_half_space() {
+  return {{.name = "half-space/free-fall",
+           .title = "a point mass falls freely",
+           .set = CaseSet::kQuick,
+           .run = run_free_fall},
+          {.name = "half-space/bounce",
+           .title = "a point mass lands without rebound",
+           .set = CaseSet::kQuick,
+           .run = run_bounce},
+          {.name = "half-space/rest", .title = "an elastic box at rest", .run = run_rest},
+          {.name = "half-space/box-drop",
+           .title = "an elastic box is dropped, bounces and never gains energy",
+           .run = run_box_drop}};
+}
+
+}  // namespace stiction

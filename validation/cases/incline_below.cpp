@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "reference/incline.h"
+#include "validation/convergence.h"
+#include "validation/incline_run.h"
+
+namespace stiction {
+
+namespace {
+
+struct Stop {
+  double distance;   // m
+  double time;       // s
+  double time_step;  // s
+};
+
+// Steps until the body no longer moves downhill, and a little longer, so that an elastic body has
+// come back from its last shear.
+Stop simulate_stop(CaseRun& run, const InclineSetup& setup, const Settings& extra,
+                   double expected_time, InclineSeries* series) {
+  InclineRun incline(run, setup, incline_problem(setup), extra);
+  const double dt = incline.time_step();
+  double stopped = std::numeric_limits<double>::quiet_NaN();
+  // The stop itself is watched step by step; the way there in samples.
+  if (series) {
+    advance_sampled(incline, 0.99 * expected_time, 100, *series);
+  } else {
+    incline.advance_to(0.99 * expected_time);
+  }
+  const double last = 1.02 * expected_time + 20.0 * dt;
+  while (incline.time() < last) {
+    incline.advance_to(incline.time() + dt);
+    if (series) series->sample(incline);
+    if (std::isnan(stopped) && incline.speed() <= 1e-12) stopped = incline.time();
+  }
+  incline.advance_to(last + 0.3);
+  return {incline.travel(), stopped, dt};
+}
+
+// The relative truncation error is aΔt/v₀: the initial speed is chosen so that it stays below 1e-3.
+InclineSetup sliding_setup(const Shape& shape, double tan_slope) {
+  InclineSetup setup;
+  setup.shape = shape;
+  setup.tan_slope = tan_slope;
+  setup.azimuth = radians(30.0);
+  setup.speed = tan_slope == 0.0 ? 2.0 : 1.0;
+  return setup;
+}
+
+void check_point_stop(CaseRun& run, const InclineSetup& setup) {
+  const reference::Incline incline{std::atan(setup.tan_slope), setup.friction, kStandardGravity};
+  const double distance = reference::stopping_distance(incline, setup.speed);
+  const double time = reference::stopping_time(incline, setup.speed);
+
+  InclineSeries series;
+  const Stop stop = simulate_stop(run, setup, {}, time, &series);
+  series.add_to(run);
+  const double dt = stop.time_step;
+  const reference::DiscreteStop exact =
+      reference::discrete_stop(setup.speed, reference::deceleration(incline), dt);
+  // Each of the steps rounds x and v once: N ulp of the numbers involved.
+  const double round_off = 4.0 * static_cast<double>(exact.steps) * 1.1e-16;
+
+  run.check({.quantity = "stopping distance, discrete",
+             .unit = "m",
+             .claim = "a sliding point mass follows the exact recurrence of the time step",
+             .formula = "vₙ₊₁ = vₙ − aΔt, xₙ₊₁ = xₙ + Δt vₙ₊₁, a = g(μ cos θ − sin θ)",
+             .source = "reference/incline.h",
+             .kind = ReferenceKind::kExactComputed,
+             .value = stop.distance,
+             .expected = exact.distance,
+             .relative = true,
+             .tolerance = round_off,
+             .reason = "round-off: four roundings a step"});
+  run.check({.quantity = "stopping time, discrete",
+             .unit = "s",
+             .claim = "it stops in the step in which the recurrence stops",
+             .formula = "N = ⌈v₀/(aΔt)⌉",
+             .source = "reference/incline.h",
+             .kind = ReferenceKind::kExactComputed,
+             .value = stop.time,
+             .expected = exact.time,
+             .relative = true,
+             .tolerance = round_off + (exact.whole_multiple ? dt / exact.time : 0.0),
+             .reason = "round-off; one step more where v₀ is a whole multiple of aΔt"});
+  run.check({.quantity = "stopping distance",
+             .unit = "m",
+             .claim = "a sliding body stops after v₀²/(2a)",
+             .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
+             .source = "Coulomb's law",
+             .kind = ReferenceKind::kAnalytic,
+             .value = stop.distance,
+             .expected = distance,
+             .relative = true,
+             .tolerance = setup.speed * dt / distance,
+             .reason = "symplectic Euler is biased by v₀Δt/2; twice that"});
+  run.check({.quantity = "stopping time",
+             .unit = "s",
+             .claim = "it stops after v₀/a",
+             .formula = "t = v₀/(g(μ cos θ − sin θ))",
+             .source = "Coulomb's law",
+             .kind = ReferenceKind::kAnalytic,
+             .value = stop.time,
+             .expected = time,
+             .tolerance = dt,
+             .reason = "a stop is seen at the end of its step"});
+
+  Series error{"distance error", "m", "time step", "s", {4e-4, 2e-4, 1e-4, 5e-5}, {}};
+  for (const double step : error.x) {
+    const Settings extra{{"dt", fmt::format("{}", step)}};
+    error.y.push_back(
+        std::abs(simulate_stop(run, setup, extra, time, nullptr).distance - distance));
+  }
+  run.check({.quantity = "order in Δt of the stopping distance",
+             .unit = "1",
+             .claim = "the error is a truncation error of first order",
+             .formula = "error ≈ v₀Δt/2",
+             .source = "symplectic Euler",
+             .kind = ReferenceKind::kAnalytic,
+             .value = observed_order(error.x, error.y),
+             .expected = 1.0,
+             .tolerance = 0.02,
+             .reason =
+                 "the next term, aΔt²/8 at most, is 1e-4 of the first at the largest step; the "
+                 "position of the stop within its step adds as much"});
+  run.add(std::move(error));
+}
+
+void check_box_stop(CaseRun& run, const InclineSetup& setup) {
+  const reference::Incline incline{std::atan(setup.tan_slope), setup.friction, kStandardGravity};
+  const double distance = reference::stopping_distance(incline, setup.speed);
+  const double time = reference::stopping_time(incline, setup.speed);
+  InclineSeries series;
+  const Stop stop = simulate_stop(run, setup, {}, time, &series);
+  series.add_to(run);
+  const double dt = stop.time_step;
+  const reference::DiscreteStop exact =
+      reference::discrete_stop(setup.speed, reference::deceleration(incline), dt);
+
+  run.check({.quantity = "stopping distance",
+             .unit = "m",
+             .claim = "a sliding elastic box stops after v₀²/(2a)",
+             .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
+             .source = "Coulomb's law",
+             .kind = ReferenceKind::kAnalytic,
+             .value = stop.distance,
+             .expected = distance,
+             .relative = true,
+             .tolerance = 1e-3,
+             .reason =
+                 "half a step of travel, v₀Δt/2 = aΔt/v₀ · d (4e-4 to 5e-4 of d at the default "
+                 "step), and the elastic box's own length scales below (1e-4)"});
+  // Weight presses the box together by ρgh²/(2E) at its centre, which costs μ times as much of
+  // travel; when it stops, its centre leans by mah/(2GA).
+  run.check({.quantity = "stopping distance, discrete",
+             .unit = "m",
+             .claim = "the centre of mass follows the recurrence of a point mass",
+             .formula = "vₙ₊₁ = vₙ − aΔt, xₙ₊₁ = xₙ + Δt vₙ₊₁",
+             .source = "momentum balance; reference/incline.h",
+             .kind = ReferenceKind::kExactComputed,
+             .value = stop.distance,
+             .expected = exact.distance,
+             .tolerance = 4e-5,
+             .reason = "elastic length scales of the box: μ·ρgh²/(2E) = 1.2e-5 m while it settles "
+                       "under its weight, mah/(2GA) = 1.3e-5 m of shear let go when it stops, and "
+                       "half as much again because corners carry more than the mean"});
+
+  std::vector<double> steps{2e-4, 1e-4, 5e-5};
+  std::vector<double> travel;
+  for (const double step : steps) {
+    const Settings extra{{"dt", fmt::format("{}", step)}};
+    travel.push_back(simulate_stop(run, setup, extra, time, nullptr).distance);
+  }
+  run.check({.quantity = "order in Δt of the stopping distance",
+             .unit = "1",
+             .claim = "what depends on the step is of first order",
+             .formula = "p = log₂((d(4h) − d(2h))/(d(2h) − d(h)))",
+             .source = "symplectic Euler",
+             .kind = ReferenceKind::kAnalytic,
+             .value = std::log2((travel[0] - travel[1]) / (travel[1] - travel[2])),
+             .expected = 1.0,
+             .tolerance = 0.1,
+             .reason =
+                 "differences of 5e-5 and 2.5e-5 m, of which the phase of the vibration at the "
+                 "stop moves 1e-6 m"});
+}
+
+Case stop_case(const std::string& name, const std::string& title, const Shape& shape,
+               double tan_slope, CaseSet set) {
+  const InclineSetup setup = sliding_setup(shape, tan_slope);
+  const bool point = std::holds_alternative<PointShape>(shape);
+  return {.name = name,
+          .title = title,
+          .set = set,
+          .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}},
+          .run = [setup, point](CaseRun& run) {
+            point ? check_point_stop(run, setup) : check_box_stop(run, setup);
+          }};
+}
+
+}  // namespace
+
+std::vector<Case> cases_incline_below() {
+  const Shape box = InclineSetup{}.shape;
+  return {
+      stop_case("incline/below/stop/point", "a sliding point mass stops, tan θ = 0.3 < μ = 0.5",
+                PointShape{}, 0.3, CaseSet::kQuick),
+      stop_case("incline/below/stop/box", "a sliding box stops, tan θ = 0.3 < μ = 0.5", box, 0.3,
+                CaseSet::kDefault),
+      stop_case("incline/level/stop/point", "a point mass stops on level ground, μ = 0.5",
+                PointShape{}, 0.0, CaseSet::kDefault),
+      stop_case("incline/level/stop/box", "a box stops on level ground, μ = 0.5", box, 0.0,
+                CaseSet::kDefault),
+  };
+}
+
+}  // namespace stiction

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "reference/box_mesh.h"
+#include "solver/demand.h"
+#include "solver/elasticity/corotational.h"
+#include "solver/friction/catalog.h"
+#include "solver/observables.h"
+#include "solver/step.h"
+#include "validation/engine.h"
+#include "validation/settings.h"
+
+namespace stiction {
+
+namespace {
+
+// Phases are timed in one step of so many: reading the clock would otherwise be a tenth of the step
+// of a small scene.
+constexpr std::uint64_t kTimedEvery = 16;
+
+// How often a run looks whether it still consists of numbers, in steps.
+constexpr std::uint64_t kFiniteEvery = 256;
+
+double thread_cpu_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// What an empty PhaseTimer adds, s: the smallest of many, since noise only adds.
+double clock_overhead() {
+  double smallest = 1.0;
+  for (int k = 0; k < 200; ++k) {
+    PhaseSeconds seconds{};
+    { const PhaseTimer timer(&seconds, Phase::kForces); }
+    smallest = std::min(smallest, seconds[0]);
+  }
+  return smallest;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Largest of 1, 2, 5 × 10ⁿ not above `limit`.
+double round_down_125(double limit) {
+  const double decade = std::pow(10.0, std::floor(std::log10(limit)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * decade <= limit) return factor * decade;
+  }
+  return decade;
+}
+
+Eigen::Vector3i cells_of(const Vec3& size, int along_longest) {
+  const double cell = size.maxCoeff() / along_longest;
+  return (size / cell).array().round().cast<int>().max(1);
+}
+
+struct Discretisation {
+  int cells;  // along a box's longest edge
+};
+
+struct MeshMaker {
+  const Discretisation& how;
+  TetMesh operator()(const BoxShape& box) const {
+    return reference::box_mesh(box.size, cells_of(box.size, how.cells));
+  }
+  TetMesh operator()(const PointShape&) const {
+    TetMesh mesh;
+    mesh.vertices = Eigen::Matrix3Xd::Zero(3, 1);
+    return mesh;
+  }
+};
+
+BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
+  if (!(body.mass > 0.0) || !std::isfinite(body.mass)) {
+    throw InputError(fmt::format("body '{}': mass must be positive and finite, not {} kg",
+                                 body.name, body.mass));
+  }
+  BodyDescription description;
+  description.name = body.name;
+  description.mesh = std::visit(MeshMaker{how}, body.shape);
+  double volume = 0.0;
+  for (Eigen::Index e = 0; e < description.mesh.tetrahedra.cols(); ++e) {
+    volume += signed_volume(description.mesh, e);
+  }
+  if (volume > 0.0) {
+    description.material = {.density = body.mass / volume,
+                            .youngs_modulus = body.elasticity.youngs_modulus,
+                            .poisson_ratio = body.elasticity.poisson_ratio,
+                            .damping_time = body.elasticity.damping_time};
+  } else {
+    description.point_mass = body.mass;
+  }
+  Eigen::Matrix3Xd& vertices = description.mesh.vertices;
+  vertices = (body.rotation.toRotationMatrix() * vertices).colwise() + body.position;
+  description.initial_velocity = body.velocity.replicate(1, vertices.cols());
+  return description;
+}
+
+class StictionEngine final : public Engine {
+ public:
+  explicit StictionEngine(const Settings& given) {
+    SettingsReader reader(given);
+    options_.rule = reader.text("rule", options_.rule);
+    options_.friction.gain = reader.number("gain", options_.friction.gain);
+    options_.friction.raw_alpha = reader.number("alpha", options_.friction.raw_alpha);
+    how_.cells = reader.count("cells", 2);
+    chosen_time_step_ = reader.has("dt");
+    options_.time_step = reader.number("dt", options_.time_step);
+    reader.refuse_unknown("stiction");
+  }
+
+  void load(const Problem& problem) override {
+    SceneDescription description;
+    for (const ProblemBody& body : problem.bodies) {
+      description.bodies.push_back(describe(body, how_));
+    }
+    for (const Obstacle& obstacle : problem.obstacles) {
+      description.half_spaces.push_back(
+          {obstacle.name, obstacle.point, obstacle.normal, obstacle.friction});
+    }
+    description.gravity = problem.gravity;
+    scene_ = build_scene(description);
+    if (!chosen_time_step_) {
+      options_.time_step =
+          std::min(options_.time_step, round_down_125(0.8 * scene_.stable_time_step));
+    }
+    check_options(options_, scene_);
+    state_ = initial_state(scene_);
+    workspace_ = Workspace{};
+    overhead_ = clock_overhead();
+  }
+
+  double time_step() const override { return options_.time_step; }
+  std::uint64_t steps_done() const override { return state_.step; }
+
+  void advance(std::uint64_t steps) override {
+    const double before = thread_cpu_seconds();
+    for (std::uint64_t k = 0; k < steps; ++k) {
+      const bool timed = state_.step % kTimedEvery == 0;
+      workspace_.phase_seconds = timed ? &phase_seconds_ : nullptr;
+      step(scene_, options_, state_, workspace_);
+      if (timed) note_contact_time();
+      ++steps_;
+      if (steps_ % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
+    }
+    cpu_seconds_ += thread_cpu_seconds() - before;
+  }
+
+  BodyMotion body(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    return {centre_of_mass(scene_, state_, body), centre_velocity(scene_, state_, body)};
+  }
+
+  std::vector<ContactSample> contacts() const override {
+    std::vector<ContactSample> samples;
+    const OneSidedContacts& contacts = workspace_.contacts;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const auto v = static_cast<std::size_t>(contacts.vertex[c]);
+      const auto o = static_cast<std::size_t>(contacts.obstacle[c]);
+      const HalfSpace& obstacle = scene_.half_spaces[o];
+      const Vec3& velocity = state_.velocity[v].v;
+      samples.push_back({.body = body_of(contacts.vertex[c]),
+                         .obstacle = o,
+                         .point = contacts.vertex[c],
+                         .normal = obstacle.normal,
+                         .gap = obstacle.normal.dot(state_.position[v].x - obstacle.point),
+                         .normal_force = contacts.normal_force[c],
+                         .friction_force = contacts.friction_force[c],
+                         .slip = velocity - obstacle.normal.dot(velocity) * obstacle.normal,
+                         .sticks = contacts.status[c] == ContactStatus::kStick});
+    }
+    return samples;
+  }
+
+  Energies energies() const override {
+    const double time = static_cast<double>(state_.step) * options_.time_step;
+    return {kinetic_energy(scene_, state_), gravity_energy(scene_, state_, time),
+            elastic_energy(scene_.elements, state_.position)};
+  }
+
+  Settings settings() const override {
+    Settings all{{"rule", options_.rule},
+                 {"dt", fmt::format("{}", options_.time_step)},
+                 {"cells", fmt::format("{}", how_.cells)}};
+    if (options_.rule != "none") {
+      const bool raw = options_.friction.raw_alpha != 0.0;
+      all[raw ? "alpha" : "gain"] =
+          fmt::format("{}", raw ? options_.friction.raw_alpha : options_.friction.gain);
+    }
+    return all;
+  }
+
+  Cost cost() const override {
+    Cost cost;
+    cost.cpu_seconds = cpu_seconds_;
+    cost.steps = steps_;
+    cost.contact_updates = workspace_.contact_updates;
+    for (std::size_t p = 0; p < phase_seconds_.size(); ++p) {
+      const double net =
+          std::max(0.0, phase_seconds_[p] - overhead_ * static_cast<double>(timed_steps_));
+      // Scaled up from the timed steps to all steps.
+      cost.phase_seconds[kPhaseNames[p]] =
+          timed_steps_ == 0 ? 0.0
+                            : net * static_cast<double>(steps_) / static_cast<double>(timed_steps_);
+    }
+    cost.ns_per_contact_update = 1e9 * median(seconds_per_contact_);
+    return cost;
+  }
+
+  std::uint64_t state_hash() const override { return hash_of(state_); }
+  Snapshot save() const override { return std::make_shared<const State>(state_); }
+  void restore(const Snapshot& snapshot) override {
+    state_ = *static_cast<const State*>(snapshot.get());
+  }
+
+ private:
+  std::size_t body_of(int vertex) const {
+    const auto after =
+        std::upper_bound(scene_.bodies.begin(), scene_.bodies.end(), vertex,
+                         [](int v, const Body& body) { return v < body.first_vertex; });
+    return static_cast<std::size_t>(after - scene_.bodies.begin()) - 1;
+  }
+
+  // Normal force and friction of the step just timed, per contact, less what reading the clock
+  // costs.
+  void note_contact_time() {
+    ++timed_steps_;
+    const double seconds = phase_seconds_[static_cast<std::size_t>(Phase::kNormalForce)] +
+                           phase_seconds_[static_cast<std::size_t>(Phase::kFriction)];
+    const double spent = seconds - contact_seconds_ - 2.0 * overhead_;
+    contact_seconds_ = seconds;
+    if (workspace_.contacts.size() > 0) {
+      seconds_per_contact_.push_back(spent / static_cast<double>(workspace_.contacts.size()));
+    }
+  }
+
+  void demand_finite() const {
+    if (is_finite(state_)) return;
+    throw InputError(fmt::format("the simulation diverged before t = {:.4g} s (step {})",
+                                 static_cast<double>(state_.step) * options_.time_step,
+                                 state_.step));
+  }
+
+  Options options_;
+  Discretisation how_{};
+  bool chosen_time_step_ = false;
+  Scene scene_;
+  State state_;
+  Workspace workspace_;
+
+  PhaseSeconds phase_seconds_{};
+  double overhead_ = 0.0;
+  double cpu_seconds_ = 0.0;
+  std::uint64_t steps_ = 0;
+  std::uint64_t timed_steps_ = 0;
+  double contact_seconds_ = 0.0;             // of the timed steps so far
+  std::vector<double> seconds_per_contact_;  // of each timed step: its median shrugs off interrupts
+};
+
+std::unique_ptr<Engine> make(const Settings& settings) {
+  return std::make_unique<StictionEngine>(settings);
+}
+
+}  // namespace
+
+EngineKind engine_stiction() {
+  return {
+      .name = "stiction",
+      .description = "this project's solver: tetrahedra, penalty contact, coherent static friction",
+      .capabilities = {.deformable = true, .point_masses = true, .save_restore = true},
+      .settings_help = {{"rule",
+                         "friction rule: " + friction_rule_list() + " (default fixed-point)"},
+                        {"gain", "fixed-point gain g, dimensionless (default 0.7)"},
+                        {"alpha", "the paper's raw α, s/m, in place of the gain"},
+                        {"dt", "time step, s (default 2e-4, or less where stability asks for it)"},
+                        {"cells", "cells along a box's longest edge (default 2)"}},
+      .make = make};
+}
+
+}  // namespace stiction

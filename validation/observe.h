@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/engine.h"
+
+namespace stiction {
+
+/// What was seen of a body (and the scene) at one time.
+struct Sample {
+  double time = 0.0;  ///< s
+  BodyMotion motion;
+  Energies energies;                    ///< of the whole scene
+  std::vector<ContactSample> contacts;  ///< of the body
+};
+
+Sample sample_of(const Engine& engine, double time, std::size_t body);
+
+/// A quantity that a check of a person's own problem can ask for.
+struct Observable {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+  bool over_window;   ///< compares the time `from` with the time `at`
+  bool in_direction;  ///< needs a direction
+  double (*measure)(const Sample& from, const Sample& at, const Vec3& direction);
+};
+
+/// All of them, in the order of the help text.
+const std::vector<Observable>& observables();
+
+}  // namespace stiction

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+namespace stiction {
+
+/// A critical value lies between the largest value seen to hold and the smallest seen to fail.
+struct Bracket {
+  double holds = 0.0;
+  double fails = 0.0;
+  int evaluations = 0;
+
+  double width() const;
+  double middle() const { return 0.5 * (holds + fails); }
+  bool contains(double value) const;
+};
+
+/// Bisects until the bracket is no wider than `width`. `holds_at(first)` must be true and
+/// `holds_at(last)` false (either may be the larger); both are evaluated, and when the answer is
+/// another the bracket returned is the whole interval turned into NaN, so that no check can pass on
+/// it.
+Bracket find_threshold(double first, double last, double width,
+                       const std::function<bool(double)>& holds_at);
+
+}  // namespace stiction

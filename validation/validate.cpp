@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program behind `./stiction validate`: cases → records → table, report.md, junit.xml,
+// records.csv.
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+#include "reports/csv.h"
+#include "reports/junit.h"
+#include "reports/markdown.h"
+#include "reports/record_store.h"
+#include "reports/table.h"
+#include "solver/demand.h"
+#include "validation/runner.h"
+#include "validation/user_problem.h"
+
+namespace stiction {
+
+namespace {
+
+enum ExitCode { kAllHold = 0, kSomeFail = 1, kCouldNotRun = 2 };
+
+struct Arguments {
+  std::vector<std::string> problems;
+  Selection selection;
+  std::vector<std::string> settings;
+  bool list = false;
+  bool quick = false;
+  bool full = false;
+  std::string out = "validation-report";
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  double tolerance_scale = 1.0;
+};
+
+std::string engine_help() {
+  std::string text = "Engines and their settings (--set NAME=VALUE):\n";
+  for (const EngineKind& kind : engine_catalog()) {
+    text += fmt::format("  {}: {}\n", kind.name, kind.description);
+    for (const auto& [name, meaning] : kind.settings_help) {
+      text += fmt::format("    {:<10} {}\n", name, meaning);
+    }
+  }
+  return text;
+}
+
+void define(CLI::App& app, Arguments& arguments) {
+  app.add_option("problem", arguments.problems,
+                 "Your own problems, as TOML files (validation/examples/ramp.toml explains); "
+                 "without any, the built-in cases run");
+  app.add_option("--case", arguments.selection.globs,
+                 "Only cases whose name matches, e.g. 'incline/*' or '*/mu=0.3/*'; repeatable")
+      ->type_name("GLOB");
+  app.add_flag("--list", arguments.list, "Show the names of the cases and end");
+  app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind");
+  app.add_flag("--full", arguments.full, "The long cases as well");
+  app.add_option("--engine", arguments.selection.engine, "The engine to validate")
+      ->capture_default_str();
+  app.add_option("--set", arguments.settings, "A setting of the engine, over that of each case")
+      ->type_name("NAME=VALUE");
+  app.add_option("--out", arguments.out,
+                 "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
+                 "to the last")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--tolerance-scale", arguments.tolerance_scale,
+                 "Multiplies every tolerance; 0 fails whatever is not exact and so shows every "
+                 "residual")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.footer(engine_help() +
+             "\nExit code: 0 every check holds, 1 some fail, 2 could not run (bad input, a case "
+             "that broke off, a full disk).");
+}
+
+Settings parse_settings(const std::vector<std::string>& words) {
+  Settings settings;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw InputError("--set needs NAME=VALUE, not '" + word + "'");
+    }
+    settings[word.substr(0, equals)] = word.substr(equals + 1);
+  }
+  return settings;
+}
+
+const char* set_name(CaseSet set) {
+  switch (set) {
+    case CaseSet::kQuick:
+      return "quick";
+    case CaseSet::kDefault:
+      return "";
+    case CaseSet::kFull:
+      return "full";
+  }
+  return "";
+}
+
+void list_cases(const std::vector<Case>& cases, const Selection& selection) {
+  std::string last;
+  for (const Job& job : select_jobs(cases, selection)) {
+    if (job.which.name == last) continue;
+    last = job.which.name;
+    fmt::print("{:<46} {:<6} {}\n", job.which.name, set_name(job.which.set), job.which.title);
+  }
+}
+
+TableStyle terminal_style() {
+  TableStyle style;
+  style.colour = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
+  return style;
+}
+
+// Prints records in the order of their jobs, each as soon as those before it are known; on a
+// terminal a line below says what is still running.
+class Console {
+ public:
+  Console(const std::vector<Job>& jobs, const TableStyle& style)
+      : jobs_(jobs), style_(style), waiting_(jobs.size()), progress_(isatty(STDERR_FILENO)) {
+    fmt::print("{}", table_header(style_));
+    show_progress();
+  }
+
+  void finished(std::size_t index, const Record& record) {
+    waiting_[index] = table_rows(record, style_);
+    ++done_;
+    if (progress_) fmt::print(stderr, "\r\033[K");
+    while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
+    std::fflush(stdout);
+    show_progress();
+  }
+
+ private:
+  void show_progress() const {
+    if (!progress_ || done_ == jobs_.size()) return;
+    fmt::print(stderr, "\r\033[K[{}/{}] {} …", done_, jobs_.size(), jobs_[next_].which.name);
+    std::fflush(stderr);
+  }
+
+  const std::vector<Job>& jobs_;
+  TableStyle style_;
+  std::vector<std::optional<std::string>> waiting_;
+  std::size_t next_ = 0;
+  std::size_t done_ = 0;
+  bool progress_;
+};
+
+int exit_code(const std::vector<Record>& records) {
+  int code = kAllHold;
+  for (const Record& record : records) {
+    if (record.verdict == Verdict::kError) return kCouldNotRun;
+    if (record.verdict == Verdict::kFail) code = kSomeFail;
+  }
+  return code;
+}
+
+int validate(Arguments& arguments) {
+  if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
+  Selection& selection = arguments.selection;
+  selection.settings = parse_settings(arguments.settings);
+  if (arguments.quick) selection.set = CaseSet::kQuick;
+  if (arguments.full) selection.set = CaseSet::kFull;
+
+  std::vector<Case> cases;
+  for (const std::string& file : arguments.problems) cases.push_back(read_user_problem(file));
+  if (cases.empty()) cases = case_catalog();
+  if (arguments.list) {
+    if (!arguments.quick) selection.set = CaseSet::kFull;
+    list_cases(cases, selection);
+    return kAllHold;
+  }
+  const std::vector<Job> jobs = select_jobs(cases, selection);
+  // Refuses unknown settings before anything runs.
+  for (const Job& job : jobs) job.engine.make(job.settings);
+
+  RecordStore store = RecordStore::create(arguments.out);
+  const TableStyle style = terminal_style();
+  std::vector<Record> records(jobs.size());
+  Console console(jobs, style);
+  run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, [&](std::size_t index, Record record) {
+    store.append(record);
+    console.finished(index, record);
+    records[index] = std::move(record);
+  });
+  store.write_file("report.md", markdown_report(records));
+  store.write_file("junit.xml", junit_xml(records));
+  store.write_file("records.csv", csv_table(records));
+  store.finish();
+  fmt::print("{}", closing_summary(records, style));
+  fmt::print("Report: {}\n", (store.folder() / "report.md").string());
+  std::fflush(stdout);
+  return exit_code(records);
+}
+
+}  // namespace
+
+}  // namespace stiction
+
+int main(int argc, char** argv) {
+  // A write beyond a file size limit shall be an error with a sentence, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  CLI::App app("Runs the validation cases and writes a report.", "stiction validate");
+  stiction::Arguments arguments;
+  stiction::define(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? stiction::kAllHold : stiction::kCouldNotRun;
+  }
+  try {
+    return stiction::validate(arguments);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stiction validate: {}\n", error.what());
+    return stiction::kCouldNotRun;
+  }
+}
