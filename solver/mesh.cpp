@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace stiction {
 
@@ -22,7 +21,8 @@ struct Face {
 
 }  // namespace
 
-Eigen::Matrix3Xi surface_triangles(const Eigen::Matrix4Xi& tetrahedra) {
+Eigen::Matrix3Xi surface_triangles(const Eigen::Matrix4Xi& tetrahedra,
+                                   std::vector<Eigen::Index>* owners) {
   std::vector<Face> faces;
   faces.reserve(static_cast<std::size_t>(4 * tetrahedra.cols()));
   for (Eigen::Index e = 0; e < tetrahedra.cols(); ++e) {
@@ -50,6 +50,10 @@ Eigen::Matrix3Xi surface_triangles(const Eigen::Matrix4Xi& tetrahedra) {
   for (std::size_t k = 0; k < surface.size(); ++k) {
     const std::array<int, 3>& t = surface[k].oriented;
     triangles.col(static_cast<Eigen::Index>(k)) << t[0], t[1], t[2];
+  }
+  if (owners) {
+    owners->clear();
+    for (const Face& face : surface) owners->push_back(face.order / 4);
   }
   return triangles;
 }

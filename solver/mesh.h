@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace stiction {
 
@@ -15,7 +16,9 @@ struct TetMesh {
 
 /// Triangles that belong to exactly one tetrahedron, oriented outwards (counter-clockwise seen from
 /// outside). Shape: 3 × triangle count, vertex indices; order: by tetrahedron, then by local face.
-Eigen::Matrix3Xi surface_triangles(const Eigen::Matrix4Xi& tetrahedra);
+/// `owners`, when given, gets the tetrahedron of each triangle.
+Eigen::Matrix3Xi surface_triangles(const Eigen::Matrix4Xi& tetrahedra,
+                                   std::vector<Eigen::Index>* owners = nullptr);
 
 /// Signed volume of one tetrahedron, m³; positive for the orientation above.
 double signed_volume(const TetMesh& mesh, Eigen::Index tetrahedron);

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "solver/elasticity/rotation.h"
+
 namespace stiction {
 
 namespace {
@@ -60,6 +62,21 @@ Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body) {
 
 Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body) {
   return mass_mean(scene, body, [&](std::size_t k) -> const Vec3& { return state.velocity[k].v; });
+}
+
+Mat3 fitted_rotation(const Scene& scene, const State& state, const Body& body) {
+  const Vec3 c = centre_of_mass(scene, state, body);
+  const Vec3 c0 = mass_mean(scene, body, [&](std::size_t k) -> Vec3 {
+    return scene.rest_position.col(static_cast<Eigen::Index>(k));
+  });
+  Mat3 moment = Mat3::Zero();
+  const auto first = static_cast<std::size_t>(body.first_vertex);
+  for (std::size_t k = first; k < first + static_cast<std::size_t>(body.vertex_count); ++k) {
+    moment += scene.mass[k] * (state.position[k].x - c) *
+              (scene.rest_position.col(static_cast<Eigen::Index>(k)) - c0).transpose();
+  }
+  if (moment.norm() == 0.0) return Mat3::Identity();
+  return polar_rotation_by_svd(moment);
 }
 
 bool is_finite(const State& state) {

@@ -24,6 +24,10 @@ Vec3 angular_momentum(const Scene& scene, const State& state);
 Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body);
 Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body);
 
+/// Rotation from the initial positions that fits a body's present ones best, mass-weighted: the
+/// polar rotation of Σ m (x − c)(X − C)ᵀ. The identity for a point.
+Mat3 fitted_rotation(const Scene& scene, const State& state, const Body& body);
+
 /// True when all positions and velocities are finite numbers.
 bool is_finite(const State& state);
 

@@ -23,6 +23,15 @@ void check_options(const Options& options, const Scene& scene) {
     wrong << "unknown friction rule '" << options.rule << "'; there are: " << friction_rule_list();
   } else if (!std::isfinite(options.friction.gain) || !std::isfinite(options.friction.raw_alpha)) {
     wrong << "friction gains must be finite numbers";
+  } else if (!(options.friction.relaxation > 0.0 && options.friction.relaxation < 2.0)) {
+    wrong << "the relaxation must lie between 0 and 2, not " << options.friction.relaxation;
+  } else if (options.sweeps < 1) {
+    wrong << "friction needs at least one sweep, not " << options.sweeps;
+  } else if (!(options.pairs.harmonic_gain > 0.0 && options.pairs.harmonic_gain < 4.0 / 3.0)) {
+    wrong << "the harmonic gain must lie between 0 and 4/3, above which normal forces diverge, not "
+          << options.pairs.harmonic_gain;
+  } else if (!(options.pairs.hysteresis >= 0.0) || !std::isfinite(options.pairs.hysteresis)) {
+    wrong << "the hysteresis must be non-negative and finite, not " << options.pairs.hysteresis;
   }
   if (!wrong.str().empty()) throw InputError(wrong.str());
 }

@@ -4,15 +4,25 @@
 #include <string>
 
 #include "solver/friction/rule.h"
+#include "solver/pair_options.h"
 #include "solver/scene.h"
 
 namespace stiction {
 
+/// How velocities are placed in time.
+enum class Integrator {
+  kSymplecticEuler,  ///< velocities at the ends of steps; positions of first order
+  kVerlet  ///< Störmer–Verlet: velocities half a step behind; positions of second order
+};
+
 /// How a scene is stepped: what a user may turn without changing the physics described.
 struct Options {
-  double time_step = 2e-4;           ///< Δt, s
-  std::string rule = "fixed-point";  ///< friction rule: a file of solver/friction/
-  FrictionParameters friction{};     ///< gains of the rules
+  double time_step = 2e-4;             ///< Δt, s
+  std::string rule = "stored-vector";  ///< friction rule: a file of solver/friction/
+  FrictionParameters friction{};       ///< gains of the rules
+  Integrator integrator = Integrator::kSymplecticEuler;
+  int sweeps = 1;       ///< passes over all contacts in the friction phase, ≥ 1
+  PairOptions pairs{};  ///< two-sided contacts
 };
 
 /// Throws InputError with one sentence when an option is out of range or unknown, or when Δt is

@@ -68,6 +68,33 @@ Element element_of(const BodyDescription& body, Eigen::Index tetrahedron,
   return element;
 }
 
+// Whether every vertex from `first` on is pinned.
+bool is_fixed(const Scene& scene, int first) {
+  return std::all_of(scene.inverse_mass.begin() + first, scene.inverse_mass.end(),
+                     [](double inverse_mass) { return inverse_mass == 0.0; });
+}
+
+// Two bodies of which at least one can move and one has tetrahedra, or one body with itself.
+bool can_touch(const Body& a, const Body& b) {
+  return !(a.fixed && b.fixed) && (a.element_count > 0 || b.element_count > 0);
+}
+
+bool any_pair_possible(const std::vector<Body>& bodies) {
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    if (bodies[a].self_collision && !bodies[a].fixed) return true;
+    for (std::size_t b = 0; b < a; ++b) {
+      if (can_touch(bodies[a], bodies[b])) return true;
+    }
+  }
+  return false;
+}
+
+bool any_motion(const SceneDescription& description) {
+  const auto moves = [](const auto& thing) { return !thing.motion.time.empty(); };
+  return std::any_of(description.bodies.begin(), description.bodies.end(), moves) ||
+         std::any_of(description.half_spaces.begin(), description.half_spaces.end(), moves);
+}
+
 void add_body(const BodyDescription& body, Scene& scene) {
   const int first = scene.vertex_count();
   const auto count = body.mesh.vertices.cols();
@@ -121,8 +148,15 @@ void add_body(const BodyDescription& body, Scene& scene) {
                             *std::min_element(b.vertex, b.vertex + 4);
                    });
   scene.scene_vertex.insert(scene.scene_vertex.end(), scene_vertex.begin(), scene_vertex.end());
-  scene.bodies.push_back(
-      {body.name, first, static_cast<int>(count), std::accumulate(mass.begin(), mass.end(), 0.0)});
+  scene.bodies.push_back({.name = body.name,
+                          .first_vertex = first,
+                          .vertex_count = static_cast<int>(count),
+                          .mass = std::accumulate(mass.begin(), mass.end(), 0.0),
+                          .first_element = static_cast<int>(first_element),
+                          .element_count = static_cast<int>(body.mesh.tetrahedra.cols()),
+                          .self_collision = body.self_collision,
+                          .fixed = is_fixed(scene, first),
+                          .motion = body.motion});
 }
 
 }  // namespace
@@ -166,6 +200,10 @@ Scene build_scene(const SceneDescription& description) {
   scene.gravity = description.gravity;
   scene.stable_time_step = std::numeric_limits<double>::infinity();
   for (const BodyDescription& body : description.bodies) add_body(body, scene);
+  scene.friction = description.friction;
+  scene.anything_moves_by_plan = any_motion(description);
+  scene.pairs_possible = any_pair_possible(scene.bodies);
+  if (scene.pairs_possible) scene.topology = build_topology(scene);
   check_start(scene);
   return scene;
 }

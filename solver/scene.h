@@ -8,6 +8,7 @@
 
 #include "solver/gravity.h"
 #include "solver/mesh.h"
+#include "solver/topology.h"
 
 namespace stiction {
 
@@ -28,7 +29,9 @@ struct BodyDescription {
   Material material;                  ///< unused by point masses
   double point_mass = 0.0;            ///< kg, of each vertex that no tetrahedron carries
   Eigen::Matrix3Xd initial_velocity;  ///< 3 × vertex count, m/s; empty means at rest
-  std::vector<int> pinned;            ///< vertices that never move
+  std::vector<int> pinned;            ///< vertices that never move, or follow `motion`
+  Motion motion{};                    ///< of the pinned vertices
+  bool self_collision = false;        ///< its vertices may touch its own tetrahedra
 };
 
 /// A fixed obstacle: the points x with (x − point)·normal < 0 are inside it.
@@ -37,6 +40,7 @@ struct HalfSpace {
   Vec3 point = Vec3::Zero();    ///< any point of the plane, m
   Vec3 normal = Vec3::UnitZ();  ///< outward, unit length
   double friction = 0.0;        ///< μ against every body, dimensionless, ≥ 0
+  Motion motion{};              ///< of the whole half-space
 };
 
 /// What a user describes; `build_scene` checks it and turns it into a Scene.
@@ -44,6 +48,7 @@ struct SceneDescription {
   std::vector<BodyDescription> bodies;
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;
+  double friction = 0.0;  ///< μ between bodies, dimensionless, ≥ 0
 };
 
 /// One tetrahedron as the force kernel reads it: two cache lines.
@@ -61,7 +66,12 @@ struct Body {
   std::string name;
   int first_vertex = 0;  ///< its vertices are contiguous
   int vertex_count = 0;
-  double mass = 0.0;  ///< kg, pinned vertices included
+  double mass = 0.0;      ///< kg, pinned vertices included
+  int first_element = 0;  ///< its elements are contiguous
+  int element_count = 0;
+  bool self_collision = false;
+  bool fixed = false;  ///< all its vertices are pinned
+  Motion motion{};     ///< of its pinned vertices
 };
 
 /// Constant data of a simulation. Vertices of a body are renumbered at load: along a space-filling
@@ -70,6 +80,10 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;
+  double friction = 0.0;  ///< μ between bodies
+  Topology topology;      ///< for two-sided contact; empty when no two bodies can touch
+  bool pairs_possible = false;
+  bool anything_moves_by_plan = false;  ///< a body or half-space has a motion
 
   Eigen::Matrix3Xd rest_position;     ///< 3 × vertex count, m
   Eigen::Matrix3Xd initial_velocity;  ///< 3 × vertex count, m/s

@@ -5,6 +5,15 @@
 
 namespace stiction {
 
+namespace {
+
+template <class Number>
+void add(const std::vector<Number>& numbers, Fnv1a& hash) {
+  hash.add(numbers.data(), numbers.size() * sizeof(Number));
+}
+
+}  // namespace
+
 State initial_state(const Scene& scene) {
   State state;
   const auto count = static_cast<std::size_t>(scene.vertex_count());
@@ -23,10 +32,14 @@ std::uint64_t hash_of(const State& state) {
   hash.add(&state.step, sizeof state.step);
   for (const Position& p : state.position) hash.add(p.x.data(), sizeof p.x);
   for (const Velocity& v : state.velocity) hash.add(v.v.data(), sizeof v.v);
-  const FrictionMemory& memory = state.memory;
-  hash.add(memory.key.data(), memory.key.size() * sizeof(ContactKey));
-  hash.add(memory.status.data(), memory.status.size() * sizeof(ContactStatus));
-  hash.add(memory.value.data(), memory.value.size() * sizeof(double));
+  for (const FrictionMemory* memory : {&state.memory, &state.pair_friction}) {
+    add(memory->key, hash);
+    add(memory->status, hash);
+    add(memory->value, hash);
+  }
+  add(state.pair_memory.body_key, hash);
+  add(state.pair_memory.element, hash);
+  add(state.pair_memory.triangle, hash);
   return hash.value();
 }
 

@@ -21,13 +21,23 @@ struct alignas(32) Position {
 };
 static_assert(sizeof(Velocity) == 32 && sizeof(Position) == 32);
 
+/// What persists of a pair contact besides its friction: where it was, for hysteresis. In the order
+/// of the body keys, which is that of `State::pair_friction` too.
+struct PairMemory {
+  std::vector<ContactKey> body_key;  ///< (vertex, penetrated body)
+  std::vector<std::int32_t> element;
+  std::vector<std::int32_t> triangle;
+};
+
 /// Everything that a step changes and the next step reads: what is hashed, saved and restored. A
 /// copy of a State is a snapshot; assigning it back restores it, friction memory included.
 struct State {
   std::uint64_t step = 0;          ///< steps done; time is t = step · Δt
   std::vector<Position> position;  ///< per vertex
   std::vector<Velocity> velocity;  ///< per vertex
-  FrictionMemory memory;           ///< of the contacts of the last step
+  FrictionMemory memory;           ///< of the obstacle contacts of the last step
+  FrictionMemory pair_friction;    ///< of the pair contacts of the last step
+  PairMemory pair_memory;
 };
 
 /// The scene's initial state.

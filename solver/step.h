@@ -16,6 +16,9 @@ namespace stiction {
 ///   3  normal forces, then friction, on v* in place, contact by contact (Seidel)
 ///   4  x_t1 = x_t0 + Δt v_t1
 ///
+/// Störmer–Verlet differs in the first step alone, whose forces act for Δt/2: from then on v is the
+/// velocity half a step before x. (3) needs Δx = Δt² F/m, which holds for both.
+///
 /// The options must have passed `check_options` for this scene.
 void step(const Scene& scene, const Options& options, State& state, Workspace& workspace);
 

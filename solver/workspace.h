@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <chrono>
 #include <cstdint>
 #include <vector>
 
 #include "solver/contacts.h"
+#include "solver/pair_contacts.h"
+#include "solver/phases/spatial_hash.h"
 #include "solver/state.h"
 
 namespace stiction {
 
 /// The phases of a step, in order.
-enum class Phase { kForces, kPredict, kDetect, kNormalForce, kFriction, kIntegrate };
-inline constexpr std::array<const char*, 6> kPhaseNames = {"forces",       "predict",  "detect",
-                                                           "normal force", "friction", "integrate"};
+enum class Phase { kForces, kPredict, kDetect, kDepth, kNormalForce, kFriction, kIntegrate };
+inline constexpr std::array<const char*, 7> kPhaseNames = {
+    "forces", "predict", "detect", "depth", "normal force", "friction", "integrate"};
 
 /// Wall-clock time spent in each phase, s.
 using PhaseSeconds = std::array<double, kPhaseNames.size()>;
@@ -38,13 +41,33 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point start_;
 };
 
+/// Scratch memory of the search for pair contacts.
+struct PairSearch {
+  struct Hit {
+    ContactKey key;  ///< (vertex, penetrated body)
+    std::int32_t element;
+    double deepest;  ///< smallest barycentric weight
+  };
+  std::vector<Vec3> predicted;               ///< x*, per vertex, m
+  std::vector<Eigen::AlignedBox3d> box;      ///< per body
+  std::vector<Eigen::AlignedBox3d> overlap;  ///< per body: where it can meet another
+  std::vector<int> order;                    ///< bodies along x
+  SpatialHash hash;
+  std::vector<Hit> hits;
+  std::vector<int> level;  ///< per contact: of the breadth-first depth propagation
+};
+
 /// Scratch memory of a step, kept so that a warm step allocates nothing, and what the last step
 /// did. Nothing in it is needed to continue from a State.
 struct Workspace {
-  std::vector<Vec3> force;                ///< per vertex, N: gravity and elasticity at _t0
-  std::vector<Velocity> velocity;         ///< per vertex: v*, corrected in place to v_t1
-  OneSidedContacts contacts;              ///< of the last step
-  FrictionMemory memory;                  ///< the memory being written
+  std::vector<Vec3> force;         ///< per vertex, N: gravity and elasticity at _t0
+  std::vector<Velocity> velocity;  ///< per vertex: v*, corrected in place to v_t1
+  OneSidedContacts contacts;       ///< with obstacles, of the last step
+  FrictionMemory memory;           ///< the memory being written
+  PairContacts pairs;              ///< between bodies, of the last step
+  FrictionMemory pair_friction;    ///< the memory being written
+  std::vector<double> load;        ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
+  PairSearch search;
   std::uint64_t contact_updates = 0;      ///< summed over steps
   PhaseSeconds* phase_seconds = nullptr;  ///< where to add times; null: nothing is timed
 };

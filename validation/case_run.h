@@ -44,7 +44,8 @@ class CaseRun {
   std::unique_ptr<Simulation> simulate(const Problem& problem, const Settings& extra = {});
 
   /// Fills in error, digits and verdict from value, expected and tolerance, and keeps the check.
-  /// |error| ≤ tolerance passes; a value that is no number fails.
+  /// |error| ≤ tolerance passes; a value that is no number fails. Of the old method (`method=old`)
+  /// every check is only shown: it stands in the table for contrast and decides nothing.
   void check(Check check);
   void note(std::string text) { record_.notes.push_back(std::move(text)); }
   void add(Series series) { record_.series.push_back(std::move(series)); }

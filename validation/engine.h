@@ -26,19 +26,31 @@ struct Capabilities {
 struct BodyMotion {
   Vec3 position;  ///< m
   Vec3 velocity;  ///< m/s
+  /// Rotation from the initial pose that fits the body best (mass-weighted).
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+};
+
+struct Momenta {
+  Vec3 linear;   ///< kg m/s
+  Vec3 angular;  ///< about the origin, kg m²/s
 };
 
 /// One contact point at the end of a step, as an outside evaluator sees it.
 struct ContactSample {
   std::size_t body = 0;
-  std::size_t obstacle = 0;
-  std::int64_t point = 0;     ///< the engine's stable number for the touching point
-  Vec3 normal;                ///< out of the obstacle, unit
-  double gap = 0.0;           ///< m
-  double normal_force = 0.0;  ///< N, ≥ 0
-  Vec3 friction_force;        ///< on the body, N
-  Vec3 slip;                  ///< tangential velocity over the obstacle, m/s
-  bool sticks = false;        ///< the engine's own word
+  std::size_t obstacle = 0;  ///< touched: an obstacle, or another body with `against_body`
+  bool against_body = false;
+  std::int64_t point = 0;        ///< the engine's stable number for the touching point
+  Vec3 normal;                   ///< out of the obstacle, unit
+  double gap = 0.0;              ///< m
+  double normal_force = 0.0;     ///< N, ≥ 0
+  Vec3 friction_force;           ///< on the body, N
+  Vec3 slip;                     ///< tangential velocity over the obstacle, m/s
+  bool sticks = false;           ///< the engine's own word
+  Vec3 position = Vec3::Zero();  ///< of the point, m
+  /// From where the reaction acts to where the force does, at the start of the last step, m. Times
+  /// the force it is what the contact adds to the angular momentum.
+  Vec3 arm = Vec3::Zero();
 };
 
 struct Energies {
@@ -65,6 +77,7 @@ class Engine {
   virtual BodyMotion body(std::size_t index) const = 0;
   virtual std::vector<ContactSample> contacts() const = 0;
   virtual Energies energies() const = 0;
+  virtual Momenta momenta() const = 0;
 
   virtual Settings settings() const = 0;  ///< as resolved, Δt included
   virtual Cost cost() const = 0;          ///< of all steps so far

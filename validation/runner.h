@@ -20,10 +20,10 @@ struct Job {
 /// Which cases to run, and how.
 struct Selection {
   std::vector<std::string>
-      globs;  ///< case names, * and ? as in a shell, * also across '/'; empty: all
+      globs{};  ///< case names, * and ? as in a shell, * also across '/'; empty: all
   CaseSet set = CaseSet::kDefault;
   std::string engine = "stiction";
-  Settings settings;  ///< over those of each variant
+  Settings settings{};  ///< over those of each variant
 };
 
 /// Jobs of the cases chosen, in the catalog's order; variants that the user's settings make equal

@@ -21,6 +21,7 @@ Bracket find_threshold(double first, double last, double width,
   Bracket bracket{first, last, 2};
   while (bracket.width() > width) {
     const double middle = bracket.middle();
+    if (middle == bracket.holds || middle == bracket.fails) break;  // no number lies between
     ++bracket.evaluations;
     (holds_at(middle) ? bracket.holds : bracket.fails) = middle;
   }

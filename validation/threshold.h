@@ -16,10 +16,10 @@ struct Bracket {
   bool contains(double value) const;
 };
 
-/// Bisects until the bracket is no wider than `width`. `holds_at(first)` must be true and
-/// `holds_at(last)` false (either may be the larger); both are evaluated, and when the answer is
-/// another the bracket returned is the whole interval turned into NaN, so that no check can pass on
-/// it.
+/// Bisects until the bracket is no wider than `width`, or no number lies between its ends.
+/// `holds_at(first)` must be true and `holds_at(last)` false (either may be the larger); both are
+/// evaluated, and when the answer is another the bracket returned is the whole interval turned into
+/// NaN, so that no check can pass on it.
 Bracket find_threshold(double first, double last, double width,
                        const std::function<bool(double)>& holds_at);
 

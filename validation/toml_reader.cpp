@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 #include "solver/demand.h"
@@ -106,6 +107,27 @@ std::vector<double> TomlTable::numbers(const std::string& key) {
 std::vector<Eigen::Vector3d> TomlTable::vectors(const std::string& key) {
   std::vector<Eigen::Vector3d> all;
   for (const toml::node& node : array_of(key)) all.push_back(vector_of(node, key));
+  return all;
+}
+
+Eigen::Matrix4Xi TomlTable::tetrahedra(const std::string& key) {
+  const toml::array& list = array_of(key);
+  Eigen::Matrix4Xi all(4, static_cast<Eigen::Index>(list.size()));
+  Eigen::Index column = 0;
+  for (const toml::node& node : list) {
+    const toml::array* const four = node.as_array();
+    if (!four || four->size() != 4) {
+      refuse_at(file_, node, fmt::format("'{}' must hold four vertex numbers each", key));
+    }
+    for (int k = 0; k < 4; ++k) {
+      const auto vertex = four->get(static_cast<std::size_t>(k))->value_exact<std::int64_t>();
+      if (!vertex || *vertex < 0 || *vertex > 1000000000) {
+        refuse_at(file_, node, fmt::format("'{}' must hold whole numbers from 0 on", key));
+      }
+      all(k, column) = static_cast<int>(*vertex);
+    }
+    ++column;
+  }
   return all;
 }
 

@@ -33,6 +33,7 @@ class TomlTable {
   Eigen::Vector3d vector(const std::string& key, const Eigen::Vector3d& fallback);
   std::vector<double> numbers(const std::string& key);
   std::vector<Eigen::Vector3d> vectors(const std::string& key);
+  Eigen::Matrix4Xi tetrahedra(const std::string& key);  ///< a list of four whole numbers each
   TomlTable table(const std::string& key);
   std::vector<TomlTable> tables(const std::string& key);  ///< [[key]], may be absent
   /// Every key of the table with its value as text.

@@ -47,6 +47,15 @@ std::size_t find_named(const std::vector<Named>& all, TomlTable& table, const st
   table.refuse(key, fmt::format("there is no {} '{}'; there are: {}", key, name, known));
 }
 
+template <class Named>
+std::string new_name(const std::vector<Named>& all, TomlTable& table) {
+  const std::string name = table.text("name");
+  if (std::any_of(all.begin(), all.end(), [&](const Named& one) { return one.name == name; })) {
+    table.refuse("name", "the name '" + name + "' is taken");
+  }
+  return name;
+}
+
 Vec3 unit_vector(TomlTable& table, const std::string& key) {
   const Vec3 vector = table.vector(key);
   if (!(vector.norm() > 0.0)) table.refuse(key, fmt::format("'{}' must not be zero", key));
@@ -55,7 +64,7 @@ Vec3 unit_vector(TomlTable& table, const std::string& key) {
 
 void read_obstacle(TomlTable table, UserProblem& user) {
   Obstacle obstacle;
-  obstacle.name = table.text("name");
+  obstacle.name = new_name(user.problem.obstacles, table);
   obstacle.point = table.vector("point", Vec3::Zero());
   obstacle.friction = table.number("friction");
   if (table.has("normal")) {
@@ -79,6 +88,14 @@ void read_obstacle(TomlTable table, UserProblem& user) {
   table.finish();
 }
 
+// How far above a plane the centre of a body lies that rests on it; a mesh's origin lies on the
+// plane.
+double height_of_centre(const Shape& shape) {
+  if (const auto* const box = std::get_if<BoxShape>(&shape)) return 0.5 * box->size.z();
+  if (const auto* const ball = std::get_if<BallShape>(&shape)) return ball->radius;
+  return 0.0;
+}
+
 void read_pose(TomlTable& table, const UserProblem& user, ProblemBody& body) {
   if (!table.has("rests_on")) {
     body.position = table.vector("position");
@@ -96,25 +113,52 @@ void read_pose(TomlTable& table, const UserProblem& user, ProblemBody& body) {
   const std::size_t support = find_named(user.problem.obstacles, table, "rests_on");
   const Obstacle& obstacle = user.problem.obstacles[support];
   const Vec3& downhill = user.downhill[support];
-  const auto* const box = std::get_if<BoxShape>(&body.shape);
+  const double height = height_of_centre(body.shape);
   Eigen::Matrix3d axes;
   axes << downhill, obstacle.normal.cross(downhill), obstacle.normal;
   body.rotation = Eigen::Quaterniond(axes) *
                   Eigen::AngleAxisd(table.number("yaw_deg", 0.0) * kDegree, Vec3::UnitZ());
-  body.position = obstacle.point + (box ? 0.5 * box->size.z() : 0.0) * obstacle.normal;
+  body.position = obstacle.point + height * obstacle.normal;
   body.velocity = table.number("speed_downhill", 0.0) * downhill;
+}
+
+MeshShape read_mesh(TomlTable& table) {
+  const std::vector<Vec3> vertices = table.vectors("vertices");
+  MeshShape shape;
+  shape.mesh.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    shape.mesh.vertices.col(static_cast<Eigen::Index>(v)) = vertices[v];
+  }
+  shape.mesh.tetrahedra = table.tetrahedra("tetrahedra");
+  if (shape.mesh.tetrahedra.cols() == 0) {
+    table.refuse("tetrahedra", "a mesh needs at least one tetrahedron");
+  }
+  return shape;
 }
 
 void read_body(TomlTable table, UserProblem& user) {
   ProblemBody body;
-  body.name = table.text("name");
+  body.name = new_name(user.problem.bodies, table);
   const std::string shape = table.text("shape");
   if (shape == "box") {
-    body.shape = BoxShape{table.vector("size")};
+    const Vec3 size = table.vector("size");
+    if (!(size.array() > 0.0).all()) table.refuse("size", "a box needs three positive edges");
+    body.shape = BoxShape{size};
+  } else if (shape == "ball") {
+    const double radius = table.number("radius");
+    if (!(radius > 0.0)) table.refuse("radius", "'radius' must be positive");
+    body.shape = BallShape{radius};
+  } else if (shape == "mesh") {
+    body.shape = read_mesh(table);
   } else if (shape == "point") {
     body.shape = PointShape{};
   } else {
-    table.refuse("shape", "there is no shape '" + shape + "'; there are: box, point");
+    table.refuse("shape", "there is no shape '" + shape + "'; there are: box, ball, mesh, point");
+  }
+  if (table.has("held")) {
+    TomlTable held = table.table("held");
+    body.held = HeldPart{held.vector("point"), unit_vector(held, "normal")};
+    held.finish();
   }
   body.mass = table.number("mass");
   body.elasticity.youngs_modulus = table.number("youngs_modulus", body.elasticity.youngs_modulus);
@@ -195,6 +239,7 @@ UserProblem read(const std::string& file, const toml::table& root) {
   user.problem.duration = top.number("duration");
   if (!(user.problem.duration > 0.0)) top.refuse("duration", "'duration' must be positive");
   user.problem.gravity = read_gravity(top);
+  user.problem.friction = top.number("friction", 0.0);
   if (top.has("engine")) {
     for (auto& [key, value] : top.table("engine").all_as_text()) user.settings[key] = value;
   }

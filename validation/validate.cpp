@@ -136,6 +136,12 @@ class Console {
     show_progress();
   }
 
+  // A case that broke off says so on stderr too.
+  void complain(const Record& record) const {
+    if (progress_) fmt::print(stderr, "\r\033[K");
+    fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
+  }
+
   void finished(std::size_t index, const Record& record) {
     waiting_[index] = table_rows(record, style_);
     ++done_;
@@ -194,6 +200,7 @@ int validate(Arguments& arguments) {
   Console console(jobs, style);
   run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, [&](std::size_t index, Record record) {
     store.append(record);
+    if (record.verdict == Verdict::kError) console.complain(record);
     console.finished(index, record);
     records[index] = std::move(record);
   });
@@ -203,7 +210,7 @@ int validate(Arguments& arguments) {
   store.finish();
   fmt::print("{}", closing_summary(records, style));
   fmt::print("Report: {}\n", (store.folder() / "report.md").string());
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0) throw InputError("the table could not be written to stdout");
   return exit_code(records);
 }
 

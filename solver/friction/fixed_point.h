@@ -19,26 +19,30 @@ namespace stiction {
 /// Deviations from the paper:
 /// 1. The gain g is dimensionless: g = −α|ũ|. The paper's α carries s/m and its printed −0.1 does
 ///    almost nothing in SI units; `raw_alpha` restores it.
-/// 2. Initial ξ = 1; ξ is forgotten when the contact slips or separates (not in the paper).
-/// 3. A clamped contact slips, and slipping forgets ξ, so the controller cannot wind up.
+/// 2. Initial ξ = 1; ξ is forgotten when the contact separates, and when it slips unless
+///    `keep_through_slip` (the paper says nothing of either).
+/// 3. A clamped contact slips, and a slipping one does not learn, so the controller cannot wind up.
 /// 4. The slip u (start of the step) is projected on ũ/|ũ| of the present step. With |ũ| ≤ 1e-12
 /// m/s
 ///    that direction is round-off: ξ is held, the closed form needs no direction.
 ///
 /// u → 0: ξ is constant. A fixed obstacle leaves u = 0, so ξ stays 1.
 struct FixedPoint {
+  static constexpr bool kWarmStart = false;
   static constexpr int kValues = 1;
   static constexpr double kDirectionLess = 1e-12;  ///< m/s
 
   explicit FixedPoint(const FrictionParameters& parameters)
-      : gain_(parameters.gain), raw_alpha_(parameters.raw_alpha) {}
+      : gain_(parameters.gain),
+        raw_alpha_(parameters.raw_alpha),
+        keep_through_slip_(parameters.keep_through_slip) {}
 
   void reset(double* memory) const { memory[0] = 1.0; }
 
   SlipSolution solve(const SlipProblem& problem, double* memory) const {
     double& xi = memory[0];
     const double free_slip = problem.free_slip.norm();
-    if (problem.was == ContactStatus::kStick && free_slip > kDirectionLess) {
+    if (problem.first_sweep && problem.was == ContactStatus::kStick && free_slip > kDirectionLess) {
       const double slip = problem.start_slip.dot(problem.free_slip) / free_slip;
       xi += raw_alpha_ != 0.0 ? -raw_alpha_ * slip : gain_ * slip / free_slip;
     }
@@ -54,7 +58,7 @@ struct FixedPoint {
     if constexpr (kMutation == Mutation::kStaleMemory) {
       solution.status =
           problem.was == ContactStatus::kStick ? ContactStatus::kStick : ContactStatus::kSlip;
-    } else {
+    } else if (!keep_through_slip_) {
       xi = 1.0;
     }
     return solution;
@@ -62,6 +66,7 @@ struct FixedPoint {
 
   double gain_;
   double raw_alpha_;
+  bool keep_through_slip_;
 };
 
 }  // namespace stiction

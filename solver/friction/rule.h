@@ -8,10 +8,14 @@ namespace stiction {
 /// Gains of the friction rules.
 struct FrictionParameters {
   /// g, dimensionless: ξ ← ξ + g u/|ũ|. The paper's observed convergence implies 0.58 – 0.82; the
-  /// loop is stable for 0 < g < 2.
+  /// loop is stable for 0 < g < 2 (less where contacts couple).
   double gain = 0.7;
   /// The paper's raw α, s/m [(16)–(18)]: ξ ← ξ − α u. Used in place of the gain when not 0.
   double raw_alpha = 0.0;
+  /// ω, dimensionless: over-relaxation of the stored vector's sweeps; ≤ 1.3 is known to be good.
+  double relaxation = 1.0;
+  bool keep_through_slip = false;  ///< ξ outlives slip (frozen) instead of being reset to 1
+  bool safeguard = true;  ///< secant: fall back to the fixed point where the slope misleads
 };
 
 /// One contact's friction problem within a step, after its normal force is known.
@@ -21,6 +25,8 @@ struct SlipProblem {
   double inverse_mass = 0;                  ///< w > 0, m/s/N
   double bound = 0;                         ///< μ fⁿ ≥ 0, N
   ContactStatus was = ContactStatus::kNew;  ///< status at the end of the last step
+  bool first_sweep = true;    ///< of this step: rules that learn from step to step learn now
+  Vec3 force = Vec3::Zero();  ///< friction applied so far in this step, N; ũ does not contain it
 };
 
 /// A rule's answer: friction force on the vertex (tangential, |force| ≤ bound) and what the contact
@@ -48,7 +54,9 @@ inline bool can_stick(const SlipProblem& problem) {
 //   static constexpr int kValues            memory per contact, in doubles
 //   explicit Rule(const FrictionParameters&)
 //   void reset(double* memory) const        a new contact, or one whose memory is forgotten
+//   static constexpr bool kWarmStart        whether the memory holds a force to start from:
+//   Vec3 start(const double* memory) const  that force, N (projected and clamped by the caller)
 //   SlipSolution solve(const SlipProblem&, double* memory) const
-// `solve` is called once a contact and step, in the order of the keys.
+// `solve` is called once a contact and sweep, in the order of the keys.
 
 }  // namespace stiction

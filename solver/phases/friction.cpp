@@ -2,10 +2,13 @@
 #include "solver/phases/friction.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 #include "solver/mutation.h"
+#include "solver/phases/pair_normal_force.h"
 
 namespace stiction {
 
@@ -13,17 +16,95 @@ namespace {
 
 Vec3 tangential(const Vec3& v, const Vec3& normal) { return v - normal.dot(v) * normal; }
 
+double mutated(double mu) {
+  if constexpr (kMutation == Mutation::kFrictionScaled) return 1.02 * mu;
+  return mu;
+}
+
+// The contacts with obstacles, as the sweep sees them.
+struct ObstacleSide {
+  const Scene& scene;
+  double dt;
+  OneSidedContacts& contacts;
+
+  std::size_t size() const { return contacts.size(); }
+  ContactKey key(std::size_t c) const { return contacts.key[c]; }
+  Vec3& force(std::size_t c) const { return contacts.friction_force[c]; }
+  ContactStatus& status(std::size_t c) const { return contacts.status[c]; }
+  const HalfSpace& obstacle(std::size_t c) const {
+    return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
+  }
+  const Vec3& normal(std::size_t c) const { return obstacle(c).normal; }
+  double bound(std::size_t c) const {
+    return mutated(obstacle(c).friction) * contacts.normal_force[c];
+  }
+  double inverse_mass(std::size_t c, const std::vector<Velocity>& velocity) const {
+    return dt * velocity[static_cast<std::size_t>(contacts.vertex[c])].inverse_mass;
+  }
+  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+    const Vec3& v = velocity[static_cast<std::size_t>(contacts.vertex[c])].v;
+    return tangential(v - contacts.obstacle_velocity[c], normal(c));
+  }
+  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
+    Velocity& own = velocity[static_cast<std::size_t>(contacts.vertex[c])];
+    own.v += dt * own.inverse_mass * force;
+  }
+};
+
+// The contacts between bodies.
+struct PairSide {
+  const Options& options;
+  double mu;
+  PairContacts& pairs;
+
+  std::size_t size() const { return pairs.size(); }
+  ContactKey key(std::size_t c) const { return pairs[c].key; }
+  Vec3& force(std::size_t c) const { return pairs[c].friction_force; }
+  ContactStatus& status(std::size_t c) const { return pairs[c].status; }
+  const Vec3& normal(std::size_t c) const { return pairs[c].normal; }
+  double bound(std::size_t c) const {
+    const PairOptions& pair = options.pairs;
+    const bool doubled =
+        pair.literal_bound && pair.gain == NormalGain::kPaper && pair.post_correction;
+    return mutated(mu) * (doubled ? 2.0 : 1.0) * pairs[c].normal_force;
+  }
+  double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
+    return options.time_step * pairs[c].inverse_mass;
+  }
+  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+    const PairContact& contact = pairs[c];
+    Vec3 v = velocity[static_cast<std::size_t>(contact.vertex)].v;
+    for (int k = 0; k < 4; ++k) {
+      v -= contact.weight[k] * velocity[static_cast<std::size_t>(contact.partner[k])].v;
+    }
+    return tangential(v, contact.normal);
+  }
+  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
+    const PairContact& contact = pairs[c];
+    const Vec3 impulse = options.time_step * force;
+    Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
+    own.v += own.inverse_mass * impulse;
+    if (!options.pairs.friction_reaction) return;
+    for (int k = 0; k < 4; ++k) {
+      Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
+      other.v -= contact.weight[k] * other.inverse_mass * impulse;
+    }
+  }
+};
+
 // Moves the memory of the contacts that persist to their new places, both lists being in the order
 // of their keys, and resets it for the others.
-template <class Rule>
-void carry_memory(const Rule& rule, const FrictionMemory& old, const OneSidedContacts& contacts,
+template <class Rule, class Side>
+void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
                   FrictionMemory& memory) {
   constexpr auto kValues = static_cast<std::size_t>(Rule::kValues);
-  memory.key = contacts.key;
-  memory.status.resize(contacts.size());
-  memory.value.resize(contacts.size() * kValues);
+  const std::size_t count = side.size();
+  memory.key.resize(count);
+  memory.status.resize(count);
+  memory.value.resize(count * kValues);
   std::size_t from = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+  for (std::size_t c = 0; c < count; ++c) {
+    memory.key[c] = side.key(c);
     while (from < old.key.size() && old.key[from] < memory.key[c]) ++from;
     const bool persists = from < old.key.size() && old.key[from] == memory.key[c] &&
                           old.value.size() == old.key.size() * kValues;
@@ -38,44 +119,87 @@ void carry_memory(const Rule& rule, const FrictionMemory& old, const OneSidedCon
   }
 }
 
-template <class Rule>
-void sweep(const Rule& rule, const Scene& scene, double dt, const std::vector<Velocity>& start,
-           std::vector<Velocity>& velocity, OneSidedContacts& contacts, FrictionMemory& memory) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const auto i = static_cast<std::size_t>(contacts.vertex[c]);
-    const HalfSpace& obstacle = scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
-    double mu = obstacle.friction;
-    if constexpr (kMutation == Mutation::kFrictionScaled) mu *= 1.02;
-
-    const SlipProblem problem{.free_slip = tangential(velocity[i].v, obstacle.normal),
-                              .start_slip = tangential(start[i].v, obstacle.normal),
-                              .inverse_mass = dt * velocity[i].inverse_mass,
-                              .bound = mu * contacts.normal_force[c],
-                              .was = memory.status[c]};
-    SlipSolution solution =
-        rule.solve(problem, memory.value.data() + c * static_cast<std::size_t>(Rule::kValues));
-    if constexpr (kMutation == Mutation::kFrictionSign) solution.force = -solution.force;
-
-    velocity[i].v += problem.inverse_mass * solution.force;
-    contacts.friction_force[c] = solution.force;
-    contacts.status[c] = solution.status;
-    memory.status[c] = solution.status;
+template <class Rule, class Side>
+void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory,
+                std::vector<Velocity>& velocity) {
+  for (std::size_t c = 0; c < side.size(); ++c) {
+    side.force(c) = Vec3::Zero();
+    if constexpr (Rule::kWarmStart) {
+      Vec3 force = tangential(rule.start(memory.value.data() + c * Rule::kValues), side.normal(c));
+      const double bound = side.bound(c);
+      const double size2 = force.squaredNorm();
+      if (size2 > bound * bound) force *= bound / std::sqrt(size2);
+      side.apply(c, force, velocity);
+      side.force(c) = force;
+    }
   }
+}
+
+// One contact of a sweep; `first` is true in the first sweep of a step. `was` holds the statuses at
+// the start of the step.
+template <class Rule, class Side>
+void solve(const Rule& rule, const Side& side, std::size_t c, bool first, ContactStatus was,
+           const std::vector<Velocity>& start, std::vector<Velocity>& velocity, double* memory) {
+  const double inverse_mass = side.inverse_mass(c, velocity);
+  const SlipProblem problem{.free_slip = side.slip(c, velocity) - inverse_mass * side.force(c),
+                            .start_slip = side.slip(c, start),
+                            .inverse_mass = inverse_mass,
+                            .bound = side.bound(c),
+                            .was = was,
+                            .first_sweep = first,
+                            .force = side.force(c)};
+  SlipSolution solution = rule.solve(problem, memory);
+  if constexpr (kMutation == Mutation::kFrictionSign) solution.force = -solution.force;
+  side.apply(c, solution.force - side.force(c), velocity);
+  side.force(c) = solution.force;
+  side.status(c) = solution.status;
+}
+
+template <class Rule, class Side, class Before>
+void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memory,
+           const std::vector<Velocity>& start, std::vector<Velocity>& velocity,
+           const Before& before) {
+  for (std::size_t c = 0; c < side.size(); ++c) {
+    before(c);
+    solve(rule, side, c, first, memory.status[c], start, velocity,
+          memory.value.data() + c * static_cast<std::size_t>(Rule::kValues));
+  }
+}
+
+template <class Side>
+void remember_status(const Side& side, FrictionMemory& memory) {
+  for (std::size_t c = 0; c < side.size(); ++c) memory.status[c] = side.status(c);
 }
 
 }  // namespace
 
 void friction_forces(const Scene& scene, const Options& options, State& state,
                      Workspace& workspace) {
-  OneSidedContacts& contacts = workspace.contacts;
+  std::vector<Velocity>& velocity = workspace.velocity;
+  const ObstacleSide obstacles{scene, options.time_step, workspace.contacts};
+  const PairSide pairs{options, scene.friction, workspace.pairs};
   const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
-    carry_memory(rule, state.memory, contacts, workspace.memory);
-    sweep(rule, scene, options.time_step, state.velocity, workspace.velocity, contacts,
-          workspace.memory);
+    carry_memory(rule, state.memory, obstacles, workspace.memory);
+    carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
+    warm_start(rule, pairs, workspace.pair_friction, velocity);
+    warm_start(rule, obstacles, workspace.memory, velocity);
+    for (int s = 0; s < options.sweeps; ++s) {
+      const bool first = s == 0;
+      sweep(rule, pairs, first, workspace.pair_friction, state.velocity, velocity,
+            [&](std::size_t c) {
+              if (first && !options.pairs.normals_first) {
+                apply_normal_force(options, workspace.pairs[c], velocity);
+              }
+            });
+      sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, [](std::size_t) {});
+    }
   });
   demand(known, "the options were checked, so the friction rule exists");
+  remember_status(obstacles, workspace.memory);
+  remember_status(pairs, workspace.pair_friction);
   std::swap(state.memory, workspace.memory);
-  workspace.contact_updates += contacts.size();
+  std::swap(state.pair_friction, workspace.pair_friction);
+  workspace.contact_updates += obstacles.size() + pairs.size();
 }
 
 }  // namespace stiction

@@ -21,6 +21,6 @@ namespace stiction {
 /// Approaching kinetic energy is lost, none is created: with a gap ≥ 0 at _t0 the vertex ends with
 /// 0 ≥ vₙ ≥ v*ₙ.
 void normal_forces(const Scene& scene, double dt, const std::vector<Position>& position,
-                   std::vector<Velocity>& velocity, OneSidedContacts& contacts);
+                   std::vector<Velocity>& velocity, OneSidedContacts& contacts, double time = 0.0);
 
 }  // namespace stiction

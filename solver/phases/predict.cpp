@@ -18,4 +18,15 @@ void predict(double dt, const std::vector<Vec3>& force, const std::vector<Veloci
   }
 }
 
+void follow_motions(const Scene& scene, double time, double dt, std::vector<Velocity>& predicted) {
+  for (const Body& body : scene.bodies) {
+    if (body.motion.time.empty()) continue;
+    const Vec3 velocity = (body.motion.at(time + dt) - body.motion.at(time)) / dt;
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+      Velocity& vertex = predicted[static_cast<std::size_t>(v)];
+      if (vertex.inverse_mass == 0.0) vertex.v = velocity;
+    }
+  }
+}
+
 }  // namespace stiction

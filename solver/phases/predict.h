@@ -14,4 +14,8 @@ void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force);
 void predict(double dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
              std::vector<Velocity>& predicted);
 
+/// Gives the pinned vertices of bodies with a motion the mean velocity of that motion over the step
+/// that starts at `time`, s.
+void follow_motions(const Scene& scene, double time, double dt, std::vector<Velocity>& predicted);
+
 }  // namespace stiction

@@ -195,7 +195,7 @@ Case stop_case(const std::string& name, const std::string& title, const Shape& s
   return {.name = name,
           .title = title,
           .set = set,
-          .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}},
+          .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "stored-vector"}}},
           .run = [setup, point](CaseRun& run) {
             point ? check_point_stop(run, setup) : check_box_stop(run, setup);
           }};

@@ -90,7 +90,7 @@ std::vector<Case> cases_incline_sliding() {
   return {{.name = "incline/above/acceleration/box",
            .title = "a box accelerates at 1.2 × the critical slope",
            .set = CaseSet::kQuick,
-           .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}},
+           .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "stored-vector"}}},
            .run = [above](CaseRun& run) { run_above(run, above); }},
           {.name = "incline/above/acceleration/point",
            .title = "a point mass accelerates at 1.2 × the critical slope",
@@ -98,7 +98,7 @@ std::vector<Case> cases_incline_sliding() {
           {.name = "incline/at-critical/speed",
            .title = "a box keeps its speed at the critical slope",
            .set = CaseSet::kQuick,
-           .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}},
+           .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "stored-vector"}}},
            .run = [critical](CaseRun& run) { run_critical(run, critical); }}};
 }
 

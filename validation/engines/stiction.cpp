@@ -5,14 +5,15 @@
 #include <cmath>
 #include <ctime>
 
+#include "reference/ball_mesh.h"
 #include "reference/box_mesh.h"
 #include "solver/demand.h"
 #include "solver/elasticity/corotational.h"
-#include "solver/friction/catalog.h"
 #include "solver/observables.h"
 #include "solver/step.h"
 #include "validation/engine.h"
 #include "validation/settings.h"
+#include "validation/stiction_method.h"
 
 namespace stiction {
 
@@ -65,6 +66,7 @@ Eigen::Vector3i cells_of(const Vec3& size, int along_longest) {
 
 struct Discretisation {
   int cells;  // along a box's longest edge
+  int ball;   // frequency of a ball's triangulation: 10 n² + 2 surface vertices
 };
 
 struct MeshMaker {
@@ -72,6 +74,10 @@ struct MeshMaker {
   TetMesh operator()(const BoxShape& box) const {
     return reference::box_mesh(box.size, cells_of(box.size, how.cells));
   }
+  TetMesh operator()(const BallShape& ball) const {
+    return reference::ball_mesh({.radius = ball.radius, .frequency = how.ball});
+  }
+  TetMesh operator()(const MeshShape& shape) const { return shape.mesh; }
   TetMesh operator()(const PointShape&) const {
     TetMesh mesh;
     mesh.vertices = Eigen::Matrix3Xd::Zero(3, 1);
@@ -88,7 +94,12 @@ BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
   description.name = body.name;
   description.mesh = std::visit(MeshMaker{how}, body.shape);
   double volume = 0.0;
-  for (Eigen::Index e = 0; e < description.mesh.tetrahedra.cols(); ++e) {
+  // A mesh that names vertices it doesn't have is refused with the scene; it must not be read here.
+  const Eigen::Matrix4Xi& tetrahedra = description.mesh.tetrahedra;
+  const bool readable =
+      tetrahedra.size() == 0 ||
+      (tetrahedra.minCoeff() >= 0 && tetrahedra.maxCoeff() < description.mesh.vertices.cols());
+  for (Eigen::Index e = 0; readable && e < description.mesh.tetrahedra.cols(); ++e) {
     volume += signed_volume(description.mesh, e);
   }
   if (volume > 0.0) {
@@ -100,6 +111,18 @@ BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
     description.point_mass = body.mass;
   }
   Eigen::Matrix3Xd& vertices = description.mesh.vertices;
+  if (body.held) {
+    for (Eigen::Index v = 0; v < vertices.cols(); ++v) {
+      // A face that was meant to be held stays so when its coordinates are rounded.
+      const double above = body.held->normal.normalized().dot(vertices.col(v) - body.held->point);
+      if (above <= 1e-12) description.pinned.push_back(static_cast<int>(v));
+    }
+    if (description.pinned.empty()) {
+      throw InputError(fmt::format("body '{}': its held part holds no vertex", body.name));
+    }
+  }
+  description.motion = body.motion;
+  description.self_collision = body.self_collision;
   vertices = (body.rotation.toRotationMatrix() * vertices).colwise() + body.position;
   description.initial_velocity = body.velocity.replicate(1, vertices.cols());
   return description;
@@ -109,10 +132,9 @@ class StictionEngine final : public Engine {
  public:
   explicit StictionEngine(const Settings& given) {
     SettingsReader reader(given);
-    options_.rule = reader.text("rule", options_.rule);
-    options_.friction.gain = reader.number("gain", options_.friction.gain);
-    options_.friction.raw_alpha = reader.number("alpha", options_.friction.raw_alpha);
+    read_method(reader, options_);
     how_.cells = reader.count("cells", 2);
+    how_.ball = reader.count("ball", 8);
     chosen_time_step_ = reader.has("dt");
     options_.time_step = reader.number("dt", options_.time_step);
     reader.refuse_unknown("stiction");
@@ -125,8 +147,9 @@ class StictionEngine final : public Engine {
     }
     for (const Obstacle& obstacle : problem.obstacles) {
       description.half_spaces.push_back(
-          {obstacle.name, obstacle.point, obstacle.normal, obstacle.friction});
+          {obstacle.name, obstacle.point, obstacle.normal, obstacle.friction, obstacle.motion});
     }
+    description.friction = problem.friction;
     description.gravity = problem.gravity;
     scene_ = build_scene(description);
     if (!chosen_time_step_) {
@@ -157,27 +180,33 @@ class StictionEngine final : public Engine {
 
   BodyMotion body(std::size_t index) const override {
     const Body& body = scene_.bodies.at(index);
-    return {centre_of_mass(scene_, state_, body), centre_velocity(scene_, state_, body)};
+    return {centre_of_mass(scene_, state_, body), centre_velocity(scene_, state_, body),
+            Eigen::Quaterniond(fitted_rotation(scene_, state_, body))};
   }
 
   std::vector<ContactSample> contacts() const override {
     std::vector<ContactSample> samples;
     const OneSidedContacts& contacts = workspace_.contacts;
+    const double time = static_cast<double>(state_.step) * options_.time_step;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const auto v = static_cast<std::size_t>(contacts.vertex[c]);
       const auto o = static_cast<std::size_t>(contacts.obstacle[c]);
       const HalfSpace& obstacle = scene_.half_spaces[o];
-      const Vec3& velocity = state_.velocity[v].v;
+      const Vec3 velocity = state_.velocity[v].v - contacts.obstacle_velocity[c];
       samples.push_back({.body = body_of(contacts.vertex[c]),
                          .obstacle = o,
+                         .against_body = false,
                          .point = contacts.vertex[c],
                          .normal = obstacle.normal,
-                         .gap = obstacle.normal.dot(state_.position[v].x - obstacle.point),
+                         .gap = obstacle.normal.dot(state_.position[v].x - obstacle.point -
+                                                    obstacle.motion.at(time)),
                          .normal_force = contacts.normal_force[c],
                          .friction_force = contacts.friction_force[c],
                          .slip = velocity - obstacle.normal.dot(velocity) * obstacle.normal,
-                         .sticks = contacts.status[c] == ContactStatus::kStick});
+                         .sticks = contacts.status[c] == ContactStatus::kStick,
+                         .position = state_.position[v].x});
     }
+    for (const PairContact& contact : workspace_.pairs) samples.push_back(sample_of(contact));
     return samples;
   }
 
@@ -187,15 +216,14 @@ class StictionEngine final : public Engine {
             elastic_energy(scene_.elements, state_.position)};
   }
 
+  Momenta momenta() const override {
+    return {linear_momentum(scene_, state_), angular_momentum(scene_, state_)};
+  }
+
   Settings settings() const override {
-    Settings all{{"rule", options_.rule},
-                 {"dt", fmt::format("{}", options_.time_step)},
-                 {"cells", fmt::format("{}", how_.cells)}};
-    if (options_.rule != "none") {
-      const bool raw = options_.friction.raw_alpha != 0.0;
-      all[raw ? "alpha" : "gain"] =
-          fmt::format("{}", raw ? options_.friction.raw_alpha : options_.friction.gain);
-    }
+    Settings all = method_settings(options_, scene_.pairs_possible);
+    all["dt"] = fmt::format("{}", options_.time_step);
+    all["cells"] = fmt::format("{}", how_.cells);
     return all;
   }
 
@@ -220,6 +248,9 @@ class StictionEngine final : public Engine {
   Snapshot save() const override { return std::make_shared<const State>(state_); }
   void restore(const Snapshot& snapshot) override {
     state_ = *static_cast<const State*>(snapshot.get());
+    // Those of the step after the snapshot; there are none until the next step.
+    workspace_.contacts.clear();
+    workspace_.pairs.clear();
   }
 
  private:
@@ -230,6 +261,31 @@ class StictionEngine final : public Engine {
     return static_cast<std::size_t>(after - scene_.bodies.begin()) - 1;
   }
 
+  ContactSample sample_of(const PairContact& contact) const {
+    const auto i = static_cast<std::size_t>(contact.vertex);
+    const double dt = options_.time_step;
+    Vec3 slip = state_.velocity[i].v;
+    Vec3 arm = state_.position[i].x - dt * state_.velocity[i].v;
+    for (int k = 0; k < 4; ++k) {
+      const auto j = static_cast<std::size_t>(contact.partner[k]);
+      slip -= contact.weight[k] * state_.velocity[j].v;
+      arm -= contact.weight[k] * (state_.position[j].x - dt * state_.velocity[j].v);
+    }
+    return {.body = body_of(contact.vertex),
+            .obstacle = static_cast<std::size_t>(
+                scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
+            .against_body = true,
+            .point = contact.vertex,
+            .normal = contact.normal,
+            .gap = -contact.depth,
+            .normal_force = contact.normal_force,
+            .friction_force = contact.friction_force,
+            .slip = slip - contact.normal.dot(slip) * contact.normal,
+            .sticks = contact.status == ContactStatus::kStick,
+            .position = state_.position[i].x,
+            .arm = arm};
+  }
+
   // Normal force and friction of the step just timed, per contact, less what reading the clock
   // costs.
   void note_contact_time() {
@@ -238,9 +294,8 @@ class StictionEngine final : public Engine {
                            phase_seconds_[static_cast<std::size_t>(Phase::kFriction)];
     const double spent = seconds - contact_seconds_ - 2.0 * overhead_;
     contact_seconds_ = seconds;
-    if (workspace_.contacts.size() > 0) {
-      seconds_per_contact_.push_back(spent / static_cast<double>(workspace_.contacts.size()));
-    }
+    const std::size_t contacts = workspace_.contacts.size() + workspace_.pairs.size();
+    if (contacts > 0) seconds_per_contact_.push_back(spent / static_cast<double>(contacts));
   }
 
   void demand_finite() const {
@@ -270,6 +325,14 @@ std::unique_ptr<Engine> make(const Settings& settings) {
   return std::make_unique<StictionEngine>(settings);
 }
 
+std::map<std::string, std::string> settings_help() {
+  std::map<std::string, std::string> help = method_settings_help();
+  help["dt"] = "time step, s (default 2e-4, or less where stability asks for it)";
+  help["cells"] = "cells along a box's longest edge (default 2)";
+  help["ball"] = "frequency n of a ball's triangulation, 10 n² + 2 surface vertices (default 8)";
+  return help;
+}
+
 }  // namespace
 
 EngineKind engine_stiction() {
@@ -277,12 +340,7 @@ EngineKind engine_stiction() {
       .name = "stiction",
       .description = "this project's solver: tetrahedra, penalty contact, coherent static friction",
       .capabilities = {.deformable = true, .point_masses = true, .save_restore = true},
-      .settings_help = {{"rule",
-                         "friction rule: " + friction_rule_list() + " (default fixed-point)"},
-                        {"gain", "fixed-point gain g, dimensionless (default 0.7)"},
-                        {"alpha", "the paper's raw α, s/m, in place of the gain"},
-                        {"dt", "time step, s (default 2e-4, or less where stability asks for it)"},
-                        {"cells", "cells along a box's longest edge (default 2)"}},
+      .settings_help = settings_help(),
       .make = make};
 }
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "solver/friction/rule.h"
+
+namespace stiction {
+
+/// Friction remembered as a vector, the friction part of the quiet method: three values a contact.
+/// The last step's force, projected on the tangent plane and clamped to the present cone, is
+/// applied first to all contacts; then a forward projected Gauss–Seidel pass removes the slip that
+/// is left.
+///
+///   f ← P(f − ω u/w),   u = ũ + w f,   P: projection on |f| ≤ μ fⁿ
+///
+/// Unlike a scalar ξ it acts on both components of the slip, and never divides by ũ. At rest f is
+/// what it was, u = 0, and nothing changes. A contact at the cone keeps its clamped force, which is
+/// Coulomb's sliding friction as soon as the slip has turned it (within a step when ũ dominates).
+struct StoredVector {
+  static constexpr bool kWarmStart = true;
+  static constexpr int kValues = 3;
+
+  explicit StoredVector(const FrictionParameters& parameters)
+      : relaxation_(parameters.relaxation) {}
+
+  void reset(double* memory) const { memory[0] = memory[1] = memory[2] = 0.0; }
+
+  Vec3 start(const double* memory) const { return {memory[0], memory[1], memory[2]}; }
+
+  SlipSolution solve(const SlipProblem& problem, double* memory) const {
+    const Vec3 slip = problem.free_slip + problem.inverse_mass * problem.force;
+    SlipSolution solution{problem.force - relaxation_ / problem.inverse_mass * slip,
+                          ContactStatus::kStick};
+    const double size2 = solution.force.squaredNorm();
+    if (size2 > problem.bound * problem.bound) {
+      solution = {problem.bound / std::sqrt(size2) * solution.force, ContactStatus::kSlip};
+    }
+    memory[0] = solution.force.x();
+    memory[1] = solution.force.y();
+    memory[2] = solution.force.z();
+    return solution;
+  }
+
+ private:
+  double relaxation_;
+};
+
+}  // namespace stiction

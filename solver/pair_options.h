@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace stiction {
+
+/// How strongly a depth is answered.
+enum class NormalGain {
+  kPaper,  ///< γᵢ mᵢ/Δt², (3)–(5): what of the depth is closed (κ) depends on the contact set
+  kHarmonic  ///< bounded: κ ≤ κ₀ for every contact set
+};
+
+/// Where the reaction of a contact goes.
+enum class PairWeights {
+  kTriangle,    ///< three barycentric weights of the projection on the nearest triangle [(1)]
+  kTetrahedron  ///< four weights of xᵢ in the penetrated tetrahedron at the start of the step
+};
+
+/// Direction and size of the penetration depth.
+enum class DepthRule {
+  kProjection,  ///< orthogonal projection on the nearest surface triangle
+  kConsistent   ///< [Heidelberger2004]: averaged over crossing edges, propagated inwards
+};
+
+/// By what a contact is recognised in the next step.
+enum class PairKey {
+  kBody,     ///< (vertex, body): survives the change to a neighbouring triangle
+  kTriangle  ///< (vertex, triangle): the literal reading; memory is lost at each triangle's edge
+};
+
+/// Settings of two-sided contacts; the defaults are the quiet method. Old is {kPaper, kTriangle, no
+/// post-correction, no reaction of friction}, paper is {kPaper, kTriangle, interleaved}.
+struct PairOptions {
+  NormalGain gain = NormalGain::kHarmonic;
+  double harmonic_gain = 1.0;  ///< κ₀, dimensionless, in (0, 4/3)
+  PairWeights weights = PairWeights::kTetrahedron;
+  DepthRule depth = DepthRule::kProjection;
+  PairKey key = PairKey::kBody;
+  bool post_correction = true;    ///< (6): half of F on the vertex, half on its partners
+  bool friction_reaction = true;  ///< friction acts on the partners too
+  bool literal_bound = false;  ///< μ|F| instead of μ × the transmitted force: sticks up to 2μ
+  bool normals_first = true;   ///< all normal forces, then friction; else pair by pair
+  /// Contacts are kept up to a gap of `hysteresis` · |g|Δt², dimensionless, with F = 0.
+  double hysteresis = 20.0;
+  bool count_hysteresis = true;  ///< such contacts count in the harmonic gain
+};
+
+}  // namespace stiction

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/phases/depth.h"
+
+#include <cmath>
+#include <limits>
+
+#include "solver/phases/consistent_depth.h"
+#include "solver/phases/detect_pairs.h"
+#include "solver/phases/nearest.h"
+
+namespace stiction {
+
+namespace {
+
+using Triangle = Topology::Triangle;
+
+struct Projection {
+  NearestOnTriangle nearest;
+  std::int32_t triangle;
+};
+
+// Nearest surface triangle of the penetrated body; the first of equals.
+Projection project(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+                   std::int32_t element) {
+  Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
+  const auto consider = [&](std::int32_t t) {
+    const Triangle& triangle = topology.triangle[static_cast<std::size_t>(t)];
+    const NearestOnTriangle nearest =
+        nearest_on_triangle(point, x[static_cast<std::size_t>(triangle.vertex[0])],
+                            x[static_cast<std::size_t>(triangle.vertex[1])],
+                            x[static_cast<std::size_t>(triangle.vertex[2])]);
+    if (nearest.distance2 < best.nearest.distance2) best = {nearest, t};
+  };
+  const auto e = static_cast<std::size_t>(element);
+  if (topology.near_begin[e] < topology.near_begin[e + 1]) {
+    for (std::int32_t k = topology.near_begin[e]; k < topology.near_begin[e + 1]; ++k) {
+      consider(topology.near[static_cast<std::size_t>(k)]);
+    }
+  } else {
+    const auto body = static_cast<std::size_t>(topology.element_body[e]);
+    for (std::int32_t t = topology.body_triangle_begin[body];
+         t < topology.body_triangle_begin[body + 1]; ++t) {
+      consider(t);
+    }
+  }
+  return best;
+}
+
+Vec3 outward_normal(const Triangle& triangle, const std::vector<Vec3>& x) {
+  const Vec3& a = x[static_cast<std::size_t>(triangle.vertex[0])];
+  const Vec3& b = x[static_cast<std::size_t>(triangle.vertex[1])];
+  const Vec3& c = x[static_cast<std::size_t>(triangle.vertex[2])];
+  return (b - a).cross(c - a).normalized();
+}
+
+void set_partners(const Scene& scene, const Options& options, const State& state,
+                  const Projection& projection, PairContact& contact) {
+  const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
+  if (options.pairs.weights == PairWeights::kTriangle) {
+    for (int k = 0; k < 3; ++k) {
+      contact.partner[k] = triangle.vertex[k];
+      contact.weight[k] = projection.nearest.weight[k];
+    }
+    contact.partner[3] = triangle.vertex[2];
+    contact.weight[3] = 0.0;
+    return;
+  }
+  const Element& element = scene.elements[static_cast<std::size_t>(contact.element)];
+  const auto x = [&](std::int32_t v) -> const Vec3& {
+    return state.position[static_cast<std::size_t>(v)].x;
+  };
+  const Eigen::Vector4d weight =
+      barycentric(x(contact.vertex), x(element.vertex[0]), x(element.vertex[1]),
+                  x(element.vertex[2]), x(element.vertex[3]));
+  for (int k = 0; k < 4; ++k) {
+    contact.partner[k] = element.vertex[k];
+    contact.weight[k] = weight[k];
+  }
+}
+
+}  // namespace
+
+void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
+  const std::vector<Vec3>& x = workspace.search.predicted;
+  const double dt = options.time_step;
+  const double widest = options.pairs.hysteresis * dt * dt *
+                        scene.gravity.at(static_cast<double>(state.step) * dt).norm();
+  std::size_t kept = 0;
+  for (PairContact contact : workspace.pairs) {
+    const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
+    const bool open = contact.triangle >= 0;  // outside every element: kept from the last step
+    const Projection projection = project(scene.topology, x, point, contact.element);
+    contact.triangle = projection.triangle;
+    const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
+    const double distance = std::sqrt(projection.nearest.distance2);
+    contact.normal = outward_normal(triangle, x);
+    if (open) {
+      // Kept only above a face: beyond a border it has left.
+      if (!projection.nearest.inside || distance >= widest) continue;
+      contact.element = triangle.element;
+      contact.depth = 0.0;
+    } else {
+      contact.depth = distance;
+      if (!projection.nearest.inside && distance > 0.0) {
+        Vec3 foot = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+          foot += projection.nearest.weight[k] * x[static_cast<std::size_t>(triangle.vertex[k])];
+        }
+        contact.normal = (foot - point) / distance;
+      }
+    }
+    set_partners(scene, options, state, projection, contact);
+    workspace.pairs[kept++] = contact;
+  }
+  workspace.pairs.resize(kept);
+  if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
+
+  const auto inverse_mass = [&](std::int32_t v) {
+    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
+  };
+  for (PairContact& contact : workspace.pairs) {
+    contact.inverse_mass = inverse_mass(contact.vertex);
+    for (int k = 0; options.pairs.friction_reaction && k < 4; ++k) {
+      contact.inverse_mass +=
+          contact.weight[k] * contact.weight[k] * inverse_mass(contact.partner[k]);
+    }
+    if (options.pairs.key == PairKey::kTriangle) {
+      contact.key = contact_key(static_cast<std::uint32_t>(contact.vertex),
+                                static_cast<std::uint32_t>(contact.triangle));
+    }
+  }
+  // A vertex that nothing can move on partners that nothing can move takes no force.
+  std::erase_if(workspace.pairs, [](const PairContact& c) { return c.inverse_mass == 0.0; });
+}
+
+void remember_pairs(const PairContacts& pairs, const Topology& topology, PairMemory& memory) {
+  memory.body_key.resize(pairs.size());
+  memory.element.resize(pairs.size());
+  memory.triangle.resize(pairs.size());
+  for (std::size_t c = 0; c < pairs.size(); ++c) {
+    const std::int32_t body = topology.element_body[static_cast<std::size_t>(pairs[c].element)];
+    memory.body_key[c] =
+        contact_key(static_cast<std::uint32_t>(pairs[c].vertex), static_cast<std::uint32_t>(body));
+    memory.element[c] = pairs[c].element;
+    memory.triangle[c] = pairs[c].triangle;
+  }
+}
+
+}  // namespace stiction

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/options.h"
+#include "solver/scene.h"
+#include "solver/state.h"
+#include "solver/workspace.h"
+
+namespace stiction {
+
+/// Depth, normal, nearest triangle, weights and inverse mass of each pair contact, at the predicted
+/// positions; drops the kept contacts whose gap has become too wide, and sets the keys as
+/// `options.pairs.key` says.
+///
+///   d = x̂ − x*,  x̂ the point of the surface nearest to x*       (projection)
+///
+/// The normal is that of the triangle where x̂ lies inside it, else the direction of d. Weights:
+/// those of x̂ in the triangle at the predicted positions, or of x_t0 in the tetrahedron at the
+/// start-of-step positions (see PairWeights).
+void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace);
+
+/// Keeps where the contacts are for the hysteresis of the next step.
+void remember_pairs(const PairContacts& pairs, const Topology& topology, PairMemory& memory);
+
+}  // namespace stiction

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/phases/depth.h"
+
+#include <gtest/gtest.h>
+
+#include "solver/phases/nearest.h"
+#include "solver/test_pairs.h"
+
+namespace stiction {
+namespace {
+
+Options with(PairWeights weights, DepthRule depth) {
+  Options options;
+  options.pairs.weights = weights;
+  options.pairs.depth = depth;
+  return options;
+}
+
+// Nearest point by minimising over a fine grid of weights.
+double sampled_distance2(const Vec3& p, const Eigen::Matrix3d& corners, int n) {
+  double best = test::kInfinity;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n - i; ++j) {
+      const Vec3 weight(i, j, n - i - j);
+      best = std::min(best, (corners * weight / n - p).squaredNorm());
+    }
+  }
+  return best;
+}
+
+TEST(NearestOnTriangle, IsNeverBeatenBySampling) {
+  constexpr int kSamples = 60;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const Eigen::Matrix3d corners = test::noise(3, 1.0, seed);
+    const Vec3 p = test::noise(1, 1.5, 1000 + seed);
+    const NearestOnTriangle nearest =
+        nearest_on_triangle(p, corners.col(0), corners.col(1), corners.col(2));
+    EXPECT_NEAR(nearest.weight.sum(), 1.0, 1e-14);
+    EXPECT_GE(nearest.weight.minCoeff(), 0.0);
+    const double sampled = sampled_distance2(p, corners, kSamples);
+    EXPECT_LE(nearest.distance2, sampled + 1e-14) << "seed " << seed;
+    // A sample lies within an edge/60 of the nearest point.
+    EXPECT_GE(std::sqrt(nearest.distance2) + 3.5 / kSamples, std::sqrt(sampled));
+  }
+}
+
+class FlatContact : public testing::TestWithParam<DepthRule> {};
+
+// Upper vertices inside the lower cube's top, and lower ones inside the upper's bottom: both faces
+// are flat, so each rule must find the overlap and the vertical.
+TEST_P(FlatContact, HasTheOverlapAsDepthAndTheFaceNormal) {
+  const double overlap = 0.01;
+  const Scene scene = build_scene(test::stacked_cubes(overlap));
+  test::Found found(scene, with(PairWeights::kTriangle, GetParam()), initial_state(scene));
+  ASSERT_GT(found.workspace.pairs.size(), 8u);
+  int deep = 0;
+  for (const PairContact& contact : found.workspace.pairs) {
+    // Vertices on a side of the other body, within the overlap of a vertical face, look sideways.
+    if (std::abs(contact.normal.z()) < 0.9) continue;
+    const bool upper = scene.topology.vertex_body[static_cast<std::size_t>(contact.vertex)] == 1;
+    // The consistent rule averages over all edges that leave the other body, those through its side
+    // faces included: at ≥ 0.13 from the side they weigh (0.01/0.13)² = 0.6 % of a vertical one,
+    // and ask for 13 times its depth.
+    const bool averages = GetParam() == DepthRule::kConsistent;
+    EXPECT_NEAR(contact.depth, overlap, averages ? 0.08 * overlap : 1e-12);
+    EXPECT_NEAR(contact.normal.z(), upper ? 1.0 : -1.0, averages ? 1e-4 : 1e-12);
+    ++deep;
+  }
+  EXPECT_GE(deep, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, FlatContact,
+                         testing::Values(DepthRule::kProjection, DepthRule::kConsistent),
+                         [](const auto& one) {
+                           return one.param == DepthRule::kProjection ? "Projection" : "Consistent";
+                         });
+
+// The triangles near an element hold the nearest one of all.
+TEST(Depths, AreTheDistanceToTheWholeSurface) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Scene scene = build_scene(test::stacked_cubes(0.25));
+    const State state =
+        test::state_at(scene, scene.rest_position + test::noise(scene.vertex_count(), 0.04, seed),
+                       Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    const test::Found found(scene, with(PairWeights::kTriangle, DepthRule::kProjection), state);
+    ASSERT_FALSE(found.workspace.pairs.empty());
+    for (const PairContact& contact : found.workspace.pairs) {
+      double best = test::kInfinity;
+      const auto x = [&](std::int32_t v) -> const Vec3& {
+        return state.position[static_cast<std::size_t>(v)].x;
+      };
+      for (const Topology::Triangle& triangle : scene.topology.triangle) {
+        if (scene.topology.vertex_body[static_cast<std::size_t>(triangle.vertex[0])] ==
+            scene.topology.vertex_body[static_cast<std::size_t>(contact.vertex)]) {
+          continue;
+        }
+        best = std::min(best, nearest_on_triangle(x(contact.vertex), x(triangle.vertex[0]),
+                                                  x(triangle.vertex[1]), x(triangle.vertex[2]))
+                                  .distance2);
+      }
+      EXPECT_NEAR(contact.depth, std::sqrt(best), 1e-14) << "seed " << seed;
+    }
+  }
+}
+
+TEST(Depths, TetrahedralWeightsGiveTheVertexItsPlaceAtTheStartOfTheStep) {
+  const Scene scene = build_scene(test::stacked_cubes(0.05));
+  const test::Found found(
+      scene, with(PairWeights::kTetrahedron, DepthRule::kProjection),
+      test::state_at(scene, scene.rest_position, test::noise(scene.vertex_count(), 1.0, 5)));
+  for (const PairContact& contact : found.workspace.pairs) {
+    Vec3 x = Vec3::Zero();
+    double sum = 0.0;
+    double inverse_mass = scene.inverse_mass[static_cast<std::size_t>(contact.vertex)];
+    for (int k = 0; k < 4; ++k) {
+      const auto j = static_cast<std::size_t>(contact.partner[k]);
+      x += contact.weight[k] * found.state.position[j].x;
+      sum += contact.weight[k];
+      inverse_mass += contact.weight[k] * contact.weight[k] * scene.inverse_mass[j];
+    }
+    // Round-off of a 3 × 3 solve in numbers of order one.
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    EXPECT_LT((x - found.state.position[static_cast<std::size_t>(contact.vertex)].x).norm(), 1e-14);
+    EXPECT_NEAR(contact.inverse_mass, inverse_mass, 1e-14 * inverse_mass);
+  }
+}
+
+TEST(Depths, TheLiteralKeyNamesTheTriangle) {
+  const Scene scene = build_scene(test::stacked_cubes(0.05));
+  Options options;
+  options.pairs.key = PairKey::kTriangle;
+  const test::Found found(scene, options, initial_state(scene));
+  for (const PairContact& contact : found.workspace.pairs) {
+    EXPECT_EQ(contact.key, contact_key(static_cast<std::uint32_t>(contact.vertex),
+                                       static_cast<std::uint32_t>(contact.triangle)));
+  }
+}
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/options.h"
+#include "solver/scene.h"
+#include "solver/state.h"
+#include "solver/workspace.h"
+
+namespace stiction {
+
+/// Finds the surface vertices whose predicted position x* = x_t0 + Δt v* lies in a tetrahedron of
+/// another body (of its own, where the body asks for it), by spatial hashing; fills in key (vertex,
+/// body), vertex and element of `workspace.pairs`, one contact a vertex and penetrated body, in the
+/// order of their keys. With hysteresis the contacts of the last step that have opened by less than
+/// the allowed gap are kept.
+///
+/// Only bodies whose bounding boxes overlap are looked at, and of them only what lies in the
+/// overlap: linear in those primitives. A vertex on the face between tetrahedra belongs to the one
+/// that it is deepest in, the lower number winning a tie.
+void detect_pairs(const Scene& scene, const Options& options, const State& state,
+                  Workspace& workspace);
+
+/// Barycentric weights of a point in a tetrahedron with the given corners, dimensionless; they sum
+/// to
+/// 1. Precondition: its volume is not zero.
+Eigen::Vector4d barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
+                            const Vec3& d);
+
+}  // namespace stiction

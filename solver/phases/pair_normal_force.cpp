@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/phases/pair_normal_force.h"
+
+namespace stiction {
+
+namespace {
+
+// Σ over contacts of what each asks of its vertex and of its partners, per vertex.
+void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
+                std::vector<double>& load) {
+  for (const PairContact& contact : workspace.pairs) {
+    if (contact.depth == 0.0 && !count_kept) continue;
+    if (count_vertex) load[static_cast<std::size_t>(contact.vertex)] += 1.0;
+    for (int k = 0; k < 4; ++k) {
+      load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
+    }
+  }
+}
+
+double harmonic_force(const PairOptions& options, double dt, const Workspace& workspace,
+                      const PairContact& contact) {
+  const auto share = [&](std::int32_t v) {
+    const auto p = static_cast<std::size_t>(v);
+    return workspace.load[p] * workspace.velocity[p].inverse_mass;
+  };
+  double inverse_mass = share(contact.vertex);
+  for (int k = 0; k < 4; ++k) inverse_mass += contact.weight[k] * share(contact.partner[k]);
+  return options.harmonic_gain * contact.depth / (dt * dt * inverse_mass);
+}
+
+double paper_force(double dt, const Workspace& workspace, const PairContact& contact) {
+  const auto c = [&](std::int32_t v) {
+    return 1.0 / (1.0 + workspace.load[static_cast<std::size_t>(v)]);
+  };
+  const auto inverse_mass = [&](std::int32_t v) {
+    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
+  };
+  double partner_mass = 0.0;  // M
+  bool partner_fixed = false;
+  for (int k = 0; k < 4; ++k) {
+    if (contact.weight[k] == 0.0) continue;
+    const double w = inverse_mass(contact.partner[k]);
+    if (w == 0.0) {
+      partner_fixed = true;
+    } else {
+      partner_mass += c(contact.partner[k]) * contact.weight[k] / w;
+    }
+  }
+  const double own = inverse_mass(contact.vertex);
+  // γ m, with the limits of an infinite mass on either side.
+  double effective_mass = 0.0;
+  if (own == 0.0) {
+    effective_mass = partner_fixed ? 0.0 : partner_mass / c(contact.vertex);
+  } else if (partner_fixed) {
+    effective_mass = 1.0 / own;
+  } else {
+    const double mass = 1.0 / own;
+    effective_mass = mass * partner_mass / (c(contact.vertex) * mass + partner_mass);
+  }
+  return effective_mass * contact.depth / (dt * dt);
+}
+
+}  // namespace
+
+void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace) {
+  const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
+  workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()), 0.0);
+  accumulate(workspace, harmonic, !harmonic || options.pairs.count_hysteresis, workspace.load);
+  for (PairContact& contact : workspace.pairs) {
+    if (contact.depth == 0.0) {
+      contact.normal_force = 0.0;
+    } else if (harmonic) {
+      contact.normal_force = harmonic_force(options.pairs, options.time_step, workspace, contact);
+    } else {
+      const double force = paper_force(options.time_step, workspace, contact);
+      contact.normal_force = options.pairs.post_correction ? 0.5 * force : force;
+    }
+  }
+  if (!options.pairs.normals_first) return;
+  for (const PairContact& contact : workspace.pairs) {
+    apply_normal_force(options, contact, workspace.velocity);
+  }
+}
+
+void apply_normal_force(const Options& options, const PairContact& contact,
+                        std::vector<Velocity>& velocity) {
+  const Vec3 impulse = options.time_step * contact.normal_force * contact.normal;
+  Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
+  own.v += own.inverse_mass * impulse;
+  if (!options.pairs.post_correction) return;
+  for (int k = 0; k < 4; ++k) {
+    Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
+    other.v -= contact.weight[k] * other.inverse_mass * impulse;
+  }
+}
+
+}  // namespace stiction

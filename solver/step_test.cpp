@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/step.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+
+#include "solver/observables.h"
+#include "solver/test_scenes.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+// Every allocation of this test program is counted, below operator new: Eigen's dynamic matrices
+// call malloc themselves. The sanitizers replace malloc and offer a hook; elsewhere glibc lets a
+// program put its own in front.
+#ifdef __SANITIZE_ADDRESS__
+
+// GCC of Debian does not install sanitizer/allocator_interface.h.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
+                                                                           std::size_t),
+                                                         void (*on_free)(const volatile void*));
+
+namespace {
+
+[[maybe_unused]] const int hooked = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
+
+}  // namespace
+
+#else
+
+extern "C" {
+
+void* __libc_malloc(std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* realloc(void* memory, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+
+}  // extern "C"
+
+#endif
+
+namespace stiction {
+namespace {
+
+// A small elastic cube that slides over the ground and bumps into a wall.
+Scene sliding_cube() {
+  BodyDescription body = test::elastic_body(test::cube_mesh(2, 0.1), {1000.0, 1e5, 0.3, 1e-4});
+  body.initial_velocity = Vec3(-0.5, 0.2, 0.0).replicate(1, 27);
+  SceneDescription description = test::one_body(body);
+  description.half_spaces = {test::ground(0.5), {"wall", Vec3(-0.01, 0, 0), Vec3::UnitX(), 0.3}};
+  description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
+  return build_scene(description);
+}
+
+void advance(const Scene& scene, const Options& options, State& state, Workspace& workspace,
+             int steps) {
+  check_options(options, scene);
+  for (int k = 0; k < steps; ++k) step(scene, options, state, workspace);
+}
+
+class StepWithRule : public testing::TestWithParam<std::string> {
+ protected:
+  const Options options{.time_step = 2e-4, .rule = GetParam()};
+};
+
+TEST(AllocationCounter, SeesVectorsAndEigenMatrices) {
+  allocations = 0;
+  const std::vector<Vec3> plain(3);
+  EXPECT_EQ(allocations.load(), 1);
+  const std::vector<Velocity> aligned(3);
+  EXPECT_EQ(allocations.load(), 2);
+  const Eigen::Matrix3Xd matrix = Eigen::Matrix3Xd::Zero(3, 3);
+  EXPECT_EQ(allocations.load(), 3);
+}
+
+TEST_P(StepWithRule, AllocatesNothingOnceWarm) {
+  const Scene scene = sliding_cube();
+  const State start = initial_state(scene);
+  State state = start;
+  Workspace workspace;
+  advance(scene, options, state, workspace, 400);
+  // Once around, every array has seen its largest size; the capacity of both memories too, since
+  // they are exchanged every step and 400 is even.
+  state = start;
+  advance(scene, options, state, workspace, 1);
+  allocations = 0;
+  for (int k = 0; k < 399; ++k) step(scene, options, state, workspace);
+  EXPECT_EQ(allocations.load(), 0);
+  EXPECT_GT(workspace.contact_updates, 2u * 400u) << "with contacts to allocate for";
+}
+
+TEST_P(StepWithRule, GivesTheSameHashOnEveryRun) {
+  const Scene scene = sliding_cube();
+  std::vector<std::uint64_t> hashes;
+  for (int run = 0; run < 2; ++run) {
+    State state = initial_state(scene);
+    Workspace workspace;
+    advance(scene, options, state, workspace, 400);
+    hashes.push_back(hash_of(state));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST_P(StepWithRule, NeverEndsInsideAnObstacleThatItSlidesAlong) {
+  const Scene scene = sliding_cube();
+  State state = initial_state(scene);
+  Workspace workspace;
+  for (int k = 0; k < 400; ++k) {
+    advance(scene, options, state, workspace, 1);
+    for (const Position& position : state.position) {
+      // On the ground to the round-off of 0.1 m; on the wall but for the ground's friction, which
+      // comes after the wall's normal force and moves a vertex by at most μ gΔt² of its load.
+      ASSERT_GT(position.x.z(), -1e-15);
+      ASSERT_GT(position.x.x(), -0.01 - 1e-5);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, StepWithRule, testing::Values("none", "fixed-point"),
+                         [](const auto& one) {
+                           return one.param == "none" ? std::string("None")
+                                                      : std::string("FixedPoint");
+                         });
+
+TEST(Step, WithoutAClockAddsNoTimeAndWithOneFillsEveryPhaseAndLeavesTheAnswer) {
+  const Scene scene = sliding_cube();
+  const Options options{.time_step = 2e-4};
+  PhaseSeconds seconds{};
+  State untimed = initial_state(scene);
+  State timed = untimed;
+  Workspace workspace;
+  advance(scene, options, untimed, workspace, 100);
+  EXPECT_EQ(seconds, PhaseSeconds{});
+  Workspace with_clock;
+  with_clock.phase_seconds = &seconds;
+  advance(scene, options, timed, with_clock, 100);
+  for (std::size_t p = 0; p < seconds.size(); ++p) {
+    // A scene whose bodies cannot touch each other has no depths to find.
+    if (static_cast<Phase>(p) == Phase::kDepth) {
+      EXPECT_EQ(seconds[p], 0.0);
+    } else {
+      EXPECT_GT(seconds[p], 0.0) << kPhaseNames[p];
+    }
+  }
+  EXPECT_EQ(hash_of(timed), hash_of(untimed));
+}
+
+TEST(Step, CountsStepsAndNeedsNothingOfWhatAWorkspaceHeld) {
+  const Scene scene = sliding_cube();
+  const Options options{.time_step = 2e-4};
+  State clean = initial_state(scene);
+  State dirty = clean;
+  Workspace fresh;
+  advance(scene, options, clean, fresh, 50);
+  EXPECT_EQ(clean.step, 50u);
+
+  Workspace used;
+  used.force.assign(3, Vec3::Constant(test::kNaN));
+  used.velocity.assign(40, {Vec3::Constant(test::kNaN), test::kNaN});
+  used.contacts.add(7, 7, 7, test::kNaN);
+  used.memory = {{1, 2}, {ContactStatus::kStick, ContactStatus::kStick}, {test::kNaN, test::kNaN}};
+  advance(scene, options, dirty, used, 50);
+  EXPECT_EQ(hash_of(dirty), hash_of(clean));
+}
+
+// Exact-computed: vₙ = v₀ + n Δt g, xₙ = x₀ + Δt Σ vₖ.
+TEST(Step, FollowsTheRecurrenceOfFreeFall) {
+  SceneDescription description = test::one_body(test::point_masses(Vec3(1, 2, 3), 0.3));
+  description.bodies[0].initial_velocity = Vec3(0.5, 0.0, 4.0);
+  description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
+  const Scene scene = build_scene(description);
+  State state = initial_state(scene);
+  Workspace workspace;
+  const int n = 1000;
+  const double dt = 1e-3;
+  advance(scene, {.time_step = dt}, state, workspace, n);
+  const double fallen = 9.81 * dt * dt * n * (n + 1) / 2.0;
+  // Four roundings a step of numbers below 8.
+  EXPECT_NEAR(state.velocity[0].v.z(), 4.0 - 9.81 * n * dt, n * 4 * 4 * test::kEpsilon);
+  EXPECT_NEAR(state.position[0].x.z(), 3.0 + 4.0 * n * dt - fallen, n * 4 * 4 * test::kEpsilon);
+  EXPECT_NEAR(state.position[0].x.x(), 1.5, n * test::kEpsilon);
+  EXPECT_EQ(state.velocity[0].v.x(), 0.5);
+}
+
+TEST(Step, ReadsGravityAtTheStartOfTheStep) {
+  SceneDescription description = test::one_body(test::point_masses(Vec3::Zero(), 1.0));
+  description.gravity = {{0.0, 1.0}, {Vec3::Zero(), Vec3(0, 0, -8)}};
+  const Scene scene = build_scene(description);
+  State state = initial_state(scene);
+  Workspace workspace;
+  advance(scene, {.time_step = 0.25}, state, workspace, 2);
+  // g(0) = 0 and g(¼) = −8 · 53/512; powers of two, so nothing is rounded.
+  EXPECT_EQ(state.velocity[0].v.z(), -0.25 * 8.0 * 53.0 / 512.0);
+}
+
+TEST(Step, KeepsLinearAndAngularMomentumOfAFreelyVibratingBody) {
+  BodyDescription body = test::elastic_body(test::cube_mesh(2, 0.1), {1000.0, 1e5, 0.3, 1e-4});
+  body.initial_velocity = test::noise(27, 0.5, 5);
+  const Scene scene = build_scene(test::one_body(body));
+  State state = initial_state(scene);
+  const Vec3 linear = linear_momentum(scene, state);
+  const Vec3 angular = angular_momentum(scene, state);
+  const double kinetic = kinetic_energy(scene, state);
+  Workspace workspace;
+  const int n = 2000;
+  advance(scene, {.time_step = 2e-4}, state, workspace, n);
+  EXPECT_LT(kinetic_energy(scene, state), 0.5 * kinetic) << "it did vibrate";
+  // Symplectic Euler keeps both exactly: ΔL = Δt Σ x_t0 × F(x_t0) = 0. Per step the force sums
+  // round by some 100 ε of Σ|m v| ≈ 0.5 kg m/s in all 27 vertices, as a random walk over the steps.
+  const double round_off = 100.0 * test::kEpsilon * 0.5 * std::sqrt(static_cast<double>(n));
+  EXPECT_LT((linear_momentum(scene, state) - linear).norm(), round_off);
+  EXPECT_LT((angular_momentum(scene, state) - angular).norm(), round_off);
+}
+
+TEST(Step, HoldsAPinnedVertexWhereItIs) {
+  BodyDescription body = test::elastic_body(test::cube_mesh(1, 0.1), {1000.0, 1e5, 0.3, 1e-4});
+  body.pinned = {0, 5};
+  SceneDescription description = test::one_body(body);
+  description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
+  const Scene scene = build_scene(description);
+  State state = initial_state(scene);
+  Workspace workspace;
+  advance(scene, {.time_step = 2e-4}, state, workspace, 100);
+  for (const std::size_t described : {0, 5}) {
+    const auto v = static_cast<std::size_t>(scene.scene_vertex[described]);
+    EXPECT_EQ(state.position[v].x, Vec3(scene.rest_position.col(static_cast<Eigen::Index>(v))));
+  }
+  EXPECT_LT(centre_velocity(scene, state, scene.bodies[0]).z(), -1e-3) << "the others hang";
+}
+
+// A point mass on the ground under a load below the cone stays put, exactly; above it, it slides.
+TEST(Step, LetsAPointMassStickBelowTheConeAndSlideAboveIt) {
+  for (const double tangential : {4.9, 5.1}) {
+    SceneDescription description = test::one_body(test::point_masses(Vec3::Zero(), 1.0));
+    description.half_spaces = {test::ground(0.5)};
+    description.gravity = {{0.0}, {Vec3(tangential, 0, -10)}};
+    const Scene scene = build_scene(description);
+    State state = initial_state(scene);
+    Workspace workspace;
+    const double dt = 1e-3;
+    advance(scene, {.time_step = dt, .rule = "none"}, state, workspace, 1000);
+    const double expected = tangential < 5.0 ? 0.0 : 1000 * dt * (tangential - 5.0);
+    // Ten roundings a step of gΔt = 1e-2 m/s while it sticks, of up to 0.1 m/s while it slides.
+    EXPECT_NEAR(state.velocity[0].v.x(), expected, 1000 * 10 * 1e-2 * test::kEpsilon);
+  }
+}
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "reference/limit_analysis.h"
+#include "validation/engine.h"
+#include "validation/problem.h"
+
+namespace stiction {
+
+/// The paper's Fig. 7: three balls of radius r that just touch each other on level ground, and a
+/// larger one of the same density in the hollow between them. Bodies 0–2 are the lower balls, 3 the
+/// top one; obstacle 0 is the ground.
+struct BallPyramidSetup {
+  double friction = 0.24;   ///< μ everywhere
+  double radius = 0.1;      ///< r, m
+  double ratio = 1.75;      ///< R/r: gives the two thresholds that the paper prints
+  int frequency = 8;        ///< n of the engine's triangulation (its setting `ball`)
+  double density = 1000.0;  ///< kg/m³
+  Elasticity elasticity{.youngs_modulus = 1e6, .poisson_ratio = 0.3, .damping_time = 1e-4};
+  double full_load = 0.4;  ///< gravity has ramped from 0 to full, s
+};
+
+inline constexpr std::size_t kLowerBalls = 3;
+inline constexpr std::size_t kTopBall = 3;
+
+/// Smooth balls in exact contact: a triangulated ball lies inside its sphere, so nothing overlaps.
+/// All balls stand on a facet, turned by 120° from one another, so that the scene has the threefold
+/// symmetry of the smooth one.
+Problem ball_pyramid_problem(const BallPyramidSetup& setup);
+
+/// Where the pyramid has got to.
+struct PyramidShape {
+  double top_height = 0.0;  ///< of the top ball's centre, m
+  double rise = 0.0;        ///< of that above the mean of the lower balls' centres, m
+  double spread = 0.0;      ///< mean distance of the lower balls' centres from the axis, m
+  double speed = 0.0;       ///< mean outward speed of the lower balls' centres, m/s
+
+  /// What smooth rigid balls with centres there need between each other: tan(θ/2), θ the angle of
+  /// the line of centres with the vertical.
+  double critical_friction() const { return std::tan(0.5 * std::atan2(spread, rise)); }
+};
+PyramidShape pyramid_shape(const Engine& engine);
+
+/// The rigid problem of the contacts that carry a load now; each may carry any other one. Rest
+/// below its critical μ is impossible, above it elasticity decides. (One contact point a pair, at
+/// the resultant, gives no reference: 18 forces for 24 equations.)
+reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSetup& setup);
+
+}  // namespace stiction

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every case of validation/cases/, seen from outside.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "validation/runner.h"
+
+namespace stiction {
+
+// Found by GoogleTest where it names a parameter.
+void PrintTo(const Job& job, std::ostream* out) { *out << job.which.name; }
+
+namespace {
+
+TEST(CaseCatalog, HasUniqueNamesInOrderWithTitlesAndVariants) {
+  const std::vector<Case> cases = case_catalog();
+  std::set<std::string> names;
+  for (const Case& one : cases) {
+    EXPECT_TRUE(names.insert(one.name).second) << one.name << " is there twice";
+    EXPECT_NE(one.name.find('/'), std::string::npos) << one.name << " has no family";
+    EXPECT_FALSE(one.title.empty()) << one.name;
+    EXPECT_FALSE(one.variants.empty()) << one.name;
+    EXPECT_TRUE(one.run) << one.name;
+    const std::set<Settings> variants(one.variants.begin(), one.variants.end());
+    EXPECT_EQ(variants.size(), one.variants.size()) << one.name << " runs the same twice";
+  }
+  EXPECT_TRUE(std::is_sorted(cases.begin(), cases.end(),
+                             [](const Case& a, const Case& b) { return a.name < b.name; }));
+}
+
+TEST(CaseCatalog, HasEachClaimOfTheInclineFamily) {
+  for (const std::string glob :
+       {"incline/threshold/mu=0.1/*", "incline/threshold/mu=0.3/*", "incline/threshold/mu=0.5/*",
+        "incline/threshold/mu=0.6/*", "incline/threshold/mu=0.9/*",
+        "incline/threshold/*azimuth=0/*", "incline/threshold/*azimuth=30/*",
+        "incline/threshold/*azimuth=45/*", "incline/threshold/*yaw=20", "incline/below/creep/50%",
+        "incline/below/creep/90%", "incline/below/creep/99%", "incline/below/stop/*",
+        "incline/at-critical/*", "incline/above/*", "incline/level/stop/*", "incline/restick/*",
+        "half-space/*"}) {
+    EXPECT_NO_THROW(select_jobs(case_catalog(), {.globs = {glob}})) << glob;
+  }
+}
+
+std::vector<Job> quick_jobs() { return select_jobs(case_catalog(), {.set = CaseSet::kQuick}); }
+
+class QuickCase : public testing::TestWithParam<Job> {};
+
+TEST_P(QuickCase, HasChecksWithClaimSourceAndReason) {
+  const Record record = run_job(GetParam(), 1.0);
+  EXPECT_EQ(record.error, "");
+  EXPECT_FALSE(record.checks.empty());
+  EXPECT_EQ(record.state_hash.size(), 16u);
+  for (const Check& check : record.checks) {
+    EXPECT_FALSE(check.claim.empty()) << check.quantity;
+    EXPECT_FALSE(check.source.empty()) << check.quantity;
+    EXPECT_FALSE(check.unit.empty()) << check.quantity;
+    EXPECT_GE(check.reason.size(), 10u) << check.quantity << ": a reason is a derivation";
+    EXPECT_GE(check.tolerance, 0.0) << check.quantity;
+  }
+  for (const Series& series : record.series) {
+    EXPECT_EQ(series.x.size(), series.y.size()) << series.name;
+    EXPECT_FALSE(series.x.empty()) << series.name;
+  }
+}
+
+std::string readable(const testing::TestParamInfo<Job>& info) {
+  std::string name = info.param.which.name;
+  for (const auto& [key, value] : info.param.settings) name += "_" + value;
+  for (char& letter : name) {
+    if (!std::isalnum(static_cast<unsigned char>(letter))) letter = '_';
+  }
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalog, QuickCase, testing::ValuesIn(quick_jobs()), readable);
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A row of boxes between two jaws, held up by friction alone.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/clamp_problem.h"
+#include "validation/methods.h"
+
+namespace stiction {
+
+namespace {
+
+// A long row sways slowly: stiffer boxes and a slower load than the single box's.
+ClampSetup row(int boxes) {
+  ClampSetup setup;
+  setup.boxes = boxes;
+  setup.elasticity = {.youngs_modulus = 5e5, .poisson_ratio = 0.0, .damping_time = 1.5e-3};
+  setup.fall_full = 1.0;
+  return setup;
+}
+
+void run_shear(CaseRun& run, const ClampSetup& setup) {
+  constexpr double kEnd = 4.0;  // s
+  const auto simulation = run.simulate(clamp_problem(setup));
+  const Engine& engine = simulation->engine();
+  ClampSeries series;
+  const auto out = [&] { return std::abs(pose_of(engine, 0).height) > 0.5 * setup.width; };
+  for (int k = 1; k <= 200 && !out(); ++k) {
+    advance_sampled(*simulation, kEnd * k / 200, 1, series);
+  }
+  series.add_to(run);
+  const double weight = setup.box_mass * setup.fall;
+  const double force = clamp_force(engine, setup);
+  // Forces of a box's two joints, up on it, and what its own momentum still changes.
+  double worst_balance = 0.0, worst_shear = 0.0;
+  int worst_box = 0, worst_joint = 0;
+  double couple = 0.0;  // of the jaws' pressure centres, over the row's length, N
+  const JointForce first = joint_force(engine, setup, 0);
+  const JointForce last = joint_force(engine, setup, setup.boxes);
+  if (last.across > first.across) {
+    couple = force * (first.height - last.height) / (last.across - first.across);
+  }
+  std::string all;
+  double before = 0.0;
+  for (int j = 0; j <= setup.boxes; ++j) {
+    // Up on the body right of the joint.
+    const double shear = -joint_force(engine, setup, j).on_left.z();
+    const double expected = weight * (0.5 * setup.boxes - j) - couple;
+    const double error = std::abs(shear - expected);
+    if (error > worst_shear) worst_shear = error, worst_joint = j;
+    if (j > 0 && std::abs(before - shear - weight) > worst_balance) {
+      worst_balance = std::abs(before - shear - weight);
+      worst_box = j;
+    }
+    before = shear;
+    all += fmt::format("{}{:+.4f} (mg(n/2 − j) = {:+.4f})", j == 0 ? "" : ", ", shear,
+                       weight * (0.5 * setup.boxes - j));
+  }
+  const double rate = setup.box_mass * 1e-9 / simulation->engine().time_step();
+  Check shear{.quantity = "joint shear",
+              .unit = "N",
+              .claim = "each joint carries its share of the weight: worst joint's error",
+              .formula = "V_j = mg(n/2 − j) − NΔh/L",
+              .source = "balance of force and couple; Δh of the jaws' pressure centres as measured",
+              .kind = ReferenceKind::kAnalytic,
+              .value = worst_shear,
+              .expected = 0.0,
+              .relative = true,
+              .scale = weight,
+              .tolerance = 1e-3,
+              .reason =
+                  "the row has sagged: its boxes' weights act up to 1e-3 of its length off "
+                  "the places that the formula assumes"};
+  shear.worst = fmt::format("joint {}", worst_joint);
+  run.check(shear);
+  Check balance{.quantity = "weight carried",
+                .unit = "N",
+                .claim = "what its two joints carry is a box's weight: worst box's error",
+                .formula = "V_(j−1) − V_j = mg",
+                .source = "Newton's third law at rest",
+                .kind = ReferenceKind::kAnalytic,
+                .value = worst_balance,
+                .expected = 0.0,
+                .tolerance = rate,
+                .reason = "a box whose speed still changes by the paper's 1e-9 m/s in a step"};
+  balance.worst = fmt::format("box {}", worst_box);
+  run.check(balance);
+  run.check({.quantity = "fastest contact slip",
+             .unit = "m/s",
+             .claim = "static contacts end with 1e-9 m/s",
+             .formula = "u = 0",
+             .source = "[Lazarevych2009], sec. 5",
+             .kind = ReferenceKind::kExternal,
+             .value = out() ? std::nan("") : fastest_slip(engine),
+             .expected = 0.0,
+             .tolerance = 1e-9,
+             .reason = "the paper's own figure"});
+  run.note(fmt::format("N = {:.3f} N, {:.2f} × the least; shear by joint, N: {}", force,
+                       force * 2.0 * setup.friction / (setup.boxes * weight), all));
+}
+
+void run_threshold(CaseRun& run, const ClampSetup& setup, double most, double least, double width) {
+  const ClampThreshold found = clamp_threshold(run, setup, most, least, width);
+  const double expected = setup.boxes * setup.box_mass * setup.fall / (2.0 * setup.friction);
+  run.check(
+      {.quantity = "critical clamp force",
+       .unit = "N",
+       .claim = "jaws hold a row iff their friction can carry its weight",
+       .formula = "N = n m g/(2μ)",
+       .source = "balance of force with Coulomb's law at both jaws",
+       .kind = ReferenceKind::kAnalytic,
+       .value = 0.5 * (found.lower + found.upper),
+       .expected = expected,
+       .relative = true,
+       .scale = expected,
+       .tolerance = 1e-4 + 0.5 * (found.upper - found.lower) / expected,
+       .reason = "half the bracket left by the bisection, and 8e-5 of the criterion of rest"});
+  run.note(fmt::format("holds at N = {:.4f} N, fails at {:.4f} N, {} runs", found.upper,
+                       found.lower, found.evaluations));
+}
+
+}  // namespace
+
+std::vector<Case> cases_box_row() {
+  ClampSetup three = row(3);
+  three.squeeze = 1.5e-3;
+  const ClampSetup search = row(3);
+  return {{.name = "clamp/row/shear/n=3",
+           .title = "three boxes between jaws: what each joint carries",
+           .set = CaseSet::kFull,
+           .variants = method_variants(),
+           .run = [three](CaseRun& run) { run_shear(run, three); }},
+          {.name = "clamp/row/threshold/n=3",
+           .title = "least force that holds three boxes between jaws",
+           .set = CaseSet::kFull,
+           .variants = {{{"method", "paper"}}, {{"method", "quiet"}}},
+           .run = [search](CaseRun& run) { run_threshold(run, search, 1.5e-3, 0.5e-3, 4e-6); }}};
+}
+
+}  // namespace stiction

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reference/box_mesh.h"
+#include "solver/step.h"
+#include "validation/incline_run.h"
+#include "validation/methods.h"
+#include "validation/settings.h"
+#include "validation/slab_problem.h"
+#include "validation/stiction_method.h"
+
+namespace stiction {
+
+namespace {
+
+// The scene of `slab_problem` for the solver itself: κ needs each contact's partners and weights,
+// which no engine shows.
+Scene slab_scene(const SlabSetup& setup) {
+  const Problem problem = slab_problem(setup);
+  const ProblemBody& box = problem.bodies[0];
+  const ProblemBody& slab = problem.bodies[1];
+  const double density = box.mass / setup.box_size.prod();
+  const Material material{.density = density,
+                          .youngs_modulus = setup.elasticity.youngs_modulus,
+                          .poisson_ratio = setup.elasticity.poisson_ratio,
+                          .damping_time = setup.elasticity.damping_time};
+  SceneDescription scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "box";
+  scene.bodies[0].mesh =
+      reference::box_mesh(setup.box_size, (setup.cells * setup.box_size / setup.box_size.maxCoeff())
+                                              .array()
+                                              .round()
+                                              .cast<int>()
+                                              .max(1)
+                                              .matrix());
+  scene.bodies[0].mesh.vertices =
+      (box.rotation.toRotationMatrix() * scene.bodies[0].mesh.vertices).colwise() + box.position;
+  scene.bodies[1].name = "slab";
+  scene.bodies[1].mesh = std::get<MeshShape>(slab.shape).mesh;
+  for (Eigen::Index v = 0; v < scene.bodies[1].mesh.vertices.cols(); ++v) {
+    if (scene.bodies[1].mesh.vertices(2, v) <= slab.held->point.z() + 1e-12) {
+      scene.bodies[1].pinned.push_back(static_cast<int>(v));
+    }
+  }
+  scene.bodies[1].mesh.vertices.colwise() += slab.position;
+  for (BodyDescription& body : scene.bodies) body.material = material;
+  scene.gravity = problem.gravity;
+  scene.friction = problem.friction;
+  return build_scene(scene);
+}
+
+// Largest eigenvalue of Δt² K^½ W K^½: what fraction of a depth the normal forces close in a step.
+// W is the contacts' inverse mass matrix along their normals, K = fⁿ/d their stiffness.
+double largest_kappa(double dt, const Workspace& workspace) {
+  std::vector<const PairContact*> loaded;
+  for (const PairContact& contact : workspace.pairs) {
+    if (contact.depth > 0.0 && contact.normal_force > 0.0) loaded.push_back(&contact);
+  }
+  if (loaded.empty()) return 0.0;
+  const auto weight_of = [](const PairContact& contact, std::int32_t vertex) {
+    double weight = contact.vertex == vertex ? 1.0 : 0.0;
+    for (int k = 0; k < 4; ++k) {
+      if (contact.partner[k] == vertex) weight -= contact.weight[k];
+    }
+    return weight;
+  };
+  const auto count = static_cast<Eigen::Index>(loaded.size());
+  Eigen::MatrixXd kappa(count, count);
+  for (Eigen::Index a = 0; a < count; ++a) {
+    const PairContact& one = *loaded[static_cast<std::size_t>(a)];
+    std::vector<std::int32_t> touched(one.partner, one.partner + 4);
+    touched.push_back(one.vertex);
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    for (Eigen::Index b = 0; b < count; ++b) {
+      const PairContact& other = *loaded[static_cast<std::size_t>(b)];
+      double mobility = 0.0;
+      for (const std::int32_t v : touched) {
+        mobility += weight_of(one, v) * weight_of(other, v) *
+                    workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
+      }
+      kappa(a, b) = dt * dt * mobility * one.normal.dot(other.normal) *
+                    std::sqrt(one.normal_force / one.depth * other.normal_force / other.depth);
+    }
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(kappa, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+void run_kappa(CaseRun& run, const SlabSetup& setup) {
+  if (run.engine().name != "stiction") return;
+  // Simulated by the engine too, so that the record shows its settings and cost.
+  SlabRun shown(run, setup);
+  shown.advance_to(0.1);
+  const Scene scene = slab_scene(setup);
+  Options options;
+  SettingsReader reader(run.settings());
+  read_method(reader, options);
+  options.time_step = shown.time_step();
+  check_options(options, scene);
+  State state = initial_state(scene);
+  Workspace workspace;
+  Series kappa{"largest κ", "1", "time", "s", {}, {}};
+  double largest = 0.0;
+  int changes = 0;
+  std::size_t loaded_before = 0;
+  const int steps = static_cast<int>(1.5 / options.time_step);
+  for (int k = 1; k <= steps; ++k) {
+    step(scene, options, state, workspace);
+    const double time = k * options.time_step;
+    if (time < 0.05) continue;  // hardly any weight yet
+    std::size_t loaded = 0;
+    for (const PairContact& contact : workspace.pairs) loaded += contact.depth > 0.0;
+    if (time > 1.0 && loaded != loaded_before) ++changes;
+    loaded_before = loaded;
+    if (k % 50 != 0) continue;
+    kappa.x.push_back(time);
+    kappa.y.push_back(largest_kappa(options.time_step, workspace));
+    largest = std::max(largest, kappa.y.back());
+  }
+  const double bound =
+      options.pairs.gain == NormalGain::kHarmonic ? options.pairs.harmonic_gain : 1;
+  run.check({.quantity = "largest κ above its bound",
+             .unit = "1",
+             .claim = "no depth is closed by more than its whole in a step",
+             .formula = "max(0, κ_max − κ₀) = 0, with κ₀ = 1 for the paper's gain",
+             .source = "derived: z² − 2(1 − κ)z + (1 − κ) = 0 alternates for κ > 1",
+             .kind = ReferenceKind::kAnalytic,
+             .value = std::max(0.0, largest - bound),
+             .expected = 0.0,
+             .tolerance = 1e-12,
+             .reason = "round-off of an eigenvalue of order one, some thousand roundings"});
+  run.note(
+      fmt::format("κ_max {:.6f} (bound {:.2f}, limit of stability 1.333); loaded contacts come "
+                  "or go in {} of {:.0f} steps between 1 s and 1.5 s",
+                  largest, bound, changes, 0.5 / options.time_step));
+  run.add(std::move(kappa));
+}
+
+}  // namespace
+
+std::vector<Case> cases_slab_kappa() {
+  SlabSetup setup;
+  setup.slope = radians(20.0);
+  setup.yaw = radians(17.0);
+  setup.offset = Vec3(0.013, 0.007, 0.0);
+  setup.cells = 2;
+  setup.slab_cells = 3;
+  return {{.name = "slab/kappa",
+           .title = "fraction of the depth closed in a step, measured beside its bound",
+           .set = CaseSet::kFull,
+           .variants = {{{"method", "paper"}},
+                        {{"method", "quiet"}},
+                        {{"method", "quiet"}, {"kappa", "0.7"}}},
+           .run = [setup](CaseRun& run) { run_kappa(run, setup); }}};
+}
+
+}  // namespace stiction

@@ -1,0 +1,247 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# End-to-end tests of the built programs: validate_test.sh BUILD_DIR
+# Prints one line a check; ends with exit code 1 at the first that fails.
+set -uo pipefail
+
+build=$(cd "${1:?usage: validate_test.sh BUILD_DIR}" && pwd)
+validate=$build/validate
+example=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/examples/ramp.toml
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+passed() { printf 'ok    %s\n' "$1"; }
+failed() {
+  printf 'FAIL  %s\n      %s\n' "$1" "$2"
+  printf '      --- its output\n'
+  tail -n 20 out err | sed 's/^/      /'
+  exit 1
+}
+
+# exits CODE WHAT COMMAND …: runs the command, keeps its output in the files out and err.
+exits() {
+  local code=$1 what=$2 got
+  shift 2
+  "$@" >out 2>err
+  got=$?
+  [ "$got" -eq "$code" ] || failed "$what" "exit code $got, not $code, of: $*"
+}
+
+holds() { # holds CODE WHAT COMMAND …
+  exits "$@"
+  passed "$2"
+}
+
+# refuses WHAT SENTENCE COMMAND …: exit code 2, nothing but this sentence (a part of it) on one line
+# of stderr.
+refuses() {
+  local what=$1 sentence=$2
+  shift 2
+  exits 2 "$what" "$@"
+  [ "$(wc -l <err)" -eq 1 ] || failed "$what" "stderr is not one line"
+  grep -qF -- "$sentence" err || failed "$what" "stderr lacks: $sentence"
+  passed "$what: $(cut -c1-110 err)"
+}
+
+# ---- exit codes 0 and 1 -----------------------------------------------------------------------
+holds 0 "the quick set passes" "$validate" --quick --out quick
+holds 0 "the example problem passes" "$validate" "$example" --out example
+holds 1 "tolerance scale 0 fails a case that is not exact" \
+  "$validate" --case half-space/free-fall --tolerance-scale 0 --out zero
+grep -q 'FAIL  *height after 0.1 s' out || failed "tolerance scale 0" "no residual is shown"
+holds 0 "a large tolerance scale passes it" \
+  "$validate" --case half-space/free-fall --tolerance-scale 10 --out ten
+holds 0 "--help is a page" "$validate" --help
+for word in --case --list --quick --out --jobs --tolerance-scale --set 'Exit code'; do
+  grep -qF -- "$word" out || failed "--help is a page" "it lacks $word"
+done
+
+# ---- --list -----------------------------------------------------------------------------------
+holds 0 "--list shows the cases" "$validate" --list --out listed
+for name in half-space/free-fall 'incline/threshold/mu=0.9/azimuth=45/yaw=0' incline/below/creep/50%; do
+  grep -qF "$name" out || failed "--list" "it lacks $name"
+done
+[ ! -e listed ] || failed "--list" "it made a report folder"
+[ -z "$(cut -d' ' -f1 out | sort | uniq -d)" ] || failed "--list" "a name is there twice"
+exits 0 "--list --case" "$validate" --list --case 'half-space/b*'
+[ "$(wc -l <out)" -eq 2 ] || failed "--list --case 'half-space/b*'" "not the two cases"
+passed "--list --case shows those that match"
+
+# ---- exit code 2: what cannot run -------------------------------------------------------------
+refuses "an unknown case" "no case matches 'nonsense/*'; --list shows them all" \
+  "$validate" --case 'nonsense/*'
+refuses "an unknown engine" "unknown engine 'magic'; there are: stiction" "$validate" --engine magic
+refuses "an unknown setting" "engine 'stiction' has no setting 'sped'; there are: alpha" \
+  "$validate" --set sped=3
+refuses "a setting that is no number" "setting 'dt' needs a finite number, not 'fast'" \
+  "$validate" --set dt=fast
+refuses "a setting without a value" "--set needs NAME=VALUE, not 'dt'" "$validate" --set dt
+refuses "--quick with --full" "--quick and --full exclude each other" "$validate" --quick --full
+refuses "a missing problem" "cannot read 'missing.toml'" "$validate" missing.toml
+refuses "a report folder that cannot be" "/dev/null/reports" \
+  "$validate" --case half-space/free-fall --out /dev/null/reports
+holds 2 "an unknown option" "$validate" --bogus
+grep -q -- --bogus err || failed "an unknown option" "stderr does not name it"
+holds 2 "no jobs at all" "$validate" --jobs 0
+refuses "a time step above the limit" \
+  "the time step 0.01 s is above the stability limit 0.000352344 s, set by tetrahedron 1 (body 'box')" \
+  "$validate" --case half-space/rest --set dt=0.01
+refuses "an unknown friction rule" "unknown friction rule 'magic'; there are: " \
+  "$validate" --case half-space/bounce --set rule=magic
+
+# problem NAME SED_SCRIPT: a problem of one's own with a mistake in it.
+cat >good.toml <<'TOML'
+duration = 0.1
+[engine]
+dt = 2e-4
+[[obstacle]]
+name = "ramp"
+slope_deg = 20
+friction = 0.5
+[[body]]
+name = "box"
+shape = "box"
+size = [0.2, 0.2, 0.1]
+mass = 1.0
+rests_on = "ramp"
+[[check]]
+observable = "contacts"
+expected = 9
+tolerance = 0
+reason = "3 × 3 vertices of the lower face"
+TOML
+problem() {
+  sed "$2" good.toml >"$1.toml"
+  ! cmp -s good.toml "$1.toml" || failed "$1.toml" "has no mistake"
+}
+problem broken 's/mass = 1.0/mass = 1.0 kg/'
+refuses "a problem that is not TOML" "broken.toml:12: " "$validate" broken.toml
+problem unknown_key 's/friction = 0.5/frction = 0.5/'
+refuses "a misspelt key" "unknown_key.toml:4: [[obstacle]] lacks 'friction'" \
+  "$validate" unknown_key.toml
+problem nan 's/friction = 0.5/friction = nan/'
+refuses "NaN" "nan.toml:7: 'friction' must be a finite number" "$validate" nan.toml
+problem negative_mass 's/mass = 1.0/mass = -1.0/'
+refuses "a negative mass" "body 'box': mass must be positive and finite, not -1 kg" \
+  "$validate" negative_mass.toml
+problem negative_friction 's/friction = 0.5/friction = -0.5/'
+refuses "a negative μ" \
+  "obstacle 'ramp': the friction coefficient must be non-negative and finite, not -0.5" \
+  "$validate" negative_friction.toml
+problem long_step 's/dt = 2e-4/dt = 1e-2/'
+refuses "a problem's time step above the limit" "is above the stability limit" \
+  "$validate" long_step.toml
+tr -s ' \n' ' ' <out | grep -qE "limit 0\.00[0-9]+ s, set by tetrahedron [0-9]+ \(body 'box'\)" ||
+  failed "a problem's time step above the limit" "limit and element are not named"
+problem inside 's/rests_on = "ramp"/position = [0, 0, 0]/'
+refuses "a box inside the plane" "m inside obstacle 'ramp'" "$validate" inside.toml
+mesh_of() { # mesh_of NAME TETRAHEDRA: a tetrahedron of one's own above the ramp
+  cat >"$1.toml" <<TOML
+duration = 0.01
+[[body]]
+name = "tet"
+shape = "mesh"
+vertices = [[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1], [0.1, 0.1, 0]]
+tetrahedra = $2
+mass = 1
+position = [0, 0, 1]
+[[check]]
+observable = "speed"
+expected = 0.0981
+tolerance = 1e-12
+reason = "free fall for 0.01 s, g t"
+TOML
+}
+mesh_of tet '[[0, 1, 2, 3], [1, 4, 2, 3]]'
+holds 0 "a mesh of one's own falls" "$validate" tet.toml
+mesh_of inverted '[[0, 2, 1, 3], [1, 4, 2, 3]]'
+refuses "an inverted tetrahedron" "body 'tet': tetrahedron 0 is inverted" "$validate" inverted.toml
+mesh_of flat_tet '[[0, 1, 2, 3], [1, 4, 2, 0]]'
+refuses "a tetrahedron of zero volume" "body 'tet': tetrahedron 1 has zero volume" "$validate" flat_tet.toml
+mesh_of beyond '[[0, 1, 2, 3], [1, 4, 2, 9]]'
+refuses "an index out of range" "tetrahedron 1 refers to vertex 9, but there are only 5" \
+  "$validate" beyond.toml
+problem flat 's/size = .*/size = [0.2, 0.2, 0.0]/'
+refuses "a box without height" "a box needs three positive edges" \
+  "$validate" flat.toml
+problem negative_stiffness 's/mass = 1.0/mass = 1.0\nyoungs_modulus = -1/'
+refuses "a negative stiffness" "Young's modulus must be positive and finite, not -1 Pa" \
+  "$validate" negative_stiffness.toml
+
+# ---- two runs into one folder -----------------------------------------------------------------
+exits 0 "a first run" "$validate" --case half-space/free-fall --out twice
+first=$(readlink twice/latest)
+exits 0 "a second run" "$validate" --case half-space/bounce --out twice
+second=$(readlink twice/latest)
+[ "$first" != "$second" ] || failed "two runs into one folder" "latest did not move"
+[ "$(find twice -mindepth 1 -maxdepth 1 -type d | wc -l)" -eq 2 ] ||
+  failed "two runs into one folder" "not two folders"
+for run in "$first" "$second"; do
+  for file in records.jsonl report.md junit.xml records.csv; do
+    [ -s "twice/$run/$file" ] || failed "two runs into one folder" "$run lacks $file"
+  done
+  [ "$(wc -l <"twice/$run/records.jsonl")" -eq 1 ] ||
+    failed "two runs into one folder" "records of $run got mixed"
+done
+grep -q half-space/bounce "twice/latest/records.jsonl" ||
+  failed "two runs into one folder" "latest is not the last"
+passed "two runs into one folder do not mix, and latest is the last"
+
+# ---- a full disk ------------------------------------------------------------------------------
+# The first record fits below the file size limit, the second does not.
+cases=(--case half-space/free-fall --case incline/above/acceleration/box --jobs 1)
+exits 0 "before the disk is full" "$validate" "${cases[@]}" --out roomy
+kib=$(($(head -n 1 roomy/latest/records.jsonl | wc -c) / 1024 + 1))
+[ "$(wc -c <roomy/latest/records.jsonl)" -gt $((kib * 1024)) ] ||
+  failed "a full disk" "the second record is too small to show it"
+limited() ( # stdout through a pipe, which has no size
+  ulimit -f "$kib"
+  set -o pipefail
+  "$validate" "${cases[@]}" --out full | cat
+)
+refuses "a full disk" "records.jsonl" limited
+records=$(find full -name records.jsonl)
+if [ "$(wc -l <"$records")" -ne 1 ] || [ -n "$(tail -c 1 "$records")" ]; then
+  failed "a full disk" "not the one complete record"
+fi
+grep -qE '^\{.*"case":"half-space/free-fall".*\}$' "$records" ||
+  failed "a full disk" "the finished record cannot be read"
+passed "a full disk loses no finished record"
+
+# ---- determinism ------------------------------------------------------------------------------
+hashes() { # case, settings, hash of each record
+  sed -E 's/.*"case":"([^"]*)".*"settings":(\{[^}]*\}).*"state_hash":"([0-9a-f]{16})".*/\1 \2 \3/' \
+    "$1/latest/records.jsonl" | sort
+}
+exits 0 "one job at a time" "$validate" --quick --jobs 1 --out jobs1
+exits 0 "two jobs at a time" "$validate" --quick --jobs 2 --out jobs2
+hashes jobs1 >out
+hashes jobs2 >err
+grep -qvE ' [0-9a-f]{16}$' out && failed "state hashes" "a record has none"
+[ "$(wc -l <out)" -ge 8 ] || failed "state hashes" "too few records to tell"
+cmp -s out err || failed "state hashes" "--jobs 1 and --jobs 2 differ"
+passed "the same $(wc -l <out) state hashes with --jobs 1 and --jobs 2"
+
+# ---- planted faults turn named cases red ------------------------------------------------------
+bites() { # bites MUTATION CASE [OPTION …]
+  local mutation=$1 name=$2
+  shift 2
+  exits 0 "the correct program on $name" "$validate" --case "$name" --out correct "$@"
+  exits 1 "$mutation on $name" "$build/validate_$mutation" --case "$name" --out mutated "$@"
+  grep -q '^  FAIL' out || failed "$mutation on $name" "no check fails"
+  passed "$mutation turns $name red"
+}
+bites kFrictionScaled 'incline/threshold/mu=0.3/azimuth=30/yaw=0'
+bites kFrictionScaled incline/above/acceleration/box
+bites kFrictionScaled incline/below/stop/point
+bites kFrictionSign incline/below/creep/99%
+bites kFrictionSign incline/below/stop/point
+bites kFrictionSign incline/restick/box
+bites kStaleMemory incline/below/creep/99% --set rule=fixed-point
+bites kStaleMemory incline/restick/box --set rule=fixed-point
+bites kStaleMemory 'incline/threshold/mu=0.3/azimuth=30/yaw=0' --set rule=fixed-point
+for mutation in kFrictionScaled kFrictionSign kStaleMemory; do
+  holds 0 "$mutation leaves a free fall alone" \
+    "$build/validate_$mutation" --case half-space/free-fall --out unharmed
+done

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace stiction {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Check judged(Check check, double tolerance_scale = 1.0) {
+  check.error = kNaN;  // to be filled in
+  check.digits = kNaN;
+  judge(check, tolerance_scale);
+  return check;
+}
+
+TEST(CorrectDigits, CountFromTheScale) {
+  EXPECT_DOUBLE_EQ(correct_digits(1e-3, 1.0), 3.0);
+  EXPECT_DOUBLE_EQ(correct_digits(-1e-3, 1.0), 3.0);
+  EXPECT_DOUBLE_EQ(correct_digits(1e-3, -10.0), 4.0);
+}
+
+TEST(CorrectDigits, LieBetweenZeroAndWhatADoubleHolds) {
+  EXPECT_EQ(correct_digits(0.0, 1.0), 16.0);
+  EXPECT_EQ(correct_digits(1e-30, 1.0), 16.0);
+  EXPECT_EQ(correct_digits(7.0, 1.0), 0.0);
+  EXPECT_EQ(correct_digits(kNaN, 1.0), 0.0);
+  EXPECT_EQ(correct_digits(kInfinity, 1.0), 0.0);
+}
+
+TEST(Judge, PassesUpToTheToleranceItself) {
+  EXPECT_EQ(judged({.value = 1.5, .expected = 1.0, .tolerance = 0.5}).verdict, Verdict::kPass);
+  EXPECT_EQ(judged({.value = 0.5, .expected = 1.0, .tolerance = 0.5}).verdict, Verdict::kPass);
+  EXPECT_EQ(judged({.value = 1.5, .expected = 1.0, .tolerance = 0.4999}).verdict, Verdict::kFail);
+  EXPECT_EQ(judged({.value = 0.5, .expected = 1.0, .tolerance = 0.4999}).verdict, Verdict::kFail);
+}
+
+TEST(Judge, FillsInErrorAndDigits) {
+  const Check check = judged({.value = 2.002, .expected = 2.0, .tolerance = 1.0});
+  EXPECT_NEAR(check.error, 2e-3, 1e-15);
+  EXPECT_NEAR(check.digits, 3.0, 1e-9);
+  EXPECT_EQ(check.scale, 2.0);
+}
+
+TEST(Judge, RelatesErrorAndToleranceToTheExpectedValue) {
+  const Check check =
+      judged({.value = -202.0, .expected = -200.0, .relative = true, .tolerance = 0.01});
+  EXPECT_DOUBLE_EQ(check.error, -0.01);
+  EXPECT_EQ(check.verdict, Verdict::kPass);
+  EXPECT_EQ(
+      judged({.value = -202.0, .expected = -200.0, .relative = true, .tolerance = 0.0099}).verdict,
+      Verdict::kFail);
+}
+
+TEST(Judge, RelatesToAScaleThatTheCaseGives) {
+  const Check check =
+      judged({.value = 1e-3, .expected = 0.0, .relative = true, .scale = 10.0, .tolerance = 1e-4});
+  EXPECT_DOUBLE_EQ(check.error, 1e-4);
+  EXPECT_EQ(check.verdict, Verdict::kPass);
+  EXPECT_DOUBLE_EQ(check.digits, 4.0);
+}
+
+TEST(Judge, CountsDigitsOfAZeroFromOneUnit) {
+  EXPECT_DOUBLE_EQ(judged({.value = 1e-5, .expected = 0.0}).digits, 5.0);
+}
+
+TEST(Judge, FailsWhatIsNoNumber) {
+  EXPECT_EQ(judged({.value = kNaN, .expected = 1.0, .tolerance = kInfinity}).verdict,
+            Verdict::kFail);
+  EXPECT_EQ(judged({.value = 1.0, .expected = kNaN, .tolerance = 1.0}).verdict, Verdict::kFail);
+  EXPECT_EQ(judged({.value = 1.0, .expected = 1.0, .tolerance = kNaN}).verdict, Verdict::kFail);
+}
+
+TEST(Judge, WithToleranceScaleZeroFailsAllButWhatIsExact) {
+  EXPECT_EQ(judged({.value = 1.0, .expected = 1.0, .tolerance = 0.5}, 0.0).verdict, Verdict::kPass);
+  EXPECT_EQ(judged({.value = 1.0 + 1e-15, .expected = 1.0, .tolerance = 0.5}, 0.0).verdict,
+            Verdict::kFail);
+}
+
+TEST(Judge, MultipliesTheTolerance) {
+  const Check check{.value = 2.0, .expected = 1.0, .tolerance = 0.5};
+  EXPECT_EQ(judged(check, 1.9).verdict, Verdict::kFail);
+  EXPECT_EQ(judged(check, 2.0).verdict, Verdict::kPass);
+  EXPECT_EQ(judged(check, 2.0).tolerance, 0.5) << "the record shows the case's own";
+}
+
+TEST(Judge, LeavesTheVerdictOfWhatIsOnlyShown) {
+  for (const Verdict verdict : {Verdict::kShown, Verdict::kNotApplicable}) {
+    const Check check = judged({.value = 5.0, .expected = 4.0, .verdict = verdict});
+    EXPECT_EQ(check.verdict, verdict);
+    EXPECT_EQ(check.error, 1.0);
+  }
+}
+
+TEST(Judge, DemandsAScale) {
+  EXPECT_THROW(judged({.value = 1.0, .expected = 0.0, .scale = 0.0}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace stiction
