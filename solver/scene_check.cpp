@@ -65,6 +65,21 @@ void check_tetrahedra(const std::string& who, const TetMesh& mesh) {
   }
 }
 
+void check_keyframes(const std::string& who, const char* values, const std::vector<double>& time,
+                     const std::vector<Vec3>& value) {
+  if (time.size() != value.size()) {
+    refuse(who, ": ", time.size(), " times for ", value.size(), " ", values);
+  }
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (!std::isfinite(time[k]) || !value[k].allFinite()) {
+      refuse(who, ": keyframe ", k, " is not a finite number");
+    }
+    if (k > 0 && !(time[k] > time[k - 1])) {
+      refuse(who, ": keyframe ", k, " at ", time[k], " s does not follow ", time[k - 1], " s");
+    }
+  }
+}
+
 void check_body(const BodyDescription& body) {
   const std::string who = "body '" + body.name + "'";
   const TetMesh& mesh = body.mesh;
@@ -81,6 +96,7 @@ void check_body(const BodyDescription& body) {
   if (!body.initial_velocity.allFinite()) {
     refuse(who, ": an initial velocity is not a finite number");
   }
+  check_keyframes(who + ", its motion", "offsets", body.motion.time, body.motion.offset);
   if (mesh.tetrahedra.cols() > 0) check_material(who, body.material);
   check_tetrahedra(who, mesh);
   std::vector<bool> carried(static_cast<std::size_t>(mesh.vertices.cols()), false);
@@ -103,6 +119,7 @@ void check_body(const BodyDescription& body) {
 void check_obstacle(const HalfSpace& obstacle) {
   const std::string who = "obstacle '" + obstacle.name + "'";
   if (!obstacle.point.allFinite()) refuse(who, ": its point is not a finite number");
+  check_keyframes(who + ", its motion", "offsets", obstacle.motion.time, obstacle.motion.offset);
   // A normal whose length is off by more than round-off would scale every depth.
   if (!(std::abs(obstacle.normal.norm() - 1.0) < 1e-12)) {
     refuse(who, ": its normal must have length 1, not ", obstacle.normal.norm());
@@ -119,20 +136,12 @@ void check_description(const SceneDescription& description) {
   if (description.bodies.empty()) refuse("the scene has no bodies");
   for (const BodyDescription& body : description.bodies) check_body(body);
   for (const HalfSpace& obstacle : description.half_spaces) check_obstacle(obstacle);
-  const Gravity& gravity = description.gravity;
-  if (gravity.time.size() != gravity.acceleration.size()) {
-    refuse("gravity: ", gravity.time.size(), " times for ", gravity.acceleration.size(),
-           " accelerations");
+  if (!(description.friction >= 0.0) || !std::isfinite(description.friction)) {
+    refuse("the friction coefficient between bodies must be non-negative and finite, not ",
+           description.friction);
   }
-  for (std::size_t k = 0; k < gravity.time.size(); ++k) {
-    if (!std::isfinite(gravity.time[k]) || !gravity.acceleration[k].allFinite()) {
-      refuse("gravity: keyframe ", k, " is not a finite number");
-    }
-    if (k > 0 && !(gravity.time[k] > gravity.time[k - 1])) {
-      refuse("gravity: keyframe ", k, " at ", gravity.time[k], " s does not follow ",
-             gravity.time[k - 1], " s");
-    }
-  }
+  check_keyframes("gravity", "accelerations", description.gravity.time,
+                  description.gravity.acceleration);
 }
 
 void check_start(const Scene& scene) {

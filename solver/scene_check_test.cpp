@@ -146,6 +146,20 @@ const Mistake kMistakes[] = {
      "gravity: keyframe 1 is not a finite number"},
     {"NaNKeyframe", [](S& s) { s.gravity.time[0] = kNaN; },
      "gravity: keyframe 0 is not a finite number"},
+    {"NegativeFrictionBetweenBodies", [](S& s) { s.friction = -1.0; },
+     "the friction coefficient between bodies must be non-negative and finite, not -1"},
+    {"NaNFrictionBetweenBodies", [](S& s) { s.friction = kNaN; },
+     "the friction coefficient between bodies must be non-negative and finite, not nan"},
+    {"MotionOutOfOrder",
+     [](S& s) {
+       s.bodies[0].motion = {{1.0, 0.5}, {Vec3::Zero(), Vec3::Zero()}};
+     },
+     "body 'cube', its motion: keyframe 1 at 0.5 s does not follow 1 s"},
+    {"NaNObstacleMotion",
+     [](S& s) {
+       s.half_spaces[0].motion = {{0.0}, {Vec3(0, 0, kNaN)}};
+     },
+     "obstacle 'ground', its motion: keyframe 0 is not a finite number"},
     {"StartsInside", [](S& s) { s.half_spaces[0].point.z() = 0.25; },
      "body 'cube': starts 0.25 m inside obstacle 'ground'"},
 };
