@@ -26,12 +26,24 @@ using Rational = CGAL::Exact_rational;
 using ExactKernel = CGAL::Simple_cartesian<Rational>;
 using PredicateKernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // predicates: exact
 
-// CGAL's choice of rational (boost's over GMP) converts to the nearest double; the test holds it to
-// that, since GMP's own conversion truncates.
+// GMP's conversion truncates in some builds: the neighbours are tried as well, exactly.
+double nearest_double(const Rational& value) {
+  double nearest = CGAL::to_double(value);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double other :
+       {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)}) {
+    if (CGAL::abs(Rational(value - Rational(other))) <
+        CGAL::abs(Rational(value - Rational(nearest)))) {
+      nearest = other;
+    }
+  }
+  return nearest;
+}
+
 ExactVolume exact_volume(const Rational& volume) {
   std::ostringstream fraction;
   fraction << volume;
-  return {fraction.str(), CGAL::to_double(volume)};
+  return {fraction.str(), nearest_double(volume)};
 }
 
 void check_mesh(const TetMesh& mesh) {
