@@ -8,6 +8,7 @@
 #include <string>
 
 #include "reference/limit_analysis.h"
+#include "reference/limit_scenes.h"
 #include "validation/ball_pyramid_problem.h"
 #include "validation/case_run.h"
 #include "validation/incline_problem.h"
