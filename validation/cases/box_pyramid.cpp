@@ -94,6 +94,7 @@ void check_rest(CaseRun& run, const PyramidSetup& setup, const Engine& engine, c
 void run_figure(CaseRun& run, const PyramidSetup& setup) {
   constexpr double kWindow = 3.0;  // s
   const auto simulation = run.simulate(pyramid_problem(setup));
+  simulation->record_frames(0.05);
   const Engine& engine = simulation->engine();
   const std::vector<Vec3> start = places(engine, setup);
   PyramidSeries series;

@@ -96,6 +96,7 @@ void check_rest(CaseRun& run, const ClampSetup& setup, const Engine& engine, con
 void run_figure(CaseRun& run, const ClampSetup& setup) {
   constexpr double kFrom = 2.0, kWindow = 5.0;  // s
   const auto simulation = run.simulate(clamp_problem(setup));
+  simulation->record_frames(0.05);
   const Engine& engine = simulation->engine();
   ClampSeries series;
   advance_sampled(*simulation, kFallFrom, 16, series);

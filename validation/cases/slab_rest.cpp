@@ -97,6 +97,7 @@ void check_rest(CaseRun& run, const std::vector<SlabSetup>& setups) {
 void check_drift(CaseRun& run, const SlabSetup& setup) {
   constexpr double kFrom = 4.0, kTo = 14.0;  // s: by 4 s the vibration of quiet has decayed
   SlabRun slab(run, setup);
+  slab.record_frames(0.1);
   SlabSeries history;
   const auto advance = [&](double from, double to, int samples) {
     for (int k = 1; k <= samples; ++k) {
