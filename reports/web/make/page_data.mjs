@@ -6,7 +6,7 @@ import { family_name, group_by } from "../model/family.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
 import { is_bad, worst_check } from "../model/verdict.js";
-import { variant_key } from "../model/variant.js";
+import { attributes_of, variant_key, variant_labels } from "../model/variant.js";
 import { comparison_plots } from "../plots/comparison_plot.js";
 import { margin_plot } from "../plots/margin_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
@@ -29,12 +29,26 @@ class Texts {
   }
 }
 
+// What runs are called beside their records: "this run" and "earlier" where one is compared with one,
+// else their names without the date that all share, numbered where they are the same.
+function short_names(runs, against) {
+  if (runs.length === 1 && against.length === 1) return ["this run", "earlier"];
+  const names = [...runs, ...against].map(({ name }) => name);
+  const starts = names.map((name) => name.slice(0, name.indexOf("T") + 1));
+  const short = names.map((name) => (starts.every((start) => start === starts[0]) ? name.slice(starts[0].length) : name));
+  return short.map((name, i) => {
+    const place = short.slice(0, i + 1).filter((other) => other === name).length;
+    return place > 1 ? `${name} (${place})` : name;
+  });
+}
+
 function run_heads(runs, against) {
-  const head = (run, role) => {
+  const short = short_names(runs, against);
+  const head = (run, role, place) => {
     const environment = run.records[0].environment;
-    return { name: run.name, role, records: run.records.length, ...environment };
+    return { name: run.name, short: short[place], role, records: run.records.length, ...environment };
   };
-  return [...runs.map((run) => head(run, "shown")), ...against.map((run) => head(run, "against"))];
+  return [...runs.map((run, i) => head(run, "shown", i)), ...against.map((run, i) => head(run, "against", runs.length + i))];
 }
 
 const short_number = (value) => (Number.isFinite(value) ? Number(value.toPrecision(7)) : String(value).replace("Infinity", "inf").toLowerCase());
@@ -138,7 +152,7 @@ export function page_data({ runs, against, title, warnings }) {
     comparison: changes && {
       total: changes.length,
       counts: Object.fromEntries([...group_by(changes, (change) => change.class)].map(([name, list]) => [name, list.length])),
-      changes: changes.slice(0, MOST_CHANGES).map(thin_change),
+      changes: thin_changes(changes.slice(0, MOST_CHANGES)),
       plots: comparison_plots(changes.map((change) => ({ ...change, family: family_name(change.case) })))
         .map((plot, i) => ({ ...plot, id: `comparison/${i + 1}` })),
       seconds: cost_sums(changes),
@@ -152,11 +166,13 @@ function without_series(record) {
   return rest;
 }
 
-function thin_change({ before, after, ...rest }) {
-  const thin = (record) => record && {
-    verdict: record.verdict, seconds: short_number(to_number(record.cost.cpu_seconds)), variant: variant_key(record),
-  };
-  return { ...rest, before: thin(before), after: thin(after) };
+function thin_changes(changes) {
+  const thin = (record) => record && { verdict: record.verdict, seconds: short_number(to_number(record.cost.cpu_seconds)) };
+  const records = changes.map(({ before, after }) => after ?? before);
+  const labels = variant_labels(records.map((record) => attributes_of(record)), (i) => records[i].case);
+  return changes.map(({ before, after, ...rest }, i) => ({
+    ...rest, before: thin(before), after: thin(after), variant: variant_key(records[i]), label: labels[i],
+  }));
 }
 
 function cost_sums(changes) {

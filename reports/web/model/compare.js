@@ -3,6 +3,7 @@
 import { rank } from "./verdict.js";
 import { to_number } from "./number.js";
 import { group_by } from "./family.js";
+import { natural_sort } from "./natural.js";
 import { variant_key } from "./variant.js";
 
 /** A change of fewer digits than this is noise. */
@@ -51,7 +52,8 @@ export function compare(before_records, after_records) {
   const key = (record) => `${record.case}\n${variant_key(record)}`;
   const before = group_by(before_records, key);
   const after = group_by(after_records, key);
-  const changes = [...new Set([...after.keys(), ...before.keys()])].map((name) => {
+  const names = natural_sort([...new Set([...after.keys(), ...before.keys()])], (name) => name.slice(0, name.indexOf("\n")));
+  const changes = names.map((name) => {
     const [old_one, new_one] = [before.get(name)?.at(-1) ?? null, after.get(name)?.at(-1) ?? null];
     const digits = old_one && new_one ? digits_change(old_one, new_one) : { change: 0, quantity: "" };
     const ratio = old_one && new_one ? to_number(new_one.cost.cpu_seconds) / to_number(old_one.cost.cpu_seconds) : NaN;

@@ -14,7 +14,7 @@ export function case_columns(runs) {
     { key: "verdict", label: "Verdict", class: "c-verdict", sortable: true, cell: (row) => verdict_mark(row.verdict) },
     { key: "case", label: "Case", class: "c-case", sortable: true, cell: (row) => [
       h("a", { href: case_hash(row.case), title: row.title || row.case }, row.case),
-      h("span", { class: "variant" }, [several && runs[row.run].name, row.label].filter(Boolean).join(" · ")),
+      h("span", { class: "variant" }, [several && runs[row.run].short, row.label].filter(Boolean).join(" · ")),
     ] },
     { key: "quantity", label: "Quantity", class: "c-quantity", cell: (row) => row.check?.quantity ?? (row.error || "") },
     { key: "value", label: "Measured, expected", class: "c-value number", cell: of_check((check) => [value_text(check), h("span", { class: "expected" }, expected_text(check))]) },

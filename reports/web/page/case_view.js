@@ -28,6 +28,12 @@ function environment_of(records, runs) {
     [one.run.role === "against" ? "earlier run" : "", one.date.replace("T", " ").replace("Z", " UTC"), `revision ${one.revision}`, one.toolchain, one.machine].filter(Boolean).join(" · ")));
 }
 
+// Old and new method stand at the ends of a run's variants.
+function first_and_last(recorded, runs) {
+  const places = recorded.flatMap(({ record }, i) => (runs[record.run].role === "shown" ? [i] : []));
+  return places.length > 1 ? [places[0], places.at(-1)] : [0, recorded.length - 1];
+}
+
 function neighbours(name, list) {
   const names = [...new Set(list.map((row) => row.case))];
   const place = names.indexOf(name);
@@ -49,9 +55,9 @@ export async function show_case(element, name, { index, rows }, list) {
     replace(element, h("h1", {}, "There is no such case"), h("p", {}, "The page holds no case named ", h("code", {}, name), ". ", h("a", { href: hash_of("cases") }, "All cases"), "."));
     return;
   }
-  const labels = variant_labels(records.map((record) => attributes_of(record, index.runs[record.run].name)));
+  const labels = variant_labels(records.map((record) => attributes_of(record, index.runs[record.run].short)));
   const several_runs = new Set(records.map((record) => record.run)).size > 1;
-  const entries = records.map((record, i) => ({ record, label: labels[i], run: several_runs ? index.runs[record.run].name : "" }));
+  const entries = records.map((record, i) => ({ record, label: labels[i], run: several_runs ? index.runs[record.run].short : "" }));
   const current = records.filter((record) => index.runs[record.run].role === "shown");
   const worst = (current.length > 0 ? current : records).reduce((a, b) => (rank(b.verdict) < rank(a.verdict) ? b : a)).verdict;
   const family = rows.find((row) => row.case === name).family;
@@ -72,7 +78,7 @@ export async function show_case(element, name, { index, rows }, list) {
     h("div", { class: recorded.length > 0 ? "case-columns with-player" : "case-columns" },
       h("div", { class: "case-claims" }, h("h2", {}, "What must hold"), entries.some(({ record }) => record.checks.length > 0) ? checks_section(entries) : h("p", {}, "Nothing was checked."),
         notes.length > 0 && h("div", { class: "notes" }, h("h2", {}, "Notes"), h("ul", {}, notes.map(([note, who]) => h("li", {}, who && h("strong", {}, `${who}: `), note))))),
-      h("div", { class: "case-pictures" }, recorded.length > 0 ? player_figure(recorded) : sketch(name), figures.slice(0, beside))),
+      h("div", { class: "case-pictures" }, recorded.length > 0 ? player_figure(recorded, first_and_last(recorded, index.runs)) : sketch(name), figures.slice(0, beside))),
     figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
     h("h2", {}, "Cost"), cost_table(entries), environment_of(records, index.runs));
 }

@@ -20,7 +20,7 @@ function change_row(change) {
   const { digits_change: digits, cost_ratio: ratio } = change;
   return h("tr", { class: `change-${change.class}` },
     h("td", {}, CHANGE_WORDS[change.class]),
-    h("th", { scope: "row" }, h("a", { href: case_hash(change.case) }, breakable(change.case)), h("span", { class: "variant" }, (change.after ?? change.before).variant)),
+    h("th", { scope: "row" }, h("a", { href: case_hash(change.case) }, breakable(change.case)), h("span", { class: "variant", title: change.variant }, change.label)),
     h("td", { class: "verdicts" }, verdicts(change)),
     h("td", { class: "number" }, change.before && change.after ? h("span", { title: change.quantity }, signed(digits)) : "–"),
     h("td", { class: "number" }, change.before ? format_seconds(Number(change.before.seconds)) : "–"),

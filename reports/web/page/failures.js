@@ -13,7 +13,7 @@ const severity = (row) => row.check?.margin ?? Infinity;
 // The worst variant of a case stands for those that fail with it.
 function failure([row, ...others]) {
   const { check } = row;
-  const more = [row.label, others.length > 0 && `and ${others.length} more variant${others.length > 1 ? "s" : ""}`].filter(Boolean).join(" ");
+  const more = [row.label, others.length > 0 && `+ ${others.length} more`].filter(Boolean).join(" ");
   return h("li", { class: `failure verdict-${row.verdict}` },
     h("span", { class: "failure-glyph" }, glyph(row.verdict, 16), h("span", { class: "sr" }, VERDICT_WORDS[row.verdict])),
     h("p", { class: "failure-name" }, h("a", { href: case_hash(row.case), title: `${row.case} ${row.variant}` }, row.case), more && h("span", { class: "variant" }, more)),

@@ -55,11 +55,13 @@ function typical_force(recording) {
 
 /**
  * What recordings side by side share: {centre, radius} in m of what the camera shows, that is the way of
- * all bodies unless something flies off, and the `force` in N that an arrow of ordinary length stands for.
+ * all bodies unless something flies off, and the `force` in N that an arrow of ordinary length stands for:
+ * the smaller one, so that a scene at rest shows its forces beside one that bursts.
  */
 export function view_of(recordings) {
   const balls = recordings.map(ball_of);
-  return { ...balls.reduce((a, b) => (b.radius > a.radius ? b : a)), force: Math.max(...recordings.map(typical_force)) };
+  const forces = recordings.map(typical_force).filter((force) => force > 0);
+  return { ...balls.reduce((a, b) => (b.radius > a.radius ? b : a)), force: forces.length > 0 ? Math.min(...forces) : 0 };
 }
 
 const sum_of = (contacts, field) => Math.hypot(...[0, 1, 2].map((axis) => contacts.reduce((sum, contact) => sum + contact[field][axis], 0)));

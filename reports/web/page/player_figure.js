@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings of a case, one or two side by side, with one clock and one camera.
 import { decode_frames } from "../model/frames.js";
-import { format_error, format_value } from "../model/number.js";
+import { format_value } from "../model/number.js";
 import { PALETTES } from "../plots/palette.js";
 import { bytes_of, code_of } from "./asset.js";
 import { h, replace } from "./dom.js";
@@ -43,15 +43,18 @@ async function make_pane(recording, label) {
       if (scene) scene.show(now);
       else replace(flat, still(recording, now));
       const { sticking, slipping, normal, friction } = count_contacts(now.contacts);
-      words.textContent = `${sticking} stick, ${slipping} slip · normal ${format_error(normal)} N, friction ${format_error(friction)} N`;
+      const short = (force) => `${format_value(Number(force.toPrecision(2)))} N`;
+      const last = recording.times.at(-1);
+      words.textContent = `${sticking} stick, ${slipping} slip · ${short(normal)} normal, ${short(friction)} friction` +
+        (time > last ? ` · the run ended at ${format_value(Number(last.toPrecision(3)))} s` : "");
     },
     // A canvas comes out empty on paper: what it shows is drawn beside it.
     print: (time) => scene && replace(paper, still(recording, instant(recording, time))),
   };
 }
 
-/** `entries`: [{record, label}] with a recording each. */
-export function player_figure(entries) {
+/** `entries`: [{record, label}] with a recording each; of more than two the `pair` is shown first. */
+export function player_figure(entries, pair = [0, entries.length - 1]) {
   const place = h("div", { class: "panes" }, h("p", { class: "message" }, "Reading the recording …"));
   const message = h("p", { class: "message", hidden: true, role: "status" });
   const play = h("button", { type: "button", class: "play", "aria-pressed": "false" }, "Play");
@@ -62,7 +65,7 @@ export function player_figure(entries) {
   const contacts = h("input", { type: "checkbox" });
   forces.checked = contacts.checked = true;
   const choose = (side, wanted) => h("select", { "aria-label": side, "data-side": side }, entries.map(({ label }, i) => h("option", { value: i, selected: i === wanted }, label || `recording ${i + 1}`)));
-  const choices = entries.length > 2 ? [choose("left", 0), choose("right", entries.length - 1)] : [];
+  const choices = entries.length > 2 ? [choose("left", pair[0]), choose("right", pair[1])] : [];
   const element = h("figure", { class: "player", tabindex: "0", "aria-label": "Recorded scene: Space plays, arrows step" },
     place, message,
     h("div", { class: "player-bar" }, play, scrub, clock, speed),
@@ -169,7 +172,7 @@ export function player_figure(entries) {
   const seen = new IntersectionObserver((list) => {
     if (!list.some(({ isIntersecting }) => isIntersecting)) return;
     seen.disconnect();
-    load(entries.length > 2 ? [entries[0], entries.at(-1)] : entries).catch(fail);
+    load(entries.length > 2 ? pair.map((i) => entries[i]) : entries).catch(fail);
   });
   seen.observe(element);
   element.stiction_positions = () => panes.map((pane) => pane.scene()?.positions() ?? null);

@@ -8,10 +8,16 @@ import { painted, PALETTES } from "./palette.js";
 
 const FONT = "system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif";
 
-// Pixels that a legend's entry may take: as many stand in a row as there is room for.
-const LEGEND_ENTRY = 170;
+// As many of a legend's entries stand in a row as there is room for; names are the literals of the
+// labels' expressions.
+function legend_columns(spec, width) {
+  const channels = [spec, ...(spec.layer ?? [])].flatMap(({ encoding }) => Object.values(encoding ?? {}));
+  const names = channels.flatMap(({ legend }) => legend?.labelExpr?.match(/"[^"]*"/g) ?? []);
+  const letters = names.reduce((most, name) => Math.max(most, name.replace(/\\u.{4}/g, "x").length - 2), 0);
+  return Math.max(1, Math.floor(width / (6.5 * Math.min(letters, 50) + 44)));
+}
 
-function config_of(colours, width) {
+function config_of(colours, columns) {
   const text = { labelFont: FONT, titleFont: FONT, labelColor: colours.$muted, titleColor: colours.$ink };
   return {
     background: null,
@@ -23,7 +29,7 @@ function config_of(colours, width) {
       domainColor: colours.$axis, tickColor: colours.$axis, titlePadding: 8, labelLimit: 240,
     },
     legend: {
-      ...text, aria: false, orient: "top", columns: Math.max(1, Math.floor(width / LEGEND_ENTRY)), title: null, labelFontSize: 12, labelLimit: 320, symbolStrokeWidth: 2,
+      ...text, aria: false, orient: "top", columns, title: null, labelFontSize: 12, labelLimit: 320, symbolStrokeWidth: 2,
     },
     title: { aria: false, color: colours.$ink, font: FONT, fontSize: 13, fontWeight: 600, anchor: "start" },
     text: { font: FONT, fontSize: 11 },
@@ -45,7 +51,7 @@ const quiet = { level: () => quiet, error: () => quiet, warn: () => quiet, info:
 export function view_of(spec, theme, width, options = {}) {
   const colours = PALETTES[theme];
   const sized = { ...painted(spec, colours), width, autosize: { type: "fit-x", contains: "padding" } };
-  const { spec: vega } = compile(sized, { config: config_of(colours, width), logger: quiet });
+  const { spec: vega } = compile(sized, { config: config_of(colours, legend_columns(spec, width)), logger: quiet });
   return new View(parse(vega, undefined, { ast: true }), {
     expr: expressionInterpreter,
     loader: no_loader,

@@ -20,7 +20,7 @@ const with_id = (plots, prefix) =>
  * told only where runs are mixed.
  */
 export function case_plots(case_name, entries, runs) {
-  const labels = variant_labels(entries.map(({ record, run }) => attributes_of(record, runs[run].name)));
+  const labels = variant_labels(entries.map(({ record, run }) => attributes_of(record, runs[run].short)));
   const labelled = entries.map(({ record }, i) => ({ record, label: labels[i] }));
   const curves = labelled.flatMap(({ record, label }) => record.series.map((series) => ({ label, series })))
     .filter(({ series }) => series.x.length > 0);
@@ -34,7 +34,7 @@ export function case_plots(case_name, entries, runs) {
 /** The plots of one family, over all its cases. */
 export function family_plots(family, entries, runs) {
   const current = entries.filter(({ run }) => runs[run].role === "shown");
-  const variants = variant_labels(current.map(({ record, run }) => attributes_of(record, runs[run].name)), (i) => current[i].record.case);
+  const variants = variant_labels(current.map(({ record, run }) => attributes_of(record, runs[run].short)), (i) => current[i].record.case);
   const of_case = group_by(current, ({ record }) => record.case);
   const described = current.map(({ record }, i) => ({
     record,

@@ -23,8 +23,8 @@ export function trend_plots(records, runs) {
   if (order.length < 2) return [];
   const shared = shared_records(order.map((run) => groups.get(run).map(({ record }) => record)));
   if (shared[0].length === 0) return [];
-  const of_run = (measure) => order.map((run, i) => ({ run: runs[run].name, run_key: i, value: rounded(measure(shared[i])) })).filter(({ value }) => value !== null);
-  const names = numbered(order.map((run, i) => `${runs[run].name}${order.some((other, k) => k < i && runs[other].name === runs[run].name) ? ` (${i + 1})` : ""}`));
+  const of_run = (measure) => order.map((run, i) => ({ run: runs[run].short, run_key: i, value: rounded(measure(shared[i])) })).filter(({ value }) => value !== null);
+  const names = numbered(order.map((run) => runs[run].short));
   const plot = (title, name, unit, values) => ({
     kind: "trend",
     title,
