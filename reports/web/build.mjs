@@ -5,7 +5,14 @@
 // bundles and report.mjs, which needs nothing beside that folder. Does nothing when up to date.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  writeFileSync,
+} from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -17,7 +24,8 @@ const PACKAGE_FILES = ["package.json", "package-lock.json", ".npmrc"];
 
 function hash_of(files, extra = "") {
   const hash = createHash("sha256").update(extra);
-  for (const file of files) hash.update(relative(source, file)).update("\0").update(readFileSync(file));
+  for (const file of files)
+    hash.update(relative(source, file)).update("\0").update(readFileSync(file));
   return hash.digest("hex");
 }
 
@@ -116,7 +124,12 @@ async function bundle() {
       outfile: join(build, "report.mjs"),
     }),
   ]);
-  const licences = licences_of(results.slice(0, 4).map((result) => result.metafile).map(absolute));
+  const licences = licences_of(
+    results
+      .slice(0, 4)
+      .map((result) => result.metafile)
+      .map(absolute),
+  );
   writeFileSync(join(build, "bundle", "licences.json"), JSON.stringify(licences));
   writeFileSync(join(build, "bundled"), wanted);
 }

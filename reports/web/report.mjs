@@ -28,7 +28,11 @@ function read_all(folders, warnings) {
   return runs;
 }
 
-const default_title = (runs) => `Validation report, ${runs.map(({ name }) => name).slice(0, 3).join(", ")}`;
+const default_title = (runs) =>
+  `Validation report, ${runs
+    .map(({ name }) => name)
+    .slice(0, 3)
+    .join(", ")}`;
 
 async function report(options) {
   const warnings = [];
@@ -37,12 +41,18 @@ async function report(options) {
   const { recordings, warnings: recording_warnings } = read_recordings([...runs, ...against]);
   warnings.push(...recording_warnings);
 
-  const data = page_data({ runs, against, warnings: [...new Set(warnings)], title: options.title ?? default_title(runs) });
+  const data = page_data({
+    runs,
+    against,
+    warnings: [...new Set(warnings)],
+    title: options.title ?? default_title(runs),
+  });
   const bundles = read_bundles(join(dirname(fileURLToPath(import.meta.url)), "bundle"));
   const page = html_page({ data, bundles, recordings, limit_bytes: options.limit_bytes });
   const bytes = Buffer.byteLength(page.html);
   const size = `${(bytes / 1e6).toFixed(1)} MB`;
-  if (bytes > options.limit_bytes) page.warnings.push(`The page has ${size} all the same: that many records are listed in it.`);
+  if (bytes > options.limit_bytes)
+    page.warnings.push(`The page has ${size} all the same: that many records are listed in it.`);
   const file = options.out ?? join(runs[0].folder, "report.html");
   write_whole(file, page.html);
   for (const warning of page.warnings) console.error(`stiction report: ${warning}`);

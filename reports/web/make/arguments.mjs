@@ -32,6 +32,7 @@ export function parse_arguments(words) {
   });
   const limit = Number(values.limit);
   if (!(limit > 0)) throw new Error(`--limit needs a number of megabytes, not '${values.limit}'`);
-  if (!values.help && positionals.length === 0) throw new Error("name the folder of a run; --help explains");
+  if (!values.help && positionals.length === 0)
+    throw new Error("name the folder of a run; --help explains");
   return { ...values, limit_bytes: limit * 1e6, folders: positionals };
 }

@@ -22,5 +22,7 @@ export function asset_element(name, bytes) {
 /** As above for JSON; small ones stay readable. */
 export function json_asset(name, value) {
   const text = json_for_html(value);
-  return text.length < WORTH_PACKING ? element(name, "json", text) : asset_element(name, Buffer.from(text));
+  return text.length < WORTH_PACKING
+    ? element(name, "json", text)
+    : asset_element(name, Buffer.from(text));
 }

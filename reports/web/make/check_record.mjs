@@ -9,16 +9,21 @@ const number = (value) =>
     ? null
     : 'expected a number, "nan", "inf" or "-inf"';
 const count = (value) =>
-  typeof value === "number" && value >= 0 && Number.isInteger(value) ? null : "expected a whole number from 0";
+  typeof value === "number" && value >= 0 && Number.isInteger(value)
+    ? null
+    : "expected a whole number from 0";
 const boolean = (value) => (typeof value === "boolean" ? null : "expected true or false");
-const word = (...words) => (value) =>
-  words.includes(value) ? null : `unknown word ${JSON.stringify(value)?.slice(0, 40)}`;
+const word =
+  (...words) =>
+  (value) =>
+    words.includes(value) ? null : `unknown word ${JSON.stringify(value)?.slice(0, 40)}`;
 
 const is_object = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
 
 // A fault with its place before it, once. Without a path only the fact matters: good records, that is
 // nearly all, are checked without making a string.
-const placed = (fault, path) => (path === null || fault.startsWith(path) ? fault : `${path}: ${fault}`);
+const placed = (fault, path) =>
+  path === null || fault.startsWith(path) ? fault : `${path}: ${fault}`;
 
 function list(check) {
   return (value, path) => {
@@ -109,7 +114,15 @@ const series = object({
 });
 
 const record = object(
-  { schema_version: count, case: text, engine: text, verdict, checks: list(check), cost, environment },
+  {
+    schema_version: count,
+    case: text,
+    engine: text,
+    verdict,
+    checks: list(check),
+    cost,
+    environment,
+  },
   {
     title: [text, empty_text],
     settings: [map(text), empty_map],

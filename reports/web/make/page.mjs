@@ -9,10 +9,14 @@ import { asset_element, json_asset } from "./assets.mjs";
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
 const escaped = (text) =>
-  text.replace(/[&<>"']/g, (sign) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" })[sign]);
+  text.replace(
+    /[&<>"']/g,
+    (sign) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" })[sign],
+  );
 
 // What must not stand inside <script>, in strings of minified code.
-const code_for_html = (code) => code.replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
+const code_for_html = (code) =>
+  code.replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
 
 /** The bundles that build.mjs made, in `folder`. */
 export function read_bundles(folder) {
@@ -29,15 +33,21 @@ export function read_bundles(folder) {
 function policy(bundles) {
   const scripts = [bundles.page, bundles.plot, bundles.player].map(hash).join(" ");
   return [
-    "default-src 'none'", `script-src ${scripts}`, `style-src ${hash(bundles.style)}`,
-    "img-src data: blob:", "base-uri 'none'", "form-action 'none'",
+    "default-src 'none'",
+    `script-src ${scripts}`,
+    `style-src ${hash(bundles.style)}`,
+    "img-src data: blob:",
+    "base-uri 'none'",
+    "form-action 'none'",
   ].join("; ");
 }
 
 // What the page is without JavaScript: the counts and where to find more.
 function fallback(index) {
   const shown = index.runs.filter(({ role }) => role === "shown");
-  const checks = Object.entries(index.check_counts).map(([verdict, count]) => `${count} ${verdict}`).join(", ");
+  const checks = Object.entries(index.check_counts)
+    .map(([verdict, count]) => `${count} ${verdict}`)
+    .join(", ");
   return `<noscript><p>${escaped(index.title)}: ${shown.reduce((sum, run) => sum + run.records, 0)} records, checks: ${checks}.
 This page needs JavaScript; report.md in the run's folder has the same numbers.</p></noscript>`;
 }
@@ -65,20 +75,36 @@ export function html_page({ data, bundles, recordings, limit_bytes }) {
     json_asset("licences", bundles.licences),
   ];
   const records = data.parts.map((part, i) => json_asset(`records/${i}`, part.records()));
-  const families = data.families.map(({ plots }, i) => (plots.length > 0 ? json_asset(`family/${i}`, plots) : ""));
+  const families = data.families.map(({ plots }, i) =>
+    plots.length > 0 ? json_asset(`family/${i}`, plots) : "",
+  );
   const comparison = data.comparison ? [json_asset("comparison", data.comparison)] : [];
   const optional = [
-    ...data.parts.map((part, i) => ({ kind: "plots", name: `plots/${i}`, element: json_asset(`plots/${i}`, part.plots()) })),
-    ...recordings.map(({ name, bytes }) => ({ kind: "recording", name: `frames/${name}`, element: asset_element(`frames/${name}`, bytes) })),
+    ...data.parts.map((part, i) => ({
+      kind: "plots",
+      name: `plots/${i}`,
+      element: json_asset(`plots/${i}`, part.plots()),
+    })),
+    ...recordings.map(({ name, bytes }) => ({
+      kind: "recording",
+      name: `frames/${name}`,
+      element: asset_element(`frames/${name}`, bytes),
+    })),
   ].map((one) => ({ ...one, size: one.element.length }));
 
   const needed = [...code, ...records, ...families, ...comparison];
   const frame = bundles.page.length + bundles.style.length + JSON.stringify(data.index).length / 4;
-  const { kept, left_out } = fit(frame + needed.reduce((sum, one) => sum + one.length, 0), optional, limit_bytes);
+  const { kept, left_out } = fit(
+    frame + needed.reduce((sum, one) => sum + one.length, 0),
+    optional,
+    limit_bytes,
+  );
   const warnings = [...data.index.warnings];
   if (left_out > 0) {
-    warnings.push(`To keep the page below ${limit_bytes / 1e6} MB, ${left_out} of its ${optional.length} groups of ` +
-      "series plots and recordings were left out, largest first. A higher --limit brings them back.");
+    warnings.push(
+      `To keep the page below ${limit_bytes / 1e6} MB, ${left_out} of its ${optional.length} groups of ` +
+        "series plots and recordings were left out, largest first. A higher --limit brings them back.",
+    );
   }
   const index = { ...data.index, warnings, assets: kept.map(({ name }) => name) };
   const html = `<!DOCTYPE html>

@@ -15,7 +15,7 @@ export function read_lines(file, line_read, longest = 2 ** 28) {
     const buffer = Buffer.alloc(CHUNK);
     let rest = "";
     let number = 0;
-    for (let size; (size = readSync(descriptor, buffer)) > 0; ) {
+    for (let size; (size = readSync(descriptor, buffer)) > 0;) {
       const text = rest + decoder.write(buffer.subarray(0, size));
       let start = 0;
       for (let end; (end = text.indexOf("\n", start)) >= 0; start = end + 1) {

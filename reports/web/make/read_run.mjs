@@ -46,14 +46,24 @@ export function read_run(path) {
   const name = basename(folder);
   if (records.length === 0) {
     const first = faults[0] ?? (cut_off && `${cut_off} is cut off`);
-    throw new Error(lines === 0 ? `${file} is empty: no case was finished` : `${file}: no record can be read (${first})`);
+    throw new Error(
+      lines === 0
+        ? `${file} is empty: no case was finished`
+        : `${file}: no record can be read (${first})`,
+    );
   }
-  const warnings = faults.slice(0, MOST_WARNINGS).map((fault) => `${name}/records.jsonl, ${fault}. The line is left out.`);
+  const warnings = faults
+    .slice(0, MOST_WARNINGS)
+    .map((fault) => `${name}/records.jsonl, ${fault}. The line is left out.`);
   if (faults.length > MOST_WARNINGS) {
-    warnings.push(`${name}/records.jsonl: ${faults.length - MOST_WARNINGS} more broken lines are left out.`);
+    warnings.push(
+      `${name}/records.jsonl: ${faults.length - MOST_WARNINGS} more broken lines are left out.`,
+    );
   }
   if (cut_off) {
-    warnings.push(`${name}/records.jsonl, ${cut_off}: the run was cut off while it wrote. The records before it are shown; cases may be missing.`);
+    warnings.push(
+      `${name}/records.jsonl, ${cut_off}: the run was cut off while it wrote. The records before it are shown; cases may be missing.`,
+    );
   }
   return { name, folder, records, warnings };
 }

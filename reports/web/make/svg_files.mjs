@@ -19,7 +19,8 @@ export async function write_svg_files(folder, data) {
   const taken = new Set();
   for (const plot of plots) {
     let name = file_name(plot.id);
-    for (let i = 2; taken.has(name.toLowerCase()); ++i) name = file_name(plot.id).replace(/\.svg$/, `-${i}.svg`);
+    for (let i = 2; taken.has(name.toLowerCase()); ++i)
+      name = file_name(plot.id).replace(/\.svg$/, `-${i}.svg`);
     taken.add(name.toLowerCase());
     writeFileSync(join(folder, name), await svg_of({ title: plot.title, ...plot.spec }));
   }

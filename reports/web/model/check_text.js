@@ -5,7 +5,8 @@ import { format_error, format_pair, to_number, with_unit } from "./number.js";
 const error_unit = (check) => (check.relative ? "rel" : check.unit);
 
 /** "1.2e-05 m", or "1.2e-05 rel" when the error is relative. */
-export const error_text = (check) => with_unit(format_error(to_number(check.error)), error_unit(check));
+export const error_text = (check) =>
+  with_unit(format_error(to_number(check.error)), error_unit(check));
 
 export const tolerance_text = (check) =>
   with_unit(format_error(to_number(check.tolerance)), error_unit(check));

@@ -13,7 +13,9 @@ const decided = (check) => check.verdict === "pass" || check.verdict === "fail";
 
 // The check whose digits changed most: {change, quantity}.
 function digits_change(before, after) {
-  const earlier = new Map(before.checks.filter(decided).map((check) => [check.quantity, to_number(check.digits)]));
+  const earlier = new Map(
+    before.checks.filter(decided).map((check) => [check.quantity, to_number(check.digits)]),
+  );
   let most = { change: 0, quantity: "" };
   for (const check of after.checks.filter(decided)) {
     const change = to_number(check.digits) - earlier.get(check.quantity);
@@ -32,7 +34,15 @@ function class_of(before, after, digits) {
 }
 
 /** Worst first. */
-export const CHANGE_CLASSES = ["worse", "gone", "fewer-digits", "better", "more-digits", "new", "same"];
+export const CHANGE_CLASSES = [
+  "worse",
+  "gone",
+  "fewer-digits",
+  "better",
+  "more-digits",
+  "new",
+  "same",
+];
 
 export const CHANGE_WORDS = {
   worse: "verdict worse",
@@ -52,11 +62,17 @@ export function compare(before_records, after_records) {
   const key = (record) => `${record.case}\n${variant_key(record)}`;
   const before = group_by(before_records, key);
   const after = group_by(after_records, key);
-  const names = natural_sort([...new Set([...after.keys(), ...before.keys()])], (name) => name.slice(0, name.indexOf("\n")));
+  const names = natural_sort([...new Set([...after.keys(), ...before.keys()])], (name) =>
+    name.slice(0, name.indexOf("\n")),
+  );
   const changes = names.map((name) => {
     const [old_one, new_one] = [before.get(name)?.at(-1) ?? null, after.get(name)?.at(-1) ?? null];
-    const digits = old_one && new_one ? digits_change(old_one, new_one) : { change: 0, quantity: "" };
-    const ratio = old_one && new_one ? to_number(new_one.cost.cpu_seconds) / to_number(old_one.cost.cpu_seconds) : NaN;
+    const digits =
+      old_one && new_one ? digits_change(old_one, new_one) : { change: 0, quantity: "" };
+    const ratio =
+      old_one && new_one
+        ? to_number(new_one.cost.cpu_seconds) / to_number(old_one.cost.cpu_seconds)
+        : NaN;
     return {
       case: (new_one ?? old_one).case,
       class: class_of(old_one, new_one, digits.change),
@@ -65,7 +81,10 @@ export function compare(before_records, after_records) {
       digits_change: digits.change,
       quantity: digits.quantity,
       cost_ratio: Number.isFinite(ratio) ? ratio : null,
-      hash_equal: old_one && new_one && old_one.state_hash !== "" ? old_one.state_hash === new_one.state_hash : null,
+      hash_equal:
+        old_one && new_one && old_one.state_hash !== ""
+          ? old_one.state_hash === new_one.state_hash
+          : null,
     };
   });
   return changes.sort((a, b) => CHANGE_CLASSES.indexOf(a.class) - CHANGE_CLASSES.indexOf(b.class));

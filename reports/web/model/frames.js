@@ -8,7 +8,8 @@ const CONTACT_BYTES = 20;
 const QUANTA = 65535;
 
 const is_count = (value) => Number.isSafeInteger(value) && value >= 0 && value < 2 ** 32;
-const is_triple = (value) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
+const is_triple = (value) =>
+  Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
 
 function demand(condition, what) {
   if (!condition) throw new Error(`cannot be read: ${what}`);
@@ -41,12 +42,35 @@ function checked_header(bytes) {
     demand(false, "its header is not JSON");
   }
   const { bodies, planes, times, gravity, contacts, low, high, force } = header;
-  demand(Array.isArray(bodies) && bodies.every((body) => typeof body.name === "string" && is_count(body.vertices) && is_count(body.triangles)), "its bodies are not as they must be");
-  demand(Array.isArray(planes) && planes.every((plane) => is_triple(plane.point) && is_triple(plane.normal)), "its planes are not as they must be");
-  demand(Array.isArray(times) && times.length > 0 && times.every(Number.isFinite), "it has no frame");
-  demand(Array.isArray(gravity) && gravity.length === times.length && gravity.every(is_triple), "its gravity is not as it must be");
-  demand(Array.isArray(contacts) && contacts.length === times.length && contacts.every(is_count), "its contacts are not as they must be");
-  demand(is_triple(low) && is_triple(high) && Number.isFinite(force) && force >= 0, "its scales are no numbers");
+  demand(
+    Array.isArray(bodies) &&
+      bodies.every(
+        (body) =>
+          typeof body.name === "string" && is_count(body.vertices) && is_count(body.triangles),
+      ),
+    "its bodies are not as they must be",
+  );
+  demand(
+    Array.isArray(planes) &&
+      planes.every((plane) => is_triple(plane.point) && is_triple(plane.normal)),
+    "its planes are not as they must be",
+  );
+  demand(
+    Array.isArray(times) && times.length > 0 && times.every(Number.isFinite),
+    "it has no frame",
+  );
+  demand(
+    Array.isArray(gravity) && gravity.length === times.length && gravity.every(is_triple),
+    "its gravity is not as it must be",
+  );
+  demand(
+    Array.isArray(contacts) && contacts.length === times.length && contacts.every(is_count),
+    "its contacts are not as they must be",
+  );
+  demand(
+    is_triple(low) && is_triple(high) && Number.isFinite(force) && force >= 0,
+    "its scales are no numbers",
+  );
   return { header, start: 12 + size };
 }
 
@@ -93,7 +117,8 @@ export function decode_frames(bytes) {
   const triple = (read) => [read(0), read(1), read(2)];
 
   function contact_at(at) {
-    const vector = (offset) => triple((axis) => (view.getInt16(at + offset + 2 * axis, true) / 32767) * force);
+    const vector = (offset) =>
+      triple((axis) => (view.getInt16(at + offset + 2 * axis, true) / 32767) * force);
     return {
       position: triple((axis) => position(view.getUint16(at + 2 * axis, true), axis)),
       normal_force: vector(6),
@@ -115,7 +140,9 @@ export function decode_frames(bytes) {
       for (let j = 0; j < width; ++j) positions[j] = position(quanta[i * width + j], j % 3);
       return {
         positions,
-        contacts: Array.from({ length: counts[i] }, (_, k) => contact_at(contacts_start[i] + CONTACT_BYTES * k)),
+        contacts: Array.from({ length: counts[i] }, (_, k) =>
+          contact_at(contacts_start[i] + CONTACT_BYTES * k),
+        ),
       };
     },
   };

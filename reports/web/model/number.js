@@ -36,7 +36,8 @@ export function format_pair(a, b) {
 export const format_error = (value) => general(value, 2);
 
 /** Digits of agreement, one decimal. */
-export const format_digits = (value) => (Number.isFinite(value) ? value.toFixed(1) : general(value, 2));
+export const format_digits = (value) =>
+  Number.isFinite(value) ? value.toFixed(1) : general(value, 2);
 
 /** CPU time, s. */
 export function format_seconds(value) {
@@ -44,21 +45,28 @@ export function format_seconds(value) {
 }
 
 /** The same where space is short; below a millisecond only that. */
-export const format_seconds_short = (value) => (value > 0 && value < 1e-3 ? "< 0.001" : value < 0.1 ? general(value, 2) : format_seconds(value));
+export const format_seconds_short = (value) =>
+  value > 0 && value < 1e-3 ? "< 0.001" : value < 0.1 ? general(value, 2) : format_seconds(value);
 
 /** Whole number with "," between thousands. */
 export const format_count = (value) => String(value).replace(/\B(?=(\d{3})+$)/g, ",");
 
 /** A large number in short: 92.4 M. */
 export function format_short(value) {
-  for (const [limit, sign] of [[1e9, "G"], [1e6, "M"], [1e3, "k"]]) {
+  for (const [limit, sign] of [
+    [1e9, "G"],
+    [1e6, "M"],
+    [1e3, "k"],
+  ]) {
     if (value >= limit) return `${general(value / limit, 3)} ${sign}`;
   }
   return general(value, 3);
 }
 
 /** The dimensionless "1" and an empty unit are left out. */
-export const with_unit = (number, unit) => (unit === "" || unit === "1" ? number : `${number} ${unit}`);
+export const with_unit = (number, unit) =>
+  unit === "" || unit === "1" ? number : `${number} ${unit}`;
 
 /** "time (s)"; the name alone when dimensionless. */
-export const name_with_unit = (name, unit) => (unit === "" || unit === "1" ? name : `${name} (${unit})`);
+export const name_with_unit = (name, unit) =>
+  unit === "" || unit === "1" ? name : `${name} (${unit})`;

@@ -35,7 +35,9 @@ export function variant_labels(list, group_of = () => "") {
     if (new Set(more).size === new Set(known).size) continue;
     known = more;
     const values = new Map();
-    list.forEach((one, i) => values.set(said[i], (values.get(said[i]) ?? new Set()).add(value(one, name))));
+    list.forEach((one, i) =>
+      values.set(said[i], (values.get(said[i]) ?? new Set()).add(value(one, name))),
+    );
     list.forEach((one, i) => {
       // Left out where what was said before implies it: "quiet" needs no rule.
       if (value(one, name) === "" || values.get(said[i]).size === 1) return;
@@ -45,5 +47,7 @@ export function variant_labels(list, group_of = () => "") {
   }
   const counts = new Map();
   const place = known.map((key) => counts.set(key, (counts.get(key) ?? 0) + 1).get(key));
-  return labels.map((words, i) => [...words, ...(counts.get(known[i]) > 1 ? [`#${place[i]}`] : [])].join(" · "));
+  return labels.map((words, i) =>
+    [...words, ...(counts.get(known[i]) > 1 ? [`#${place[i]}`] : [])].join(" · "),
+  );
 }

@@ -24,8 +24,11 @@ export function worst_check(checks, margin) {
   let worst;
   for (const check of checks) {
     if (rank(check.verdict) > rank("pass")) continue;
-    if (worst === undefined || rank(check.verdict) < rank(worst.verdict) ||
-        (check.verdict === worst.verdict && margin(check) > margin(worst))) {
+    if (
+      worst === undefined ||
+      rank(check.verdict) < rank(worst.verdict) ||
+      (check.verdict === worst.verdict && margin(check) > margin(worst))
+    ) {
       worst = check;
     }
   }

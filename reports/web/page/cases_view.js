@@ -9,7 +9,14 @@ import { glyph } from "./glyph.js";
 import { case_hash, hash_of } from "./route.js";
 import { big_table } from "./table.js";
 
-const SORTS = { verdict: "verdict, failures first", case: "case name", "-margin": "closest to the limit", digits: "fewest digits", "-seconds": "most CPU time", "-ns": "slowest contact" };
+const SORTS = {
+  verdict: "verdict, failures first",
+  case: "case name",
+  "-margin": "closest to the limit",
+  digits: "fewest digits",
+  "-seconds": "most CPU time",
+  "-ns": "slowest contact",
+};
 
 /** Gives {element, show(options), list(): the rows in view, search: the field, table}. */
 export function cases_view({ index, rows }) {
@@ -22,26 +29,58 @@ export function cases_view({ index, rows }) {
     options = change ? { ...options, ...change } : {};
     location.replace(hash_of("cases", "", options));
   };
-  const counts = Object.fromEntries(VERDICTS.map((verdict) => [verdict, current.filter((row) => row.verdict === verdict).length]));
-  const search = h("input", { type: "search", id: "search", placeholder: "Search cases, settings, quantities", "aria-label": "Search", autocomplete: "off", spellcheck: "false" });
+  const counts = Object.fromEntries(
+    VERDICTS.map((verdict) => [verdict, current.filter((row) => row.verdict === verdict).length]),
+  );
+  const search = h("input", {
+    type: "search",
+    id: "search",
+    placeholder: "Search cases, settings, quantities",
+    "aria-label": "Search",
+    autocomplete: "off",
+    spellcheck: "false",
+  });
   let waiting = 0;
   search.addEventListener("input", () => {
     clearTimeout(waiting);
     waiting = setTimeout(() => go({ q: search.value }), current.length > 5000 ? 180 : 60);
   });
   const toggles = VERDICTS.filter((verdict) => counts[verdict] > 0).map((verdict) =>
-    h("button", { type: "button", class: `toggle verdict-${verdict}`, "data-verdict": verdict, onclick: () => {
-      const chosen = new Set((options.verdict ?? "").split(",").filter(Boolean));
-      if (!chosen.delete(verdict)) chosen.add(verdict);
-      go({ verdict: [...chosen].join(",") });
-    } }, glyph(verdict, 14), ` ${VERDICT_WORDS[verdict]} `, h("span", { class: "count" }, format_count(counts[verdict]))));
-  const choice = (name, label, entries) => h("label", { class: "choice" }, h("span", {}, label),
-    h("select", { name, onchange: (event) => go({ [name]: event.target.value }) }, entries.map(([value, text]) => h("option", { value }, text))));
+    h(
+      "button",
+      {
+        type: "button",
+        class: `toggle verdict-${verdict}`,
+        "data-verdict": verdict,
+        onclick: () => {
+          const chosen = new Set((options.verdict ?? "").split(",").filter(Boolean));
+          if (!chosen.delete(verdict)) chosen.add(verdict);
+          go({ verdict: [...chosen].join(",") });
+        },
+      },
+      glyph(verdict, 14),
+      ` ${VERDICT_WORDS[verdict]} `,
+      h("span", { class: "count" }, format_count(counts[verdict])),
+    ),
+  );
+  const choice = (name, label, entries) =>
+    h(
+      "label",
+      { class: "choice" },
+      h("span", {}, label),
+      h(
+        "select",
+        { name, onchange: (event) => go({ [name]: event.target.value }) },
+        entries.map(([value, text]) => h("option", { value }, text)),
+      ),
+    );
   const families = [...new Set(current.map((row) => row.family))];
   const family = choice("family", "Family", [["", "all"], ...families.map((name) => [name, name])]);
   const sort = choice("sort", "Sort by", Object.entries(SORTS));
   const shown_runs = index.runs.map((run, i) => [i, run]).filter(([, run]) => run.role === "shown");
-  const run = shown_runs.length > 1 && choice("run", "Run", [["", "all"], ...shown_runs.map(([i, { name }]) => [String(i), name])]);
+  const run =
+    shown_runs.length > 1 &&
+    choice("run", "Run", [["", "all"], ...shown_runs.map(([i, { name }]) => [String(i), name])]);
   const count = h("p", { class: "count-line", role: "status" });
 
   const table = big_table({
@@ -58,10 +97,23 @@ export function cases_view({ index, rows }) {
   });
 
   const reset = h("button", { type: "button", class: "quiet", onclick: () => go(null) }, "Clear");
-  const element = h("section", { class: "view view-cases", "aria-labelledby": "cases-title" },
+  const element = h(
+    "section",
+    { class: "view view-cases", "aria-labelledby": "cases-title" },
     h("h1", { id: "cases-title" }, "Cases"),
-    h("div", { class: "filters", role: "search" }, search, h("div", { class: "toggles", role: "group", "aria-label": "Verdicts" }, toggles), family, run, sort, reset),
-    count, table.element);
+    h(
+      "div",
+      { class: "filters", role: "search" },
+      search,
+      h("div", { class: "toggles", role: "group", "aria-label": "Verdicts" }, toggles),
+      family,
+      run,
+      sort,
+      reset,
+    ),
+    count,
+    table.element,
+  );
 
   return {
     element,
@@ -72,21 +124,29 @@ export function cases_view({ index, rows }) {
       options = next;
       if (document.activeElement !== search) search.value = options.q ?? "";
       const chosen = new Set((options.verdict ?? "").split(","));
-      for (const toggle of toggles) toggle.setAttribute("aria-pressed", chosen.has(toggle.dataset.verdict));
+      for (const toggle of toggles)
+        toggle.setAttribute("aria-pressed", chosen.has(toggle.dataset.verdict));
       family.lastChild.value = options.family ?? "";
       if (run) run.lastChild.value = options.run ?? "";
       const order = options.sort ?? "verdict";
       if (!(order in SORTS)) {
         const [key, falling] = [order.replace(/^-/, ""), order.startsWith("-")];
         if (![...sort.lastChild.options].some(({ value }) => value === order)) {
-          sort.lastChild.append(h("option", { value: order }, `${key}, ${falling ? "largest" : "smallest"} first`));
+          sort.lastChild.append(
+            h("option", { value: order }, `${key}, ${falling ? "largest" : "smallest"} first`),
+          );
         }
       }
       sort.lastChild.value = order;
       listed = sorted(filtered(current, options), order);
-      replace(count, document.createTextNode(listed.length === current.length
-        ? `${format_count(current.length)} records`
-        : `${format_count(listed.length)} of ${format_count(current.length)} records`));
+      replace(
+        count,
+        document.createTextNode(
+          listed.length === current.length
+            ? `${format_count(current.length)} records`
+            : `${format_count(listed.length)} of ${format_count(current.length)} records`,
+        ),
+      );
       table.show(listed, order);
     },
   };

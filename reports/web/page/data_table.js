@@ -25,12 +25,46 @@ const cell = (value) => (typeof value === "number" ? format_value(value) : Strin
 
 export function data_table(spec) {
   const values = values_of(spec);
-  const fields = [...new Set(values.slice(0, MOST_ROWS).flatMap((value) => Object.keys(value)))]
-    .filter((field) => !/_key$|^place$/.test(field) && values.some((value) => value[field] !== "" && value[field] !== null));
-  return h("div", { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Data of the plot" },
-    h("table", { class: "data" },
-      h("thead", {}, h("tr", {}, fields.map((field) => h("th", { scope: "col" }, heading_of(spec, field))))),
-      h("tbody", {}, values.slice(0, MOST_ROWS).map((value) =>
-        h("tr", {}, fields.map((field) => h("td", { class: typeof value[field] === "number" ? "number" : "" }, cell(value[field]))))))),
-    values.length > MOST_ROWS && h("p", {}, `The first ${MOST_ROWS} of ${values.length}.`));
+  const fields = [
+    ...new Set(values.slice(0, MOST_ROWS).flatMap((value) => Object.keys(value))),
+  ].filter(
+    (field) =>
+      !/_key$|^place$/.test(field) &&
+      values.some((value) => value[field] !== "" && value[field] !== null),
+  );
+  return h(
+    "div",
+    { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Data of the plot" },
+    h(
+      "table",
+      { class: "data" },
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          fields.map((field) => h("th", { scope: "col" }, heading_of(spec, field))),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        values.slice(0, MOST_ROWS).map((value) =>
+          h(
+            "tr",
+            {},
+            fields.map((field) =>
+              h(
+                "td",
+                { class: typeof value[field] === "number" ? "number" : "" },
+                cell(value[field]),
+              ),
+            ),
+          ),
+        ),
+      ),
+    ),
+    values.length > MOST_ROWS && h("p", {}, `The first ${MOST_ROWS} of ${values.length}.`),
+  );
 }

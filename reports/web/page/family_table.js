@@ -11,8 +11,19 @@ import { tally_of } from "./tally.js";
 const MOST_GLYPHS = 24;
 const MOST_FAMILIES = 40;
 
-const counts = (tally) => h("span", { class: "shape-counts" }, VERDICTS.filter((verdict) => tally[verdict] > 0)
-  .map((verdict) => h("span", { class: `verdict verdict-${verdict}` }, glyph(verdict, 13), format_count(tally[verdict]))));
+const counts = (tally) =>
+  h(
+    "span",
+    { class: "shape-counts" },
+    VERDICTS.filter((verdict) => tally[verdict] > 0).map((verdict) =>
+      h(
+        "span",
+        { class: `verdict verdict-${verdict}` },
+        glyph(verdict, 13),
+        format_count(tally[verdict]),
+      ),
+    ),
+  );
 
 // Each record a shape; beyond a row of them, or where there is no room, counts.
 function shapes(rows, tally) {
@@ -34,24 +45,58 @@ function shapes(rows, tally) {
 function family_row(name, rows) {
   const tally = tally_of(rows);
   const worst = rows.reduce((a, b) => (rank(b.verdict) < rank(a.verdict) ? b : a)).verdict;
-  return h("tr", { class: tally.bad > 0 ? "bad" : "" },
+  return h(
+    "tr",
+    { class: tally.bad > 0 ? "bad" : "" },
     h("td", { class: "f-verdict" }, verdict_mark(worst, 15)),
     h("th", { scope: "row" }, h("a", { href: hash_of("family", name) }, name)),
     h("td", { class: "f-shapes" }, shapes(rows, tally)),
-    h("td", { class: "number f-digits" }, Number.isFinite(tally.fewest) ? format_digits(tally.fewest) : "–"),
-    h("td", { class: "number" }, format_seconds_short(tally.seconds)));
+    h(
+      "td",
+      { class: "number f-digits" },
+      Number.isFinite(tally.fewest) ? format_digits(tally.fewest) : "–",
+    ),
+    h("td", { class: "number" }, format_seconds_short(tally.seconds)),
+  );
 }
 
 export function family_table(rows) {
   const has_bad = (list) => list.some((row) => is_bad(row.verdict));
   const groups = [...group_by(rows, (row) => row.family)].map(([name, list]) => ({ name, list }));
-  const ordered = [...groups.filter(({ list }) => has_bad(list)), ...groups.filter(({ list }) => !has_bad(list))];
-  return h("div", { class: "family-scroll", tabindex: "0", role: "region", "aria-label": "Families" },
-    h("table", { class: "families" },
-      h("thead", {}, h("tr", {},
-        h("th", { scope: "col" }, "Verdict"), h("th", { scope: "col" }, "Family"), h("th", { scope: "col" }, "Records"),
-        h("th", { scope: "col", class: "number f-digits" }, "Digits"),
-        h("th", { scope: "col", class: "number" }, "CPU", h("span", { class: "unit" }, " s")))),
-      h("tbody", {}, ordered.slice(0, MOST_FAMILIES).map(({ name, list }) => family_row(name, list)))),
-    ordered.length > MOST_FAMILIES && h("p", {}, h("a", { href: hash_of("cases") }, `${ordered.length - MOST_FAMILIES} more families`)));
+  const ordered = [
+    ...groups.filter(({ list }) => has_bad(list)),
+    ...groups.filter(({ list }) => !has_bad(list)),
+  ];
+  return h(
+    "div",
+    { class: "family-scroll", tabindex: "0", role: "region", "aria-label": "Families" },
+    h(
+      "table",
+      { class: "families" },
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          h("th", { scope: "col" }, "Verdict"),
+          h("th", { scope: "col" }, "Family"),
+          h("th", { scope: "col" }, "Records"),
+          h("th", { scope: "col", class: "number f-digits" }, "Digits"),
+          h("th", { scope: "col", class: "number" }, "CPU", h("span", { class: "unit" }, " s")),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        ordered.slice(0, MOST_FAMILIES).map(({ name, list }) => family_row(name, list)),
+      ),
+    ),
+    ordered.length > MOST_FAMILIES &&
+      h(
+        "p",
+        {},
+        h("a", { href: hash_of("cases") }, `${ordered.length - MOST_FAMILIES} more families`),
+      ),
+  );
 }

@@ -9,7 +9,8 @@ const haystacks = new WeakMap();
 function haystack(row) {
   let text = haystacks.get(row);
   if (text === undefined) {
-    text = `${row.case} ${row.title} ${row.engine} ${row.variant} ${row.check?.quantity ?? ""}`.toLowerCase();
+    text =
+      `${row.case} ${row.title} ${row.engine} ${row.variant} ${row.check?.quantity ?? ""}`.toLowerCase();
     haystacks.set(row, text);
   }
   return text;
@@ -19,12 +20,17 @@ function haystack(row) {
 export function filtered(rows, { q = "", verdict = "", family = "", run = "" }) {
   const words = words_of(q);
   const verdicts = verdict ? new Set(verdict.split(",")) : null;
-  return rows.filter((row) =>
-    (!verdicts || verdicts.has(row.verdict)) && (!family || row.family === family) && (run === "" || row.run === Number(run)) &&
-    (words.length === 0 || words.every((word) => haystack(row).includes(word))));
+  return rows.filter(
+    (row) =>
+      (!verdicts || verdicts.has(row.verdict)) &&
+      (!family || row.family === family) &&
+      (run === "" || row.run === Number(run)) &&
+      (words.length === 0 || words.every((word) => haystack(row).includes(word))),
+  );
 }
 
-const by_number = (value) => (Number.isFinite(value) ? value : value === Infinity ? Number.MAX_VALUE : -Number.MAX_VALUE);
+const by_number = (value) =>
+  Number.isFinite(value) ? value : value === Infinity ? Number.MAX_VALUE : -Number.MAX_VALUE;
 
 /** What each column sorts by. Rows come in natural order of case names, which "case" keeps. */
 export const SORT_KEYS = {

@@ -2,7 +2,9 @@
 import { keys_enabled, show_help } from "./help.js";
 import { hash_of } from "./route.js";
 
-const is_typing = (target) => target.closest?.("input, select, textarea, dialog, .player") !== null && target.closest?.("input, select, textarea, dialog, .player") !== undefined;
+const is_typing = (target) =>
+  target.closest?.("input, select, textarea, dialog, .player") !== null &&
+  target.closest?.("input, select, textarea, dialog, .player") !== undefined;
 
 /** `page`: {views: [name], view(): name, cases: cases_view, back()}. */
 export function start_keys(page) {

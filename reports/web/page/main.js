@@ -21,9 +21,17 @@ const MOST_ON_PAPER = 1000;
 
 async function start(app) {
   const index = await json_of("index");
-  const comparison = index.runs.some(({ role }) => role === "against") ? await json_of("comparison") : null;
+  const comparison = index.runs.some(({ role }) => role === "against")
+    ? await json_of("comparison")
+    : null;
   const data = { index, rows: rows_of(index), comparison };
-  const views = [["summary", "Summary"], ["cases", "Cases"], ["plots", "Plots"], ...(comparison ? [["compare", "Compare"]] : []), ["about", "About"]];
+  const views = [
+    ["summary", "Summary"],
+    ["cases", "Cases"],
+    ["plots", "Plots"],
+    ...(comparison ? [["compare", "Compare"]] : []),
+    ["about", "About"],
+  ];
   const header = page_header(index.title, views);
   const main = h("main", { tabindex: "-1" });
   replace(app, header.element, warnings_box(index.warnings), main);
@@ -31,7 +39,13 @@ async function start(app) {
   const summary = summary_view(data);
   const cases = cases_view(data);
   const detail = h("section", { class: "view" });
-  const shown_later = { case: show_case, family: show_family, plots: show_plots, compare: comparison && show_compare, about: show_about };
+  const shown_later = {
+    case: show_case,
+    family: show_family,
+    plots: show_plots,
+    compare: comparison && show_compare,
+    about: show_about,
+  };
   const marked = { case: "cases", family: "summary" };
   let view = "";
   let cases_hash = hash_of("cases");
@@ -59,9 +73,14 @@ async function start(app) {
       try {
         await shown_later[view](fresh, route.value, data, cases.list());
       } catch (error) {
-        replace(fresh, h("h1", {}, "This part cannot be shown"), h("p", { class: "message" }, error.message));
+        replace(
+          fresh,
+          h("h1", {}, "This part cannot be shown"),
+          h("p", { class: "message" }, error.message),
+        );
       }
       if (mine !== place) return;
+      for (const player of detail.querySelectorAll(".player")) player.stiction_end();
       replace(detail, fresh);
     }
     if (moved) {
@@ -77,11 +96,26 @@ async function start(app) {
     draw_all(main);
   });
   addEventListener("afterprint", () => view === "cases" && cases.table.collapse());
-  start_keys({ views: views.map(([name]) => name), view: () => view, cases, back: () => (location.hash = cases_hash) });
+  start_keys({
+    views: views.map(([name]) => name),
+    view: () => view,
+    cases,
+    back: () => (location.hash = cases_hash),
+  });
   await show();
   document.documentElement.dataset.ready = "true";
 }
 
 start_theme();
 const app = document.getElementById("app");
-start(app).catch((error) => replace(app, h("main", {}, h("h1", {}, "This report cannot be shown"), h("p", { class: "message" }, error.message))));
+start(app).catch((error) =>
+  replace(
+    app,
+    h(
+      "main",
+      {},
+      h("h1", {}, "This report cannot be shown"),
+      h("p", { class: "message" }, error.message),
+    ),
+  ),
+);

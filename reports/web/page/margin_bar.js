@@ -16,9 +16,24 @@ function length_of(margin) {
 
 /** `verdict` decides the colour where it is known: it may have been judged more strictly. */
 export function margin_bar(margin, with_text = true, verdict = margin <= 1 ? "pass" : "fail") {
-  const bar = svg("svg", { class: `margin ${verdict === "pass" ? "within" : verdict === "fail" || verdict === "error" ? "beyond" : "undecided"}`, viewBox: `0 0 ${WIDTH} 12`, width: WIDTH, height: 12, "aria-hidden": "true", focusable: "false" },
+  const bar = svg(
+    "svg",
+    {
+      class: `margin ${verdict === "pass" ? "within" : verdict === "fail" || verdict === "error" ? "beyond" : "undecided"}`,
+      viewBox: `0 0 ${WIDTH} 12`,
+      width: WIDTH,
+      height: 12,
+      "aria-hidden": "true",
+      focusable: "false",
+    },
     svg("rect", { class: "track", x: 0, y: 4, width: WIDTH, height: 4 }),
     svg("rect", { class: "value", x: 0, y: 3, width: length_of(margin), height: 6 }),
-    svg("rect", { class: "limit", x: LIMIT - 0.75, y: 0, width: 1.5, height: 12 }));
-  return h("span", { class: "margin-cell", title: margin_text(margin) }, bar, with_text && h("span", { class: "margin-text" }, short_margin(margin)));
+    svg("rect", { class: "limit", x: LIMIT - 0.75, y: 0, width: 1.5, height: 12 }),
+  );
+  return h(
+    "span",
+    { class: "margin-cell", title: margin_text(margin) },
+    bar,
+    with_text && h("span", { class: "margin-text" }, short_margin(margin)),
+  );
 }

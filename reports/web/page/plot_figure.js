@@ -10,16 +10,20 @@ import { hide_tip, show_tip } from "./tip.js";
 
 const live = new Set();
 
-const seen = new IntersectionObserver((entries) => {
-  for (const { target, isIntersecting } of entries) {
-    if (isIntersecting) target.stiction_draw?.();
-  }
-}, { rootMargin: "200px" });
+const seen = new IntersectionObserver(
+  (entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (isIntersecting) target.stiction_draw?.();
+    }
+  },
+  { rootMargin: "200px" },
+);
 
 const sized = new ResizeObserver((entries) => {
   for (const { target } of entries) {
     const width = Math.floor(target.clientWidth);
-    if (target.stiction_view && Math.abs(width - target.stiction_width) > 4) target.stiction_draw(true);
+    if (target.stiction_view && Math.abs(width - target.stiction_width) > 4)
+      target.stiction_draw(true);
   }
 });
 
@@ -74,20 +78,47 @@ export function plot_figure(plot, { heading = "h3", on_click } = {}) {
   seen.observe(canvas);
   sized.observe(canvas);
 
-  const details = h("details", { class: "plot-data", ontoggle: () => {
-    if (details.open && details.children.length === 1) details.append(data_table(plot.spec));
-  } }, h("summary", {}, "Data"));
+  const details = h(
+    "details",
+    {
+      class: "plot-data",
+      ontoggle: () => {
+        if (details.open && details.children.length === 1) details.append(data_table(plot.spec));
+      },
+    },
+    h("summary", {}, "Data"),
+  );
   const save_svg = async () => {
     const { svg_of } = await code_of("code/plot", "stiction_plot");
-    save("plot.svg", "image/svg+xml", await svg_of({ ...(plot.title && { title: plot.title }), ...plot.spec }));
+    save(
+      "plot.svg",
+      "image/svg+xml",
+      await svg_of({ ...(plot.title && { title: plot.title }), ...plot.spec }),
+    );
   };
-  return h("figure", { class: `plot plot-${plot.kind}`, "data-plot": plot.id },
+  return h(
+    "figure",
+    { class: `plot plot-${plot.kind}`, "data-plot": plot.id },
     plot.title && h(heading, { class: "plot-title" }, plot.title),
     canvas,
     plot.caption && h("figcaption", {}, plot.caption),
-    h("div", { class: "plot-tools" }, details,
+    h(
+      "div",
+      { class: "plot-tools" },
+      details,
       h("button", { type: "button", class: "quiet", onclick: save_svg }, "Save SVG"),
-      h("button", { type: "button", class: "quiet", onclick: () => save("plot.vl.json", "application/json", JSON.stringify(plot.spec, null, 1)) }, "Save Vega-Lite")));
+      h(
+        "button",
+        {
+          type: "button",
+          class: "quiet",
+          onclick: () =>
+            save("plot.vl.json", "application/json", JSON.stringify(plot.spec, null, 1)),
+        },
+        "Save Vega-Lite",
+      ),
+    ),
+  );
 }
 
 /** Draws every plot of an element, wherever it stands: for printing and tests. */

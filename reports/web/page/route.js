@@ -24,7 +24,8 @@ export function parse_hash(hash) {
 const encoded = (value) => encodeURIComponent(value).replace(/%2F/g, "/").replace(/%3D/g, "=");
 
 export function hash_of(view, value = "", options = {}) {
-  const rest = Object.entries(options).filter(([, entry]) => entry !== "" && entry !== undefined)
+  const rest = Object.entries(options)
+    .filter(([, entry]) => entry !== "" && entry !== undefined)
     .map(([name, entry]) => `&${name}=${encoded(String(entry))}`);
   return `#${view}${value === "" ? "" : `=${encoded(value)}`}${rest.join("")}`;
 }

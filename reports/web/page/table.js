@@ -19,19 +19,47 @@ export function big_table({ columns, label, on_sort, open }) {
   const headings = columns.map((column) => {
     const text = [column.label, column.unit && h("span", { class: "unit" }, ` ${column.unit}`)];
     const content = column.sortable
-      ? h("button", { type: "button", onclick: () => on_sort(column.key) }, text, h("span", { class: "arrow", "aria-hidden": "true" }))
+      ? h(
+          "button",
+          { type: "button", onclick: () => on_sort(column.key) },
+          text,
+          h("span", { class: "arrow", "aria-hidden": "true" }),
+        )
       : text;
     return h("th", { scope: "col", role: "columnheader", class: column.class }, content);
   });
-  const above = h("tr", { class: "spacer", "aria-hidden": "true" }, h("td", { colspan: columns.length }));
-  const below = h("tr", { class: "spacer", "aria-hidden": "true" }, h("td", { colspan: columns.length }));
+  const above = h(
+    "tr",
+    { class: "spacer", "aria-hidden": "true" },
+    h("td", { colspan: columns.length }),
+  );
+  const below = h(
+    "tr",
+    { class: "spacer", "aria-hidden": "true" },
+    h("td", { colspan: columns.length }),
+  );
   const body = h("tbody", { role: "rowgroup" });
-  const table = h("table", { class: "big", role: "table", "aria-label": label }, h("thead", { role: "rowgroup" }, h("tr", { role: "row" }, headings)), body);
-  const element = h("div", { class: "table-scroll", tabindex: "0", role: "region", "aria-label": label }, table);
+  const table = h(
+    "table",
+    { class: "big", role: "table", "aria-label": label },
+    h("thead", { role: "rowgroup" }, h("tr", { role: "row" }, headings)),
+    body,
+  );
+  const element = h(
+    "div",
+    { class: "table-scroll", tabindex: "0", role: "region", "aria-label": label },
+    table,
+  );
 
   function row_element(row, place) {
-    const cells = columns.map((column) => h("td", { role: "cell", class: column.class }, column.cell(row)));
-    const line = h("tr", { role: "row", "aria-rowindex": place + 2, class: place === active ? "active" : "" }, cells);
+    const cells = columns.map((column) =>
+      h("td", { role: "cell", class: column.class }, column.cell(row)),
+    );
+    const line = h(
+      "tr",
+      { role: "row", "aria-rowindex": place + 2, class: place === active ? "active" : "" },
+      cells,
+    );
     line.stiction_place = place;
     return line;
   }
@@ -58,7 +86,12 @@ export function big_table({ columns, label, on_sort, open }) {
     above.firstChild.style.setProperty("height", `${from * height}px`);
     below.firstChild.style.setProperty("height", `${(rows.length - to) * height}px`);
     const had_focus = body.contains(document.activeElement);
-    replace(body, above, rows.slice(from, to).map((row, i) => row_element(row, from + i)), below);
+    replace(
+      body,
+      above,
+      rows.slice(from, to).map((row, i) => row_element(row, from + i)),
+      below,
+    );
     if (had_focus) line_of(active)?.querySelector("a")?.focus({ preventScroll: true });
   }
 
@@ -92,7 +125,8 @@ export function big_table({ columns, label, on_sort, open }) {
   new ResizeObserver(() => render(false)).observe(element);
   body.addEventListener("click", (event) => {
     const line = event.target.closest("tr");
-    if (line?.stiction_place !== undefined && !event.target.closest("a")) open(rows[line.stiction_place]);
+    if (line?.stiction_place !== undefined && !event.target.closest("a"))
+      open(rows[line.stiction_place]);
   });
   body.addEventListener("focusin", (event) => {
     active = event.target.closest("tr")?.stiction_place ?? active;
@@ -115,7 +149,10 @@ export function big_table({ columns, label, on_sort, open }) {
       table.setAttribute("aria-rowcount", rows.length + 1);
       columns.forEach((column, i) => {
         const sorted = order.replace(/^-/, "") === column.key;
-        headings[i].setAttribute("aria-sort", sorted ? (order.startsWith("-") ? "descending" : "ascending") : "none");
+        headings[i].setAttribute(
+          "aria-sort",
+          sorted ? (order.startsWith("-") ? "descending" : "ascending") : "none",
+        );
       });
       element.scrollTop = 0;
       render(true);

@@ -7,9 +7,14 @@ const paper = matchMedia("print");
 const listeners = new Set();
 let chosen = null;
 
-export const current_theme = () => (paper.matches ? "light" : chosen ?? (dark.matches ? "dark" : "light"));
+export const current_theme = () =>
+  paper.matches ? "light" : (chosen ?? (dark.matches ? "dark" : "light"));
 
-export const on_theme = (listener) => listeners.add(listener);
+/** Tells `listener` of changes; gives the function that ends it. */
+export function on_theme(listener) {
+  listeners.add(listener);
+  return () => listeners.delete(listener);
+}
 
 function tell() {
   document.documentElement.dataset.theme = chosen ?? (dark.matches ? "dark" : "light");
@@ -24,10 +29,19 @@ export function start_theme() {
 
 export function theme_button() {
   const name = () => (current_theme() === "dark" ? "Light" : "Dark");
-  const button = h("button", { type: "button", class: "quiet", title: "Switch between light and dark", onclick: () => {
-    chosen = current_theme() === "dark" ? "light" : "dark";
-    tell();
-  } }, name());
+  const button = h(
+    "button",
+    {
+      type: "button",
+      class: "quiet",
+      title: "Switch between light and dark",
+      onclick: () => {
+        chosen = current_theme() === "dark" ? "light" : "dark";
+        tell();
+      },
+    },
+    name(),
+  );
   on_theme(() => (button.textContent = name()));
   return button;
 }

@@ -6,8 +6,16 @@ const box = h("div", { class: "tip", hidden: true, "aria-hidden": "true" });
 
 export function show_tip(event, value) {
   if (!box.isConnected) document.body.append(box);
-  const entries = typeof value === "object" ? Object.entries(value).filter(([, entry]) => entry !== "") : [["", value]];
-  replace(box, entries.map(([name, entry]) => h("div", {}, name && h("span", { class: "tip-name" }, `${name} `), String(entry))));
+  const entries =
+    typeof value === "object"
+      ? Object.entries(value).filter(([, entry]) => entry !== "")
+      : [["", value]];
+  replace(
+    box,
+    entries.map(([name, entry]) =>
+      h("div", {}, name && h("span", { class: "tip-name" }, `${name} `), String(entry)),
+    ),
+  );
   box.hidden = false;
   const { clientX, clientY } = event;
   const { width, height } = box.getBoundingClientRect();

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  DynamicDrawUsage,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+} from "three";
 import { body_colour } from "../plots/palette.js";
-
 
 /** The surfaces: {group, show(positions of all bodies), positions()}. */
 export function make_bodies(bodies, colours) {
@@ -13,10 +21,19 @@ export function make_bodies(bodies, colours) {
     geometry.setAttribute("position", positions);
     geometry.setIndex(new BufferAttribute(body.triangles, 1));
     const faces = new MeshLambertMaterial({
-      color: colours[body_colour(i)], flatShading: true, side: DoubleSide,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+      color: colours[body_colour(i)],
+      flatShading: true,
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
     });
-    const edges = new MeshBasicMaterial({ color: colours.$ink, wireframe: true, transparent: true, opacity: 0.22 });
+    const edges = new MeshBasicMaterial({
+      color: colours.$ink,
+      wireframe: true,
+      transparent: true,
+      opacity: 0.22,
+    });
     for (const material of [faces, edges]) {
       const mesh = new Mesh(geometry, material);
       mesh.frustumCulled = false;

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One recording in one canvas. Draws only when told to: a page at rest costs nothing.
-import { Color, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import {
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { make_bodies } from "./bodies.js";
 import { make_contacts } from "./contacts.js";
@@ -27,7 +36,11 @@ export function make_scene(canvas, recording, view, colours) {
   const bodies = make_bodies(recording.bodies, colours);
   const contacts = make_contacts(radius, view.force, colours);
   // The recorded world, turned about the centre so that gravity points down.
-  const world = new Group().add(bodies.group, contacts.group, ...recording.planes.map((plane) => make_plane(plane, centre, radius, colours)));
+  const world = new Group().add(
+    bodies.group,
+    contacts.group,
+    ...recording.planes.map((plane) => make_plane(plane, centre, radius, colours)),
+  );
   world.position.copy(centre).negate();
   const upright = new Group().add(world);
   upright.position.copy(centre);
@@ -36,7 +49,9 @@ export function make_scene(canvas, recording, view, colours) {
 
   const camera = new PerspectiveCamera(35, 1, radius / 100, radius * 100);
   camera.up.set(0, 0, 1);
-  camera.position.copy(centre).add(new Vector3(-0.9, -2.6, 1.3).normalize().multiplyScalar(2.9 * radius));
+  camera.position
+    .copy(centre)
+    .add(new Vector3(-0.9, -2.6, 1.3).normalize().multiplyScalar(2.9 * radius));
   const controls = new OrbitControls(camera, canvas);
   controls.target.copy(centre);
   controls.enableZoom = false; // until the player is focused: the wheel scrolls the page
@@ -82,6 +97,7 @@ export function make_scene(canvas, recording, view, colours) {
     dispose() {
       controls.dispose();
       renderer.dispose();
+      renderer.forceContextLoss(); // a browser gives only so many
     },
   };
 }

@@ -10,7 +10,12 @@ const LOG_LABELS =
   "'1e' + format(round(log(datum.value) / LN10), 'd')) : ''";
 
 /** A linear or logarithmic axis named by a quantity with its unit. */
-export function quantity_axis(field, name, unit, { log = false, zero = false, domain, grid = true } = {}) {
+export function quantity_axis(
+  field,
+  name,
+  unit,
+  { log = false, zero = false, domain, grid = true } = {},
+) {
   return {
     field,
     type: "quantitative",
@@ -23,11 +28,17 @@ export function quantity_axis(field, name, unit, { log = false, zero = false, do
     axis: {
       title: `${name_with_unit(name, unit)} `, // the space as in names.js
       grid,
-      ...(log ? { labelExpr: LOG_LABELS, tickCount: 8, labelOverlap: true, gridOpacity: { condition: { test: IS_DECADE, value: 1 }, value: 0 } } : { tickCount: 6 }),
+      ...(log
+        ? {
+            labelExpr: LOG_LABELS,
+            tickCount: 8,
+            labelOverlap: true,
+            gridOpacity: { condition: { test: IS_DECADE, value: 1 }, value: 0 },
+          }
+        : { tickCount: 6 }),
     },
   };
 }
-
 
 /** Whether a logarithmic axis says more: nothing negative and three decades or more between. */
 export function wants_log(values) {

@@ -11,29 +11,71 @@ const FONT = "system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, san
 // As many of a legend's entries stand in a row as there is room for; names are the literals of the
 // labels' expressions.
 function legend_columns(spec, width) {
-  const channels = [spec, ...(spec.layer ?? [])].flatMap(({ encoding }) => Object.values(encoding ?? {}));
+  const channels = [spec, ...(spec.layer ?? [])].flatMap(({ encoding }) =>
+    Object.values(encoding ?? {}),
+  );
   const names = channels.flatMap(({ legend }) => legend?.labelExpr?.match(/"[^"]*"/g) ?? []);
-  const letters = names.reduce((most, name) => Math.max(most, name.replace(/\\u.{4}/g, "x").length - 2), 0);
+  const letters = names.reduce(
+    (most, name) => Math.max(most, name.replace(/\\u.{4}/g, "x").length - 2),
+    0,
+  );
   return Math.max(1, Math.floor(width / (6.5 * Math.min(letters, 50) + 44)));
 }
 
 function config_of(colours, columns) {
-  const text = { labelFont: FONT, titleFont: FONT, labelColor: colours.$muted, titleColor: colours.$ink };
+  const text = {
+    labelFont: FONT,
+    titleFont: FONT,
+    labelColor: colours.$muted,
+    titleColor: colours.$ink,
+  };
   return {
     background: null,
     font: FONT,
     view: { stroke: null },
     mark: { aria: false },
     axis: {
-      ...text, aria: false, labelFontSize: 11, titleFontSize: 12, titleFontWeight: 500, gridColor: colours.$grid,
-      domainColor: colours.$axis, tickColor: colours.$axis, titlePadding: 8, labelLimit: 240,
+      ...text,
+      aria: false,
+      labelFontSize: 11,
+      titleFontSize: 12,
+      titleFontWeight: 500,
+      gridColor: colours.$grid,
+      domainColor: colours.$axis,
+      tickColor: colours.$axis,
+      titlePadding: 8,
+      labelLimit: 240,
     },
     legend: {
-      ...text, aria: false, orient: "top", columns, title: null, labelFontSize: 12, labelLimit: 320, symbolStrokeWidth: 2,
+      ...text,
+      aria: false,
+      orient: "top",
+      columns,
+      title: null,
+      labelFontSize: 12,
+      labelLimit: 320,
+      symbolStrokeWidth: 2,
     },
-    title: { aria: false, color: colours.$ink, font: FONT, fontSize: 13, fontWeight: 600, anchor: "start" },
+    title: {
+      aria: false,
+      color: colours.$ink,
+      font: FONT,
+      fontSize: 13,
+      fontWeight: 600,
+      anchor: "start",
+    },
     text: { font: FONT, fontSize: 11 },
-    range: { category: [colours.$s0, colours.$s1, colours.$s2, colours.$s3, colours.$s4, colours.$s5, colours.$s6] },
+    range: {
+      category: [
+        colours.$s0,
+        colours.$s1,
+        colours.$s2,
+        colours.$s3,
+        colours.$s4,
+        colours.$s5,
+        colours.$s6,
+      ],
+    },
   };
 }
 
@@ -45,13 +87,26 @@ const no_loader = {
   file: () => Promise.reject(new Error("plots load nothing")),
 };
 
-const quiet = { level: () => quiet, error: () => quiet, warn: () => quiet, info: () => quiet, debug: () => quiet };
+const quiet = {
+  level: () => quiet,
+  error: () => quiet,
+  warn: () => quiet,
+  info: () => quiet,
+  debug: () => quiet,
+};
 
 /** A Vega view of a specification, `width` pixels in all. */
 export function view_of(spec, theme, width, options = {}) {
   const colours = PALETTES[theme];
-  const sized = { ...painted(spec, colours), width, autosize: { type: "fit-x", contains: "padding" } };
-  const { spec: vega } = compile(sized, { config: config_of(colours, legend_columns(spec, width)), logger: quiet });
+  const sized = {
+    ...painted(spec, colours),
+    width,
+    autosize: { type: "fit-x", contains: "padding" },
+  };
+  const { spec: vega } = compile(sized, {
+    config: config_of(colours, legend_columns(spec, width)),
+    logger: quiet,
+  });
   return new View(parse(vega, undefined, { ast: true }), {
     expr: expressionInterpreter,
     loader: no_loader,

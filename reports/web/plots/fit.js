@@ -5,7 +5,9 @@
  * fewer than two points with different x are positive.
  */
 export function power_law(points) {
-  const logs = points.filter(({ x, y }) => x > 0 && y > 0).map(({ x, y }) => [Math.log(x), Math.log(y)]);
+  const logs = points
+    .filter(({ x, y }) => x > 0 && y > 0)
+    .map(({ x, y }) => [Math.log(x), Math.log(y)]);
   if (logs.length < 2) return null;
   const mean = (place) => logs.reduce((sum, one) => sum + one[place], 0) / logs.length;
   const [mean_x, mean_y] = [mean(0), mean(1)];

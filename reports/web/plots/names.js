@@ -13,7 +13,11 @@ const literal = (text) =>
  */
 export function numbered(names) {
   const places = new Map(names.map((name, place) => [name, place]));
-  return { key_of: (name) => places.get(name), keys: names.map((_, place) => place), labels: `[${names.map(literal).join(",")}][datum.value]` };
+  return {
+    key_of: (name) => places.get(name),
+    keys: names.map((_, place) => place),
+    labels: `[${names.map(literal).join(",")}][datum.value]`,
+  };
 }
 
 /** A tooltip's entry; the colon keeps a name from being a key that objects have already. */
@@ -26,5 +30,12 @@ export const name_axis = (field, rows, axis = {}) => ({
   type: "ordinal",
   sort: null,
   scale: { domain: rows.keys },
-  axis: { title: null, ticks: false, domain: false, labelExpr: rows.labels, labelLimit: 240, ...axis },
+  axis: {
+    title: null,
+    ticks: false,
+    domain: false,
+    labelExpr: rows.labels,
+    labelLimit: 240,
+    ...axis,
+  },
 });

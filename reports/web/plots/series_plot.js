@@ -12,7 +12,9 @@ const STROKES = { symbolType: "stroke", symbolSize: 400 };
 /** One of the variants' channels (colour, dash, shape) over data's `variant_key`. `variants`: numbered(). */
 export function variant_channel(variants, range, legend = {}) {
   return {
-    field: "variant_key", type: "ordinal", scale: { domain: variants.keys, range },
+    field: "variant_key",
+    type: "ordinal",
+    scale: { domain: variants.keys, range },
     legend: variants.keys.length > 1 ? { labelExpr: variants.labels, ...legend } : null,
   };
 }
@@ -23,7 +25,12 @@ export function series_plot(curves) {
   const { name, unit, x_name, x_unit } = shown[0].series;
   const variants = numbered(shown.map(({ label }) => label));
   const values = shown.flatMap(({ label, series }) =>
-    series.x.map((x, i) => ({ variant: label, variant_key: variants.key_of(label), x: rounded(to_number(x)), y: rounded(to_number(series.y[i])) })),
+    series.x.map((x, i) => ({
+      variant: label,
+      variant_key: variants.key_of(label),
+      x: rounded(to_number(x)),
+      y: rounded(to_number(series.y[i])),
+    })),
   );
   const ys = values.map(({ y }) => y).filter((y) => y !== null);
   const log = wants_log(ys);
@@ -44,8 +51,24 @@ export function series_plot(curves) {
         color: variant_channel(variants, SERIES_COLOURS, STROKES),
         strokeDash: variant_channel(variants, SERIES_DASHES, STROKES),
         // The first is thick and pale, later ones lie on it: equal curves are both seen.
-        strokeWidth: { field: "variant_key", type: "ordinal", scale: { domain: variants.keys, range: shown.map((_, i) => (i === 0 && shown.length > 1 ? 5 : 1.75)) }, legend: null },
-        opacity: { field: "variant_key", type: "ordinal", scale: { domain: variants.keys, range: shown.map((_, i) => (i === 0 && shown.length > 1 ? 0.45 : 1)) }, legend: null },
+        strokeWidth: {
+          field: "variant_key",
+          type: "ordinal",
+          scale: {
+            domain: variants.keys,
+            range: shown.map((_, i) => (i === 0 && shown.length > 1 ? 5 : 1.75)),
+          },
+          legend: null,
+        },
+        opacity: {
+          field: "variant_key",
+          type: "ordinal",
+          scale: {
+            domain: variants.keys,
+            range: shown.map((_, i) => (i === 0 && shown.length > 1 ? 0.45 : 1)),
+          },
+          legend: null,
+        },
         tooltip: [tip("variant", "variant"), tip_number("x", x_name), tip_number("y", name)],
       },
     },

@@ -27,7 +27,9 @@ function error_of(record) {
 // Largest ÷ smallest.
 function spread(points, field) {
   const values = points.map((point) => point[field]);
-  return values.reduce((a, b) => Math.max(a, b), 0) / values.reduce((a, b) => Math.min(a, b), Infinity);
+  return (
+    values.reduce((a, b) => Math.max(a, b), 0) / values.reduce((a, b) => Math.min(a, b), Infinity)
+  );
 }
 
 /**
@@ -37,7 +39,10 @@ function spread(points, field) {
 export function work_precision_plot(entries) {
   const points = entries
     .map(({ variant, record }) => ({
-      variant, case: record.case, seconds: to_number(record.cost.cpu_seconds), error: error_of(record),
+      variant,
+      case: record.case,
+      seconds: to_number(record.cost.cpu_seconds),
+      error: error_of(record),
     }))
     .filter(({ seconds, error }) => seconds > 0 && error !== null);
   if (!(spread(points, "seconds") >= TELLING || spread(points, "error") >= TELLING)) return null;
@@ -45,43 +50,101 @@ export function work_precision_plot(entries) {
   const cases = variants.map(([, group]) => new Set(group.map((point) => point.case)));
   const shared = [...cases[0]].filter((name) => cases.every((set) => set.has(name)));
   const is_shared = new Set(shared);
-  const sums = variants.length < 2 || shared.length === 0 ? [] : variants.map(([variant, group]) => {
-    const counted = group.filter((point) => is_shared.has(point.case));
-    return {
-      variant,
-      case: `${shared.length} shared case${shared.length > 1 ? "s" : ""}`,
-      seconds: counted.reduce((sum, { seconds }) => sum + seconds, 0),
-      error: counted.reduce((most, { error }) => Math.max(most, error), 0),
-    };
-  });
+  const sums =
+    variants.length < 2 || shared.length === 0
+      ? []
+      : variants.map(([variant, group]) => {
+          const counted = group.filter((point) => is_shared.has(point.case));
+          return {
+            variant,
+            case: `${shared.length} shared case${shared.length > 1 ? "s" : ""}`,
+            seconds: counted.reduce((sum, { seconds }) => sum + seconds, 0),
+            error: counted.reduce((most, { error }) => Math.max(most, error), 0),
+          };
+        });
   const candidates = sums.length > 0 ? sums : points;
-  const front = pareto_front(candidates, ({ seconds }) => seconds, ({ error }) => error);
+  const front = pareto_front(
+    candidates,
+    ({ seconds }) => seconds,
+    ({ error }) => error,
+  );
   const names = numbered(variants.map(([variant]) => variant).slice(0, MOST_VARIANTS));
-  const round = (list) => list.map((point) => ({ ...point, variant_key: names.key_of(point.variant) ?? MOST_VARIANTS - 1, seconds: rounded(point.seconds), error: rounded(point.error) }));
+  const round = (list) =>
+    list.map((point) => ({
+      ...point,
+      variant_key: names.key_of(point.variant) ?? MOST_VARIANTS - 1,
+      seconds: rounded(point.seconds),
+      error: rounded(point.error),
+    }));
   const all = [...points, ...sums];
   const encoding = {
-    x: quantity_axis("seconds", "CPU time", "s", { log: true, domain: log_domain(all.map(({ seconds }) => seconds)) }),
-    y: quantity_axis("error", "relative error of the least precise check", "1", { log: true, domain: log_domain(all.map(({ error }) => error)) }),
+    x: quantity_axis("seconds", "CPU time", "s", {
+      log: true,
+      domain: log_domain(all.map(({ seconds }) => seconds)),
+    }),
+    y: quantity_axis("error", "relative error of the least precise check", "1", {
+      log: true,
+      domain: log_domain(all.map(({ error }) => error)),
+    }),
     color: variant_channel(names, SERIES_COLOURS),
     shape: variant_channel(names, SERIES_SHAPES),
-    tooltip: [tip("case", "case"), tip("variant", "variant"), tip_number("seconds", "CPU s"), tip_number("error", "relative error")],
+    tooltip: [
+      tip("case", "case"),
+      tip("variant", "variant"),
+      tip_number("seconds", "CPU s"),
+      tip_number("error", "relative error"),
+    ],
   };
-  const on_front = front.map(({ variant, case: name, seconds }) =>
-    `${sums.length > 0 ? variant : name} (${format_seconds(seconds)} s)`).slice(0, 4).join(", ");
+  const on_front = front
+    .map(
+      ({ variant, case: name, seconds }) =>
+        `${sums.length > 0 ? variant : name} (${format_seconds(seconds)} s)`,
+    )
+    .slice(0, 4)
+    .join(", ");
   return {
     title: "Work and precision",
-    caption: `Lower left is better. Dashed: Pareto front, ${on_front}${front.length > 4 ? ", …" : ""}.` +
-      (sums.length > 0 ? ` Large marks: each variant over the ${shared.length} case${shared.length > 1 ? "s" : ""} that all variants ran (sum of times, worst error).` : ""),
+    caption:
+      `Lower left is better. Dashed: Pareto front, ${on_front}${front.length > 4 ? ", …" : ""}.` +
+      (sums.length > 0
+        ? ` Large marks: each variant over the ${shared.length} case${shared.length > 1 ? "s" : ""} that all variants ran (sum of times, worst error).`
+        : ""),
     description: `Relative error over CPU time of ${points.length} records.`,
     spec: {
       height: 260,
       layer: [
-        { data: { values: round(front) }, mark: { type: "line", color: "$muted", strokeDash: [5, 4], strokeWidth: 1.5, interpolate: "step-after" },
-          encoding: { x: encoding.x, y: encoding.y } },
-        { data: { values: round(points.slice(0, MOST_POINTS)) }, mark: { type: "point", size: 38, strokeWidth: 1.6, opacity: 0.75, cursor: "pointer" }, encoding },
+        {
+          data: { values: round(front) },
+          mark: {
+            type: "line",
+            color: "$muted",
+            strokeDash: [5, 4],
+            strokeWidth: 1.5,
+            interpolate: "step-after",
+          },
+          encoding: { x: encoding.x, y: encoding.y },
+        },
+        {
+          data: { values: round(points.slice(0, MOST_POINTS)) },
+          mark: { type: "point", size: 38, strokeWidth: 1.6, opacity: 0.75, cursor: "pointer" },
+          encoding,
+        },
         ...(sums.length > 0
-          ? [{ data: { values: round(sums) }, mark: { type: "point", filled: true, opacity: 1 },
-              encoding: { ...encoding, size: { field: "variant_key", type: "ordinal", scale: { domain: names.keys, range: SUM_SIZES.slice(0, names.keys.length) }, legend: null } } }]
+          ? [
+              {
+                data: { values: round(sums) },
+                mark: { type: "point", filled: true, opacity: 1 },
+                encoding: {
+                  ...encoding,
+                  size: {
+                    field: "variant_key",
+                    type: "ordinal",
+                    scale: { domain: names.keys, range: SUM_SIZES.slice(0, names.keys.length) },
+                    legend: null,
+                  },
+                },
+              },
+            ]
           : []),
       ],
     },

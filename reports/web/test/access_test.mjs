@@ -15,9 +15,22 @@ before(async () => {
 });
 after(() => browser.close());
 
-const VIEWS = ["#summary", "#cases", "#case=incline/stop/mu=0.3", "#case=clamp/hold", "#family=incline/threshold", "#plots", "#compare", "#about"];
+const VIEWS = [
+  "#summary",
+  "#cases",
+  "#case=incline/stop/mu=0.3",
+  "#case=clamp/hold",
+  "#family=incline/threshold",
+  "#plots",
+  "#compare",
+  "#about",
+];
 
-for (const [name, options] of Object.entries({ light: {}, dark: { dark: true }, narrow: { width: 400, height: 800 } })) {
+for (const [name, options] of Object.entries({
+  light: {},
+  dark: { dark: true },
+  narrow: { width: 400, height: 800 },
+})) {
   test(`axe finds nothing serious: ${name}`, async () => {
     const page = await browser.open(file, options);
     await page.evaluate(axe_source);
@@ -26,9 +39,20 @@ for (const [name, options] of Object.entries({ light: {}, dark: { dark: true }, 
       await page.evaluate((next) => (location.hash = next), hash);
       await page.waitForTimeout(250);
       await draw_plots(page);
-      const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+      const { violations } = await page.evaluate(() =>
+        globalThis.axe.run(document, { resultTypes: ["violations"] }),
+      );
       for (const { id, impact, nodes } of violations) {
-        if (["serious", "critical"].includes(impact)) found.push(`${hash}: ${id}: ${nodes.slice(0, 3).map(({ html, failureSummary }) => `${html.slice(0, 160)} ${failureSummary.slice(0, 200)}`).join(" | ")}`);
+        if (["serious", "critical"].includes(impact))
+          found.push(
+            `${hash}: ${id}: ${nodes
+              .slice(0, 3)
+              .map(
+                ({ html, failureSummary }) =>
+                  `${html.slice(0, 160)} ${failureSummary.slice(0, 200)}`,
+              )
+              .join(" | ")}`,
+          );
       }
     }
     assert.deepEqual(found, []);

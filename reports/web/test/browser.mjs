@@ -13,30 +13,49 @@ export const axe_source = readFileSync(require.resolve("axe-core/axe.min.js"), "
 
 const EXECUTABLE = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const FLAGS = [
-  "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+  "--no-sandbox",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
 ];
 const WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
 
 /** {open(file, {hash, width, height, dark, wait}), close()}; each page has `faults`, a list of sentences. */
 export async function start_browser({ webgl = true } = {}) {
-  const browser = await chromium.launch({ executablePath: EXECUTABLE, headless: true, args: [...FLAGS, ...(webgl ? WITH_WEBGL : WITHOUT_WEBGL)] });
+  const browser = await chromium.launch({
+    executablePath: EXECUTABLE,
+    headless: true,
+    args: [...FLAGS, ...(webgl ? WITH_WEBGL : WITHOUT_WEBGL)],
+  });
   return {
     async open(file, { hash = "", width = 1400, height = 900, dark = false, wait = true } = {}) {
-      const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? "dark" : "light" });
+      const context = await browser.newContext({
+        viewport: { width, height },
+        colorScheme: dark ? "dark" : "light",
+      });
       const page = await context.newPage();
       page.faults = [];
       const own = pathToFileURL(file).href;
       await context.route("**/*", (route) => {
         const url = route.request().url();
-        if (url.split("#")[0] !== own && !url.startsWith("data:")) page.faults.push(`request: ${url}`);
+        if (url.split("#")[0] !== own && !url.startsWith("data:"))
+          page.faults.push(`request: ${url}`);
         return route.continue();
       });
       page.on("request", (request) => {
         const url = request.url();
-        if (url.split("#")[0] !== own && !/^(data|blob):/.test(url)) page.faults.push(`request: ${url}`);
+        if (url.split("#")[0] !== own && !/^(data|blob):/.test(url))
+          page.faults.push(`request: ${url}`);
       });
-      page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.faults.push(`console: ${message.text()}`));
+      page.on(
+        "console",
+        (message) =>
+          ["error", "warning"].includes(message.type()) &&
+          page.faults.push(`console: ${message.text()}`),
+      );
       page.on("pageerror", (error) => page.faults.push(`exception: ${error.message}`));
       page.on("dialog", (dialog) => page.faults.push(`dialog: ${dialog.message()}`));
       const start = Date.now();
@@ -55,6 +74,14 @@ export async function draw_plots(page) {
     await plot.scrollIntoViewIfNeeded();
     await plot.locator("svg").waitFor({ timeout: 10_000 });
   }
-  return page.locator(".plot-canvas").evaluateAll((plots) =>
-    plots.map((plot) => plot.querySelectorAll(".mark-symbol path, .mark-line path, .mark-rect path, .mark-rule line, .mark-area path").length));
+  return page
+    .locator(".plot-canvas")
+    .evaluateAll((plots) =>
+      plots.map(
+        (plot) =>
+          plot.querySelectorAll(
+            ".mark-symbol path, .mark-line path, .mark-rect path, .mark-rule line, .mark-area path",
+          ).length,
+      ),
+    );
 }

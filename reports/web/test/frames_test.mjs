@@ -28,27 +28,61 @@ test("what C++ wrote is read", () => {
 });
 
 test("gravity tells the way up, also while nothing weighs yet", () => {
-  const header = { title: "", bodies: [], planes: [], low: [0, 0, 0], high: [1, 1, 1], force: 0, times: [0, 1, 2, 3], gravity: [[0, 0, 0], [0, -3, -4], [0, 0, -2], [0, 0, 0]], contacts: [0, 0, 0, 0] };
+  const header = {
+    title: "",
+    bodies: [],
+    planes: [],
+    low: [0, 0, 0],
+    high: [1, 1, 1],
+    force: 0,
+    times: [0, 1, 2, 3],
+    gravity: [
+      [0, 0, 0],
+      [0, -3, -4],
+      [0, 0, -2],
+      [0, 0, 0],
+    ],
+    contacts: [0, 0, 0, 0],
+  };
   const text = JSON.stringify(header);
   const all = new Uint8Array(12 + Math.ceil(text.length / 4) * 4).fill(32);
   all.set(new TextEncoder().encode("STFR"));
   new DataView(all.buffer).setUint32(4, 1, true);
   new DataView(all.buffer).setUint32(8, all.length - 12, true);
   all.set(new TextEncoder().encode(text), 12);
-  assert.deepEqual(decode_frames(all.buffer).ups, [[0, 0.6, 0.8], [0, 0.6, 0.8], [0, 0, 1], [0, 0, 1]]);
+  assert.deepEqual(decode_frames(all.buffer).ups, [
+    [0, 0.6, 0.8],
+    [0, 0.6, 0.8],
+    [0, 0, 1],
+    [0, 0, 1],
+  ]);
 });
 
 test("cut off, lengthened or foreign bytes are refused", () => {
-  for (let length = 0; length < bytes.byteLength; length += 11) assert.throws(() => decode_frames(bytes.slice(0, length)), /cannot be read/);
+  for (let length = 0; length < bytes.byteLength; length += 11)
+    assert.throws(() => decode_frames(bytes.slice(0, length)), /cannot be read/);
   assert.throws(() => decode_frames(new Uint8Array([...file, 0]).buffer), /bytes instead of/);
-  assert.throws(() => decode_frames(new TextEncoder().encode("{}".padEnd(64)).buffer), /no frames file/);
+  assert.throws(
+    () => decode_frames(new TextEncoder().encode("{}".padEnd(64)).buffer),
+    /no frames file/,
+  );
   const newer = bytes.slice(0);
   new DataView(newer).setUint32(4, 2, true);
   assert.throws(() => decode_frames(newer), /version, 2, is newer/);
 });
 
 test("a header cannot ask for more than the file holds", () => {
-  const header = JSON.stringify({ title: "", bodies: [{ name: "x", vertices: 4294967295, triangles: 4294967295 }], planes: [], low: [0, 0, 0], high: [1, 1, 1], force: 0, times: [0], gravity: [[0, 0, -9.81]], contacts: [4294967295] });
+  const header = JSON.stringify({
+    title: "",
+    bodies: [{ name: "x", vertices: 4294967295, triangles: 4294967295 }],
+    planes: [],
+    low: [0, 0, 0],
+    high: [1, 1, 1],
+    force: 0,
+    times: [0],
+    gravity: [[0, 0, -9.81]],
+    contacts: [4294967295],
+  });
   const padded = header.padEnd(Math.ceil(header.length / 4) * 4);
   const all = new Uint8Array(12 + padded.length);
   all.set(new TextEncoder().encode("STFR"));

@@ -12,19 +12,40 @@ after(() => browser.close());
 
 test("markup in names stays text in every view", async () => {
   const run = make_run(lines_of(hostile_records()));
-  const file = make_page(run, "--against", make_run(lines_of(hostile_records()), "before"), "--title", `</title><script>globalThis.hacked=1</script>`);
+  const file = make_page(
+    run,
+    "--against",
+    make_run(lines_of(hostile_records()), "before"),
+    "--title",
+    `</title><script>globalThis.hacked=1</script>`,
+  );
   const page = await browser.open(file);
-  const links = await page.locator("main a").evaluateAll((all) => all.map((link) => link.getAttribute("href")));
+  const links = await page
+    .locator("main a")
+    .evaluateAll((all) => all.map((link) => link.getAttribute("href")));
   for (const hash of ["#summary", "#cases", "#plots", "#compare", "#about", ...links]) {
     await page.evaluate((next) => (location.hash = next), hash);
     await page.waitForTimeout(150);
     await draw_plots(page);
-    assert.doesNotMatch(await page.locator("main").innerText(), /There is no such|cannot be (shown|drawn)/, hash);
+    assert.doesNotMatch(
+      await page.locator("main").innerText(),
+      /There is no such|cannot be (shown|drawn)/,
+      hash,
+    );
   }
   assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
   assert.equal(await page.locator("img").count(), 0);
-  assert.match(await page.evaluate(() => { location.hash = "#summary"; return document.title; }), /<script>/);
-  await page.evaluate((next) => (location.hash = next), links.find((href) => href.startsWith("#case=")));
+  assert.match(
+    await page.evaluate(() => {
+      location.hash = "#summary";
+      return document.title;
+    }),
+    /<script>/,
+  );
+  await page.evaluate(
+    (next) => (location.hash = next),
+    links.find((href) => href.startsWith("#case=")),
+  );
   await page.locator(".claim").waitFor();
   const text = await page.locator("main").innerText();
   assert.match(text, /<img src=x onerror=/);

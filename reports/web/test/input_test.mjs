@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program says to input that is not as it should be.
 import assert from "node:assert/strict";
-import { existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { HOSTILE, lines_of, make_run, record, varied_records } from "./records.mjs";
@@ -40,7 +47,10 @@ test("nothing to show is refused in words", () => {
   refused([make_run('{"schema_version":1')], /line 1 is cut off/);
   refused([make_run(good), "--limit", "none"], /--limit needs a number/);
   refused([make_run(good), "--no-such-option"], /no-such-option/);
-  refused([make_run(good), "--out", "/proc/none/report.html"], /cannot write \/proc\/none\/report\.html/);
+  refused(
+    [make_run(good), "--out", "/proc/none/report.html"],
+    /cannot write \/proc\/none\/report\.html/,
+  );
 });
 
 test("a newer schema is named", () => {
@@ -62,7 +72,15 @@ test("a last line without its line break is a record all the same", () => {
 });
 
 test("broken lines are named and left out", () => {
-  const bad = [{ ...record(), checks: undefined }, { ...record(), verdict: "maybe" }, { ...record(), cost: { ...record().cost, steps: -1 } }, { ...record(), series: [{ name: "", unit: "", x_name: "", x_unit: "", x: [1], y: [] }] }, [], null, 7];
+  const bad = [
+    { ...record(), checks: undefined },
+    { ...record(), verdict: "maybe" },
+    { ...record(), cost: { ...record().cost, steps: -1 } },
+    { ...record(), series: [{ name: "", unit: "", x_name: "", x_unit: "", x: [1], y: [] }] },
+    [],
+    null,
+    7,
+  ];
   const { status, err } = report(make_run(good + lines_of(bad)));
   assert.equal(status, 0);
   assert.match(err, /line 3: checks: the required field is missing/);
@@ -74,7 +92,10 @@ test("broken lines are named and left out", () => {
 
 test("a fault deep in a record is named by its path", () => {
   const checks = [record().checks[0], { ...record().checks[0], value: "7" }];
-  assert.match(report(make_run(good + lines_of([record({ checks })]))).err, /line 3: checks\[1\]\.value: expected a number/);
+  assert.match(
+    report(make_run(good + lines_of([record({ checks })]))).err,
+    /line 3: checks\[1\]\.value: expected a number/,
+  );
 });
 
 test("fields that a reader does not know, and missing ones that it need not, are no fault", () => {
@@ -89,7 +110,13 @@ test("of several runs a broken one is left out", () => {
 });
 
 test("a recording that is missing, broken or outside the run is left out", () => {
-  const folder = make_run(lines_of(["frames/none.bin", "frames/bad.bin", "../box.bin", "/etc/passwd"].map((frames, i) => record({ case: `case ${i}`, frames }))));
+  const folder = make_run(
+    lines_of(
+      ["frames/none.bin", "frames/bad.bin", "../box.bin", "/etc/passwd"].map((frames, i) =>
+        record({ case: `case ${i}`, frames }),
+      ),
+    ),
+  );
   mkdirSync(join(folder, "frames"), { recursive: true });
   writeFileSync(join(folder, "frames", "bad.bin"), "STFR but cut off");
   const { status, err } = report(folder);
@@ -101,7 +128,21 @@ test("a recording that is missing, broken or outside the run is left out", () =>
 });
 
 test("the size limit leaves out what is largest and says so", () => {
-  const big = Array.from({ length: 400 }, (_, i) => record({ case: `big/${i}`, series: [{ name: "noise", unit: "1", x_name: "time", x_unit: "s", x: Array.from({ length: 300 }, (_, k) => k), y: Array.from({ length: 300 }, (_, k) => Math.sin(i * 1000 + k * k)) }] }));
+  const big = Array.from({ length: 400 }, (_, i) =>
+    record({
+      case: `big/${i}`,
+      series: [
+        {
+          name: "noise",
+          unit: "1",
+          x_name: "time",
+          x_unit: "s",
+          x: Array.from({ length: 300 }, (_, k) => k),
+          y: Array.from({ length: 300 }, (_, k) => Math.sin(i * 1000 + k * k)),
+        },
+      ],
+    }),
+  );
   const folder = make_run(lines_of(big));
   const { err, out } = report(folder, "--limit", "1.0");
   assert.match(err, /were left out, largest first/);
@@ -116,7 +157,16 @@ test("each plot becomes an SVG file", () => {
   assert.equal(status, 0);
   const files = readdirSync(svg);
   assert.match(out, new RegExp(`Plots: ${files.length} SVG files`));
-  for (const kind of ["overview", "series", "convergence", "scaling", "threshold", "prediction", "work-precision", "phases"]) {
+  for (const kind of [
+    "overview",
+    "series",
+    "convergence",
+    "scaling",
+    "threshold",
+    "prediction",
+    "work-precision",
+    "phases",
+  ]) {
     const name = files.find((file) => file.includes(kind));
     assert.ok(name, `no ${kind} plot`);
     const text = readFileSync(join(svg, name), "utf8");
@@ -127,7 +177,14 @@ test("each plot becomes an SVG file", () => {
 });
 
 test("SVG files of hostile names are plain files with escaped text", () => {
-  const folder = make_run(lines_of([record({ case: `../../x/${HOSTILE}`, series: [{ name: HOSTILE, unit: "m", x_name: "time", x_unit: "s", x: [1, 2], y: [1, 2] }] })]));
+  const folder = make_run(
+    lines_of([
+      record({
+        case: `../../x/${HOSTILE}`,
+        series: [{ name: HOSTILE, unit: "m", x_name: "time", x_unit: "s", x: [1, 2], y: [1, 2] }],
+      }),
+    ]),
+  );
   report(folder, "--svg", join(folder, "plots"));
   for (const name of readdirSync(join(folder, "plots"))) {
     assert.match(name, /^[\w.=-]+\.svg$/);
@@ -140,5 +197,8 @@ test("the policy forbids everything but the page's own scripts and style", () =>
   const policy = /Content-Security-Policy" content="([^"]+)"/.exec(html)[1];
   assert.match(policy, /default-src 'none'/);
   assert.doesNotMatch(policy, /unsafe|http|connect-src|\*/);
-  assert.doesNotMatch(html.replace(/<script type="text\/plain"[^]*?<\/script>/g, ""), /(src|href)="(?!data:)/);
+  assert.doesNotMatch(
+    html.replace(/<script type="text\/plain"[^]*?<\/script>/g, ""),
+    /(src|href)="(?!data:)/,
+  );
 });

@@ -58,8 +58,13 @@ test("they are searched, sorted and scrolled within a second each", async () => 
     await page.waitForFunction(() => document.querySelector("td.c-digits").textContent === "3.0");
   });
   await within("scrolling to the end", async () => {
-    await page.locator(".table-scroll").evaluate((element) => (element.scrollTop = element.scrollHeight));
-    await page.waitForFunction((count) => document.querySelector(`tr[aria-rowindex="${count + 1}"]`) !== null, COUNT);
+    await page
+      .locator(".table-scroll")
+      .evaluate((element) => (element.scrollTop = element.scrollHeight));
+    await page.waitForFunction(
+      (count) => document.querySelector(`tr[aria-rowindex="${count + 1}"]`) !== null,
+      COUNT,
+    );
   });
   await page.locator(".c-case a").last().click();
   await page.locator(".claim").waitFor();

@@ -15,7 +15,10 @@ before(async () => {
 after(() => browser.close());
 
 const loaded = (page) => page.locator(".player[data-loaded]").waitFor();
-const first_x = (page) => page.locator(".player").evaluate((player) => player.stiction_positions().map((positions) => positions[0]));
+const first_x = (page) =>
+  page
+    .locator(".player")
+    .evaluate((player) => player.stiction_positions().map((positions) => positions[0]));
 const frame = (page) => page.locator(".player").getAttribute("data-frame");
 
 test("two runs of a case are shown side by side and move together", async () => {
@@ -28,7 +31,10 @@ test("two runs of a case are shown side by side and move together", async () => 
   await page.locator(".player input[type=range]").fill("40");
   const end = await first_x(page);
   for (const x of end) assert.ok(Math.abs(x - 0.9) < 1e-4, `the box stands at ${x}`);
-  assert.match(await page.locator(".contact-words").first().innerText(), /4 stick, 0 slip · 9\.8 N normal, 0 N friction/);
+  assert.match(
+    await page.locator(".contact-words").first().innerText(),
+    /4 stick, 0 slip · 9\.8 N normal, 0 N friction/,
+  );
   assert.deepEqual(page.faults, []);
 });
 
@@ -93,12 +99,16 @@ test("turning one camera turns the other", async () => {
 
 test("of three recordings two are chosen", async () => {
   const rules = ["none", "fixed-point", "secant"];
-  const run = make_run(lines_of(rules.map((rule) => record({ settings: { rule }, frames: "frames/box.bin" }))));
+  const run = make_run(
+    lines_of(rules.map((rule) => record({ settings: { rule }, frames: "frames/box.bin" }))),
+  );
   const page = await browser.open(make_page(run), { hash: HASH });
   await loaded(page);
   await page.locator("select[data-side=right]").selectOption("2");
   await page.getByText("secant").nth(1).waitFor();
-  await page.waitForFunction(() => document.querySelectorAll(".pane-label")[1]?.textContent === "secant");
+  await page.waitForFunction(
+    () => document.querySelectorAll(".pane-label")[1]?.textContent === "secant",
+  );
   assert.deepEqual(page.faults, []);
 });
 
@@ -108,7 +118,7 @@ test("without WebGL it says so, draws flat, and time still runs", async () => {
     const page = await plain.open(file, { hash: HASH });
     await loaded(page);
     assert.match(await page.locator(".player .message").innerText(), /gives no WebGL/);
-    const shape = () => page.locator(".still polygon").first().getAttribute("points");
+    const shape = () => page.locator(".still polygon:not(.ground)").first().getAttribute("points");
     const start = await shape();
     await page.locator(".player input[type=range]").fill("40");
     assert.notEqual(await shape(), start);
@@ -133,4 +143,22 @@ test("a page without recordings carries no player", async () => {
   assert.equal(await page.locator(".player").count(), 0);
   assert.equal(await page.locator("svg.sketch").count(), 1);
   assert.equal(await page.locator('[data-asset="code/player"]').count(), 0);
+});
+
+test("players that were left give back what they held; the theme reaches the scene", async () => {
+  const page = await browser.open(file, { hash: HASH, width: 420, height: 500 });
+  for (let i = 0; i < 9; ++i) {
+    await loaded(page);
+    await page.evaluate(() => (location.hash = "#case=clamp/hold"));
+    await page.getByRole("heading", { level: 1, name: "clamp/hold" }).waitFor();
+    await page.evaluate((hash) => (location.hash = hash), HASH);
+  }
+  await loaded(page);
+  await page.locator(".player input[type=range]").fill("20");
+  const light = await page.locator(".pane canvas").first().screenshot();
+  await page.getByRole("button", { name: "Dark" }).click();
+  await page.waitForFunction(() => document.querySelector(".player canvas").width > 0);
+  assert.equal(await frame(page), "20");
+  assert.ok(!light.equals(await page.locator(".pane canvas").first().screenshot()));
+  assert.deepEqual(page.faults, []);
 });

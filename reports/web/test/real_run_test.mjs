@@ -9,7 +9,12 @@ import { make_page } from "./report.mjs";
 
 const run = process.env.STICTION_TEST_RUN;
 const skip = run ? false : "$STICTION_TEST_RUN names no run";
-const records = run ? readFileSync(join(run, "latest", "records.jsonl"), "utf8").trim().split("\n").map((line) => JSON.parse(line)) : [];
+const records = run
+  ? readFileSync(join(run, "latest", "records.jsonl"), "utf8")
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line))
+  : [];
 let browser;
 let file;
 before(async () => {
@@ -24,41 +29,71 @@ const go = async (page, hash) => {
   await page.waitForTimeout(60);
 };
 
-test("the page of a real run is ready in two seconds, below 15 MB, and its summary fits a screen", { skip }, async () => {
-  assert.ok(statSync(file).size < 15e6, `${statSync(file).size} bytes`);
-  const times = [];
-  let page;
-  for (let i = 0; i < 3; ++i) times.push((page = await browser.open(file)).ready_ms);
-  assert.ok(Math.min(...times) < 2000, `${times} ms`);
-  await draw_plots(page);
-  const failing = records.filter(({ verdict }) => verdict === "fail" || verdict === "error").length;
-  assert.match(await page.locator("h1").getAttribute("class"), failing > 0 ? /verdict-(fail|error)/ : /verdict-pass/);
-  const bottom = await page.locator(".overview").evaluate((element) => element.getBoundingClientRect().bottom + scrollY);
-  assert.ok(bottom <= 900, `the summary ends at ${bottom} px`);
-  assert.deepEqual(page.faults, []);
-});
+test(
+  "the page of a real run is ready in two seconds, below 15 MB, and its summary fits a screen",
+  { skip },
+  async () => {
+    assert.ok(statSync(file).size < 15e6, `${statSync(file).size} bytes`);
+    const times = [];
+    let page;
+    for (let i = 0; i < 3; ++i) times.push((page = await browser.open(file)).ready_ms);
+    assert.ok(Math.min(...times) < 2000, `${times} ms`);
+    await draw_plots(page);
+    const failing = records.filter(
+      ({ verdict }) => verdict === "fail" || verdict === "error",
+    ).length;
+    assert.match(
+      await page.locator("h1").getAttribute("class"),
+      failing > 0 ? /verdict-(fail|error)/ : /verdict-pass/,
+    );
+    const bottom = await page
+      .locator(".overview")
+      .evaluate((element) => element.getBoundingClientRect().bottom + scrollY);
+    assert.ok(bottom <= 900, `the summary ends at ${bottom} px`);
+    assert.deepEqual(page.faults, []);
+  },
+);
 
-test("each case of a real run is shown with its plots, the first recording moves", { skip }, async () => {
-  const page = await browser.open(file);
-  const names = [...new Set(records.map((record) => record.case))];
-  for (const name of names) {
-    await go(page, `#case=${encodeURIComponent(name)}`);
-    await page.waitForFunction((wanted) => document.querySelector("h1")?.textContent === wanted, name);
-    assert.doesNotMatch(await page.locator("main").innerText(), /cannot be (shown|drawn)|undefined|NaN\b/, name);
-  }
-  const recorded = records.find(({ frames }) => frames);
-  assert.ok(recorded, "no case was recorded");
-  await go(page, `#case=${encodeURIComponent(recorded.case)}`);
-  for (const marks of await draw_plots(page)) assert.ok(marks > 0, recorded.case);
-  await page.locator(".player").scrollIntoViewIfNeeded();
-  await page.locator(".player[data-loaded]").waitFor();
-  const positions = () => page.locator(".player").evaluate((player) => player.stiction_positions()[0].join());
-  const start = await positions();
-  await page.locator(".player").focus();
-  await page.keyboard.press("End");
-  assert.notEqual(await positions(), start);
-  await page.evaluate(axe_source);
-  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
-  assert.deepEqual(violations.filter(({ impact }) => ["serious", "critical"].includes(impact)).map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)} ${nodes[0].failureSummary}`), []);
-  assert.deepEqual(page.faults, []);
-});
+test(
+  "each case of a real run is shown with its plots, the first recording moves",
+  { skip },
+  async () => {
+    const page = await browser.open(file);
+    const names = [...new Set(records.map((record) => record.case))];
+    for (const name of names) {
+      await go(page, `#case=${encodeURIComponent(name)}`);
+      await page.waitForFunction(
+        (wanted) => document.querySelector("h1")?.textContent === wanted,
+        name,
+      );
+      assert.doesNotMatch(
+        await page.locator("main").innerText(),
+        /cannot be (shown|drawn)|undefined|NaN\b/,
+        name,
+      );
+    }
+    const recorded = records.find(({ frames }) => frames);
+    assert.ok(recorded, "no case was recorded");
+    await go(page, `#case=${encodeURIComponent(recorded.case)}`);
+    for (const marks of await draw_plots(page)) assert.ok(marks > 0, recorded.case);
+    await page.locator(".player").scrollIntoViewIfNeeded();
+    await page.locator(".player[data-loaded]").waitFor();
+    const positions = () =>
+      page.locator(".player").evaluate((player) => player.stiction_positions()[0].join());
+    const start = await positions();
+    await page.locator(".player").focus();
+    await page.keyboard.press("End");
+    assert.notEqual(await positions(), start);
+    await page.evaluate(axe_source);
+    const { violations } = await page.evaluate(() =>
+      globalThis.axe.run(document, { resultTypes: ["violations"] }),
+    );
+    assert.deepEqual(
+      violations
+        .filter(({ impact }) => ["serious", "critical"].includes(impact))
+        .map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)} ${nodes[0].failureSummary}`),
+      [],
+    );
+    assert.deepEqual(page.faults, []);
+  },
+);

@@ -10,7 +10,11 @@ export const build = resolve(process.env.STICTION_WEB_BUILD ?? join(here, "../..
 
 /** {status, out, err}. */
 export function report(...words) {
-  const { status, stdout, stderr } = spawnSync(process.execPath, [join(build, "report.mjs"), ...words], { encoding: "utf8" });
+  const { status, stdout, stderr } = spawnSync(
+    process.execPath,
+    [join(build, "report.mjs"), ...words],
+    { encoding: "utf8" },
+  );
   return { status, out: stdout, err: stderr };
 }
 

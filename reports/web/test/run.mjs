@@ -11,5 +11,9 @@ const run = (...words) => spawnSync(process.execPath, words, { stdio: "inherit" 
 const built = run(join(here, "..", "build.mjs"), "--tests");
 if (built !== 0) process.exit(built);
 const wanted = process.argv.slice(2);
-const files = readdirSync(here).filter((name) => name.endsWith("_test.mjs") && (wanted.length === 0 || wanted.some((word) => name.includes(word))));
+const files = readdirSync(here).filter(
+  (name) =>
+    name.endsWith("_test.mjs") &&
+    (wanted.length === 0 || wanted.some((word) => name.includes(word))),
+);
 process.exit(run("--test", ...files.sort().map((name) => join(here, name))));

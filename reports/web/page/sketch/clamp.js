@@ -6,7 +6,12 @@ export const matches = (name) => /clamp|squeez|grip|painlev/i.test(name);
 /** A box held between two jaws by friction alone. */
 export function draw() {
   const [x, y] = [WIDTH / 2, HEIGHT / 2 - 6];
-  const rectangle = (left, top, width, height) => [[left, top], [left + width, top], [left + width, top + height], [left, top + height]];
+  const rectangle = (left, top, width, height) => [
+    [left, top],
+    [left + width, top],
+    [left + width, top + height],
+    [left, top + height],
+  ];
   return [
     polygon(rectangle(x - 22, y - 22, 44, 44)),
     polygon(rectangle(x - 46, y - 32, 24, 64), "jaw"),

@@ -11,13 +11,21 @@ export function draw(name) {
   const point = /bounce|free-fall|point/.test(name);
   const body = point
     ? circle(middle, base - lift - 8, 8)
-    : polygon([[middle - 28, base - lift], [middle + 28, base - lift], [middle + 28, base - lift - 34], [middle - 28, base - lift - 34]]);
+    : polygon([
+        [middle - 28, base - lift],
+        [middle + 28, base - lift],
+        [middle + 28, base - lift - 34],
+        [middle - 28, base - lift - 34],
+      ]);
   return [
     ground(28, base, WIDTH - 28, base),
     body,
     resting
       ? [-20, 20].map((x) => arrow(middle + x, base, 0, -24, "force"))
-      : [arrow(middle, base - lift - 8, 0, 34, "motion"), line(middle - 44, base, middle - 44, base - lift, "thin")],
+      : [
+          arrow(middle, base - lift - 8, 0, 34, "motion"),
+          line(middle - 44, base, middle - 44, base - lift, "thin"),
+        ],
     arrow(middle, base - lift - 17, 0, resting ? 30 : 0.1, resting ? "weight" : "none"),
   ];
 }

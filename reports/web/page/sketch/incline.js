@@ -25,7 +25,9 @@ export function draw(name) {
   const moving = /sliding|above|stop|acceler|level|critical\/speed/.test(name);
   const level = slope === 0;
   return [
-    level ? ground(left, base, right, base) : [...ground(x0, top, x0 + run, base), line(x0, base, x0 + run, base, "thin")],
+    level
+      ? ground(left, base, right, base)
+      : [...ground(x0, top, x0 + run, base), line(x0, base, x0 + run, base, "thin")],
     point ? circle(centre[0], centre[1] + 7, 6) : polygon(corners),
     arrow(centre[0], centre[1], 0, 30, "weight"),
     arrow(...centre, ...from_to(at(0, 0), at(0, 30)), "force"),

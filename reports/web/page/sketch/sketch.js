@@ -11,12 +11,36 @@ import { HEIGHT, WIDTH } from "./strokes.js";
 
 const KINDS = [clamp, pyramid, sheet, incline, drop, pair];
 
-const KEY = [["weight", "weight"], ["force", "normal force"], ["friction", "friction"], ["motion", "motion"]];
+const KEY = [
+  ["weight", "weight"],
+  ["force", "normal force"],
+  ["friction", "friction"],
+  ["motion", "motion"],
+];
 
 export function sketch(case_name) {
   const { draw } = KINDS.find(({ matches }) => matches(case_name));
-  const drawing = svg("svg", { class: "sketch", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": `Sketch of the scene of ${case_name}` }, draw(case_name));
+  const drawing = svg(
+    "svg",
+    {
+      class: "sketch",
+      viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+      role: "img",
+      "aria-label": `Sketch of the scene of ${case_name}`,
+    },
+    draw(case_name),
+  );
   const used = KEY.filter(([name]) => drawing.querySelector(`.${name}`));
-  return h("figure", { class: "scene" }, drawing,
-    h("figcaption", {}, "Sketch, not to scale: ", used.map(([name, word], i) => [i > 0 && ", ", h("span", { class: `key key-${name}` }, word)]), "."));
+  return h(
+    "figure",
+    { class: "scene" },
+    drawing,
+    h(
+      "figcaption",
+      {},
+      "Sketch, not to scale: ",
+      used.map(([name, word], i) => [i > 0 && ", ", h("span", { class: `key key-${name}` }, word)]),
+      ".",
+    ),
+  );
 }
