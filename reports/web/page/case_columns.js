@@ -28,7 +28,9 @@ export function case_columns(runs) {
         h(
           "span",
           { class: "variant" },
-          [several && runs[row.run].short, row.label].filter(Boolean).join(" · "),
+          [several && runs[row.run].short, row.label, row.frames && "▶ recorded"]
+            .filter(Boolean)
+            .join(" · "),
         ),
       ],
     },

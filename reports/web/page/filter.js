@@ -10,7 +10,7 @@ function haystack(row) {
   let text = haystacks.get(row);
   if (text === undefined) {
     text =
-      `${row.case} ${row.title} ${row.engine} ${row.variant} ${row.check?.quantity ?? ""}`.toLowerCase();
+      `${row.case} ${row.title} ${row.engine} ${row.variant} ${row.check?.quantity ?? ""} ${row.frames ? "recorded" : ""}`.toLowerCase();
     haystacks.set(row, text);
   }
   return text;

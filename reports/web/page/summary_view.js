@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What holds, what doesn't, by how much, at what cost: one screen.
 import { short_margin } from "../model/check_text.js";
+import { group_by } from "../model/family.js";
 import {
   format_count,
   format_digits,
@@ -8,7 +9,7 @@ import {
   format_short,
   format_value,
 } from "../model/number.js";
-import { VERDICTS, VERDICT_WORDS } from "../model/verdict.js";
+import { rank, VERDICTS, VERDICT_WORDS } from "../model/verdict.js";
 import { h } from "./dom.js";
 import { failures_list } from "./failures.js";
 import { family_table } from "./family_table.js";
@@ -25,7 +26,7 @@ function headline(tally) {
   if (tally.bad === 0)
     return [
       "pass",
-      tally.pass === 1 ? "The one case holds." : `All ${format_count(tally.pass)} hold.`,
+      tally.pass === 1 ? "The one record holds." : `All ${format_count(tally.pass)} records hold.`,
     ];
   const verdict = tally.error > 0 ? "error" : "fail";
   const parts = [
@@ -112,6 +113,27 @@ function change_line(comparison) {
   );
 }
 
+// Cases that were recorded, one a family, the failing ones first.
+function play_line(rows, index, most = 4) {
+  const recorded = rows.filter(({ frames }) => frames && index.assets.includes(`frames/${frames}`));
+  const first = [...recorded].sort((a, b) => rank(a.verdict) - rank(b.verdict));
+  const names = [...group_by(first, (row) => row.family).values()].map(([row]) => row.case);
+  if (names.length === 0) return null;
+  const all = new Set(first.map((row) => row.case)).size;
+  const links = names.slice(0, most).map((name) => [h("a", { href: case_hash(name) }, name), " "]);
+  const more =
+    all > Math.min(names.length, most) &&
+    h("a", { href: hash_of("cases", "", { q: "recorded" }) }, `all ${all}`);
+  return h(
+    "p",
+    { class: "play-line" },
+    h("span", { "aria-hidden": "true" }, "▶ "),
+    "Recorded in 3-D: ",
+    links,
+    more,
+  );
+}
+
 // Where and with what: of the first run, and how many more there are.
 function provenance(runs) {
   const shown = runs.filter(({ role }) => role === "shown");
@@ -159,6 +181,7 @@ export function summary_view({ index, rows, comparison }) {
           ),
         ),
         h("p", { class: "provenance" }, provenance(index.runs)),
+        play_line(current, index),
         change_line(comparison),
       ),
     ),

@@ -8,7 +8,7 @@ import { VERDICT_COLOURS, VERDICT_DOMAIN, VERDICT_LABELS, VERDICT_SHAPES } from 
 const LOWEST = -9; // decades; an exact result stands here
 const HIGHEST = 6;
 const PER_DECADE = 4;
-const ROW = 27; // px, as the rows of the table beside it
+const ROW = 26; // px, as the rows of the table beside it
 
 function place_of(value) {
   if (value === 0) return LOWEST;

@@ -22,17 +22,18 @@ export function draw(name) {
   const middle = [x0 + 0.45 * run, top + 0.45 * rise];
   const { corners, centre, at } = box_on(middle[0], middle[1], angle, 44, 26);
   const point = /point/.test(name);
+  const middle_of_body = point ? at(0, 6) : centre;
   const moving = /sliding|above|stop|acceler|level|critical\/speed/.test(name);
   const level = slope === 0;
   return [
     level
       ? ground(left, base, right, base)
       : [...ground(x0, top, x0 + run, base), line(x0, base, x0 + run, base, "thin")],
-    point ? circle(centre[0], centre[1] + 7, 6) : polygon(corners),
-    arrow(centre[0], centre[1], 0, 30, "weight"),
-    arrow(...centre, ...from_to(at(0, 0), at(0, 30)), "force"),
+    point ? circle(...middle_of_body, 6) : polygon(corners),
+    arrow(...middle_of_body, 0, 30, "weight"),
+    arrow(...middle_of_body, ...from_to(at(0, 0), at(0, 30)), "force"),
     arrow(...at(-22, 2), ...from_to(at(0, 0), at(-26, 0)), "friction"),
-    moving && arrow(...at(-14, 36), ...from_to(at(0, 0), at(34, 0)), "motion"),
+    moving && arrow(...at(-14, point ? 22 : 36), ...from_to(at(0, 0), at(34, 0)), "motion"),
     !level && label(x0 + run - 34, base - 5, "θ"),
   ];
 }
