@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { arrow, HEIGHT, polygon, WIDTH } from "./strokes.js";
 
-export const matches = (name) => /clamp|squeez|grip|painlev/i.test(name);
+export const matches = (name) => /clamp|squeez|grip|painlev|-row\b/i.test(name);
 
 /** A box held between two jaws by friction alone. */
 export function draw() {

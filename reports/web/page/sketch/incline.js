@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { arrow, box_on, circle, ground, HEIGHT, label, line, polygon, WIDTH } from "./strokes.js";
 
-export const matches = (name) => /^incline|slope|ramp/i.test(name);
+export const matches = (name) => /^incline|^slab|slope|ramp/i.test(name);
 
 // The slope that the case names, else a typical one: tan θ = 0.5.
 function slope_of(name) {

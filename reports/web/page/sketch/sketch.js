@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A line drawing of a case's scene, chosen by its name: for cases without a recording.
 import { h, svg } from "../dom.js";
+import * as bar from "./bar.js";
 import * as clamp from "./clamp.js";
+import * as collision from "./collision.js";
 import * as drop from "./drop.js";
 import * as incline from "./incline.js";
-import * as pair from "./pair.js";
 import * as pyramid from "./pyramid.js";
 import * as sheet from "./sheet.js";
 import { HEIGHT, WIDTH } from "./strokes.js";
 
-const KINDS = [clamp, pyramid, sheet, incline, drop, pair];
+const KINDS = [bar, clamp, collision, pyramid, sheet, incline, drop];
 
 const KEY = [
   ["weight", "weight"],
@@ -18,8 +19,10 @@ const KEY = [
   ["motion", "motion"],
 ];
 
+/** Null for a case of a kind that has none. */
 export function sketch(case_name) {
-  const { draw } = KINDS.find(({ matches }) => matches(case_name));
+  const kind = KINDS.find(({ matches }) => matches(case_name));
+  if (!kind) return null;
   const drawing = svg(
     "svg",
     {
@@ -28,7 +31,7 @@ export function sketch(case_name) {
       role: "img",
       "aria-label": `Sketch of the scene of ${case_name}`,
     },
-    draw(case_name),
+    kind.draw(case_name),
   );
   const used = KEY.filter(([name]) => drawing.querySelector(`.${name}`));
   return h(
