@@ -2,7 +2,9 @@
 #include "validation/recorder.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stiction {
@@ -59,6 +61,7 @@ void Recorder::start(const Engine& engine, double interval) {
   begin_ = time_of(engine);
   interval_ = interval;
   take(engine);
+  if (!has_frames()) return;
   Eigen::AlignedBox3d box;
   for (const Triple& position : recording_.frames.front().positions) box.extend(vector(position));
   centre_ = box.center();
@@ -69,13 +72,14 @@ void Recorder::take(const Engine& engine) {
   Frame frame;
   frame.time = time_of(engine);
   frame.gravity = triple(gravity_.at(frame.time));
+  const double reach = has_frames() ? kFlownOff * size_ : std::numeric_limits<double>::max();
   bool flown_off = false;
   for (std::size_t b = 0; b < shown_.size(); ++b) {
     const Eigen::Matrix3Xd vertices = engine.vertices(b);
     for (const Eigen::Index v : shown_[b]) {
       frame.positions.push_back(triple(vertices.col(v)));
-      flown_off =
-          flown_off || (has_frames() && (vertices.col(v) - centre_).norm() > kFlownOff * size_);
+      // NaN is out of reach as well.
+      flown_off = flown_off || !((vertices.col(v) - centre_).norm() <= reach);
     }
   }
   if (flown_off) {
@@ -83,7 +87,9 @@ void Recorder::take(const Engine& engine) {
     return;
   }
   for (const ContactSample& contact : engine.contacts()) {
-    if (!(contact.normal_force > 0.0) || !std::isfinite(contact.normal_force)) continue;
+    const bool shown = contact.normal_force > 0.0 && std::isfinite(contact.normal_force) &&
+                       contact.position.allFinite() && contact.friction_force.allFinite();
+    if (!shown) continue;
     frame.contacts.push_back({triple(contact.position),
                               triple(contact.normal_force * contact.normal),
                               triple(contact.friction_force), contact.sticks});

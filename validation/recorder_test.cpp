@@ -116,7 +116,7 @@ TEST(Recorder, NothingIsRecordedUnlessSomebodyAsks) {
 // One triangle that doubles its way from the origin with every step of 1 s.
 class Runaway final : public Engine {
  public:
-  explicit Runaway(bool visible) : visible_(visible) {}
+  explicit Runaway(bool visible, double start = 1.0) : visible_(visible), start_(start) {}
   void load(const Problem&) override {}
   double time_step() const override { return 1.0; }
   std::uint64_t steps_done() const override { return steps_; }
@@ -134,12 +134,13 @@ class Runaway final : public Engine {
     return visible_ ? Eigen::Matrix3Xi(Eigen::Vector3i(2, 0, 1)) : Eigen::Matrix3Xi();
   }
   Eigen::Matrix3Xd vertices(std::size_t) const override {
-    const double way = std::exp2(static_cast<double>(steps_));
+    const double way = start_ * std::exp2(static_cast<double>(steps_));
     return (Eigen::Matrix3Xd(3, 3) << 0, 1, 0, 0, 0, 1, way, way, way).finished();
   }
 
  private:
   bool visible_;
+  double start_;
   std::uint64_t steps_ = 0;
 };
 
@@ -161,6 +162,14 @@ TEST(Recorder, EndsWhereSomethingFliesOff) {
   // √2 m across, it is left when it is 50 times as far away: 64 m is seen, 128 m is not.
   EXPECT_EQ(taken, 8);
   EXPECT_EQ(std::move(recorder).recording().frames.size(), 7u);
+}
+
+TEST(Recorder, WhatIsNoNumberIsNotRecorded) {
+  Runaway engine(true, std::nan(""));
+  Recorder recorder(one_body());
+  recorder.start(engine, 1.0);
+  EXPECT_FALSE(recorder.has_frames());
+  EXPECT_GT(recorder.due_step(), 1000000u);
 }
 
 TEST(Recorder, AnEngineThatShowsNoSurfaceIsNotRecorded) {
