@@ -28,7 +28,7 @@ function strip(changes, field, title, name, neutral, log) {
           mark: { type: "tick", thickness: 2, color: "$s0", opacity: 0.7 },
           encoding: {
             x: quantity_axis(field, name, "1", { log }),
-            y: name_axis("family_key", rows, { labelLimit: 200 }),
+            y: name_axis("family_key", rows),
             tooltip: [tip("case", "case"), tip_number(field, name)],
           },
         },

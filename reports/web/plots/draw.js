@@ -22,7 +22,7 @@ function legend_columns(spec, width) {
   return Math.max(1, Math.floor(width / (6.5 * Math.min(letters, 50) + 44)));
 }
 
-function config_of(colours, columns) {
+function config_of(colours, width, columns) {
   const text = {
     labelFont: FONT,
     titleFont: FONT,
@@ -44,7 +44,7 @@ function config_of(colours, columns) {
       domainColor: colours.$axis,
       tickColor: colours.$axis,
       titlePadding: 8,
-      labelLimit: 240,
+      labelLimit: Math.min(300, 0.46 * width),
     },
     legend: {
       ...text,
@@ -104,7 +104,7 @@ export function view_of(spec, theme, width, options = {}) {
     autosize: { type: "fit-x", contains: "padding" },
   };
   const { spec: vega } = compile(sized, {
-    config: config_of(colours, legend_columns(spec, width)),
+    config: config_of(colours, width, legend_columns(spec, width)),
     logger: quiet,
   });
   return new View(parse(vega, undefined, { ast: true }), {

@@ -76,7 +76,7 @@ export function margin_plot(families) {
           mark: { type: "point", filled: true, opacity: 0.85, cursor: "pointer" },
           encoding: {
             x,
-            y: name_axis("family_key", rows, { grid: true, labelLimit: 170 }),
+            y: name_axis("family_key", rows, { grid: true }),
             size: {
               field: "checks",
               type: "quantitative",

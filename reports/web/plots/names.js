@@ -35,7 +35,6 @@ export const name_axis = (field, rows, axis = {}) => ({
     ticks: false,
     domain: false,
     labelExpr: rows.labels,
-    labelLimit: 240,
     ...axis,
   },
 });

@@ -8,18 +8,26 @@ import { name_axis, numbered, tip, tip_number } from "./names.js";
 import { VERDICT_COLOURS, VERDICT_DOMAIN, VERDICT_SHAPES } from "./palette.js";
 
 const MOST_ROWS = 40;
-const BRACKET_NOTE = /holds at ([-+.\deE]+)\D+?slides at ([-+.\deE]+)/;
+// "holds at 0.4999, slides at 0.5001", "stands at tan θ = 0.30, breaks at 0.31", "holds at N = 9.8 N, …"
+const END = String.raw`at (?:[^,\d]*= )?([-+]?\d[\d.]*(?:e[-+]?\d+)?)`;
+const BRACKET_NOTE = new RegExp(
+  `(?:holds|stands) ${END}[^,]*, (?:slides|fails|breaks) ${END}`,
+  "i",
+);
+
+/** {holds, fails} as a note tells it; null when it doesn't. */
+export function bracket_in(note) {
+  const found = BRACKET_NOTE.exec(note);
+  return found && { holds: Number(found[1]), fails: Number(found[2]) };
+}
 
 export const is_threshold = (check) =>
   /^(critical|threshold)\b/i.test(check.quantity) && check.verdict !== "not-applicable";
 
 // {holds, fails} of a record's only threshold: as the note gives it, else from the bracket's width.
 function bracket_of(record, check) {
-  for (const note of record.notes) {
-    const found = BRACKET_NOTE.exec(note);
-    const ends = found && [Number(found[1]), Number(found[2])];
-    if (ends && ends.every(Number.isFinite)) return { holds: ends[0], fails: ends[1] };
-  }
+  const told = record.notes.map(bracket_in).find(Boolean);
+  if (told) return told;
   const width = record.checks.find(({ quantity }) => quantity === "bracket width");
   if (!width) return null;
   const half = to_number(width.value) / 2;
@@ -68,9 +76,9 @@ export function threshold_plot(entries) {
     field,
     type: "quantitative",
     scale: { domain: [-widest, widest], nice: false },
-    axis: { title: "(measured − expected) ÷ tolerance", grid: false, tickCount: 7 },
+    axis: { title: "error ÷ tolerance", grid: false, tickCount: 7 },
   });
-  const y = name_axis("row_key", names, { grid: false, labelLimit: 300 });
+  const y = name_axis("row_key", names, { grid: false });
   const tooltip = [
     tip("row", "case"),
     tip("measured", "measured"),
@@ -81,7 +89,10 @@ export function threshold_plot(entries) {
     title: "Thresholds, with the bracket that bisection left",
     caption:
       (rows.length > shown.length ? `The ${MOST_ROWS} worst of ${rows.length}. ` : "") +
-      "Bar: from the last load that holds to the first that slides. Shaded: the tolerance.",
+      (shown.some(({ holds }) => holds !== null)
+        ? "Bar: from the last load that holds to the first that slides. "
+        : "") +
+      "Shaded: the tolerance.",
     description: `Deviation of ${shown.length} critical values from the expected ones, in tolerances.`,
     spec: {
       height: { step: 22 },

@@ -21,6 +21,7 @@ import { instant, place_at, view_of } from "../page/playback.js";
 import { hash_of, parse_hash } from "../page/route.js";
 import { pareto_front, power_law } from "../plots/fit.js";
 import { kind_of } from "../plots/parameter_plot.js";
+import { bracket_in } from "../plots/threshold_plot.js";
 import { check, record } from "./records.mjs";
 
 // The expected texts are those of reports/number_test.cpp and of printf("%.6g").
@@ -284,4 +285,18 @@ test("between two frames bodies and the way up go on evenly", () => {
   assert.equal(positions[0], 0.25);
   assert.deepEqual(up, [0.25, 0, 1]);
   assert.equal(contacts[0].normal_force[2], 1);
+});
+
+test("brackets are read from notes, however the case tells them", () => {
+  const of = (note) => Object.values(bracket_in(note) ?? {});
+  assert.deepEqual(
+    of("bracket on tan θ: holds at 0.4999, slides at 5.001e-1; 28 runs"),
+    [0.4999, 0.5001],
+  );
+  assert.deepEqual(
+    of("holds at N = 9.8129 N, fails at 9.8100 N, 12 runs; Δh/w = 0.1"),
+    [9.8129, 9.81],
+  );
+  assert.deepEqual(of("stands at tan θ = 0.29550, slides at 0.29600, 9 runs"), [0.2955, 0.296]);
+  assert.deepEqual(of("the box holds, and slides later"), []);
 });

@@ -24,10 +24,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-const go = async (page, hash) => {
-  await page.evaluate((next) => (location.hash = next), hash);
-  await page.waitForTimeout(60);
-};
+const go = (page, hash) => page.evaluate((next) => (location.hash = next), hash);
 
 test(
   "the page of a real run is ready in two seconds, below 15 MB, and says what matters on a screen",
