@@ -92,7 +92,8 @@ struct Record {
   std::string state_hash{};  ///< 16 hex digits; empty when the engine has none
   Environment environment{};
   Verdict verdict = Verdict::kFail;
-  std::string error{};  ///< what went wrong when verdict is kError
+  std::string error{};   ///< what went wrong when verdict is kError
+  std::string frames{};  ///< file in the run's folder with a Recording (frames.h); may be empty
 };
 
 /// Worst of a record's checks: error, then fail, then limit, then pass. When nothing decides:

@@ -185,6 +185,7 @@ Record read_record(const JsonField& field) {
   record.state_hash = optional_text(field, "state_hash");
   record.environment = read_environment(field["environment"]);
   if (field.has("series")) record.series = field["series"].list(read_series);
+  record.frames = optional_text(field, "frames");
   return record;
 }
 
@@ -206,7 +207,8 @@ std::string to_json_line(const Record& record) {
                             {"cost", cost_json(record.cost)},
                             {"state_hash", record.state_hash},
                             {"environment", environment_json(record.environment)},
-                            {"series", array_of(record.series, series_json)}};
+                            {"series", array_of(record.series, series_json)},
+                            {"frames", record.frames}};
   constexpr int kNoIndent = -1;
   constexpr bool kKeepUnicode = false;
   return json.dump(kNoIndent, ' ', kKeepUnicode, OrderedJson::error_handler_t::replace);

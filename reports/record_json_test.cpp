@@ -59,6 +59,7 @@ TEST(RecordJson, EveryFieldArrives) {
   EXPECT_EQ(out.settings, in.settings);
   EXPECT_EQ(out.notes, in.notes);
   EXPECT_EQ(out.state_hash, in.state_hash);
+  EXPECT_EQ(out.frames, in.frames);
   EXPECT_EQ(out.verdict, in.verdict);
   EXPECT_EQ(from_json_line(to_json_line(test::error_record()), "here").error,
             test::error_record().error);
@@ -191,7 +192,8 @@ TEST(RecordJson, UnknownFieldsAreIgnored) {
 
 TEST(RecordJson, OptionalFieldsMayBeMissing) {
   const std::string line = edited([](auto& json) {
-    for (const char* name : {"title", "settings", "error", "notes", "state_hash", "series"}) {
+    for (const char* name :
+         {"title", "settings", "error", "notes", "state_hash", "series", "frames"}) {
       json.erase(name);
     }
     json["cost"].erase("phase_seconds");

@@ -74,6 +74,7 @@ inline Record passing_record(const std::string& case_name = "incline/threshold/m
   record.environment = {"4f2a9c1+", "g++ 12.2.0 release", "Example CPU, 2 cores",
                         "2025-11-20T23:41:05Z"};
   record.verdict = Verdict::kPass;
+  record.frames = "frames/012-incline_threshold.bin";
   return record;
 }
 

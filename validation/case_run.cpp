@@ -24,10 +24,14 @@ Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& set
                        const Problem& problem)
     : run_(run), engine_(kind.make(settings)) {
   engine_->load(problem);
+  if (run_.keeps_frames_) recorder_.emplace(problem);
   run_.started(*engine_);
 }
 
-Simulation::~Simulation() { run_.ended(*engine_); }
+Simulation::~Simulation() {
+  run_.ended(*engine_);
+  if (recorder_ && recorder_->has_frames()) run_.recording_ = std::move(*recorder_).recording();
+}
 
 double Simulation::time() const {
   return static_cast<double>(engine_->steps_done()) * engine_->time_step();
@@ -35,13 +39,33 @@ double Simulation::time() const {
 
 void Simulation::advance_to(double time) {
   const auto target = static_cast<std::uint64_t>(std::llround(time / engine_->time_step()));
-  if (target > engine_->steps_done()) engine_->advance(target - engine_->steps_done());
+  if (target > engine_->steps_done()) advance(target - engine_->steps_done());
 }
 
-CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale)
+void Simulation::advance(std::uint64_t steps) {
+  const std::uint64_t target = engine_->steps_done() + steps;
+  const auto advance_until = [this](std::uint64_t step) {
+    if (step > engine_->steps_done()) engine_->advance(step - engine_->steps_done());
+  };
+  while (recorder_ && recorder_->due_step() <= target) {
+    advance_until(recorder_->due_step());
+    recorder_->take(*engine_);
+  }
+  advance_until(target);
+}
+
+void Simulation::record_frames(double interval) {
+  if (!recorder_ || run_.recorded_) return;
+  run_.recorded_ = true;
+  recorder_->start(*engine_, interval);
+}
+
+CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale,
+                 bool keeps_frames)
     : engine_(std::move(engine)),
       settings_(std::move(settings)),
-      tolerance_scale_(tolerance_scale) {
+      tolerance_scale_(tolerance_scale),
+      keeps_frames_(keeps_frames) {
   record_.case_name = which.name;
   record_.title = which.title;
   record_.engine = engine_.name;

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "reports/frames.h"
 #include "reports/record.h"
 #include "solver/hash.h"
 #include "validation/case.h"
 #include "validation/engine.h"
+#include "validation/recorder.h"
 
 namespace stiction {
 
@@ -23,14 +27,22 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  double time() const;           ///< s
-  void advance_to(double time);  ///< to the nearest step, never backwards
+  double time() const;                ///< s
+  void advance(std::uint64_t steps);  ///< whole steps
+  void advance_to(double time);       ///< to the nearest step, never backwards
+
+  /// From now on advancing takes a frame every `interval` (s) for the report's player: of the first
+  /// simulation of a case that asks, and only where the run keeps frames. Between steps, so that
+  /// neither the state nor the cost changes.
+  void record_frames(double interval);
+
   Engine& engine() { return *engine_; }
   const Engine& engine() const { return *engine_; }
 
  private:
   CaseRun& run_;
   std::unique_ptr<Engine> engine_;
+  std::optional<Recorder> recorder_;  // where the run keeps frames
 };
 
 /// What a case is given to run with, and where it leaves what it found.
@@ -38,7 +50,8 @@ class CaseRun {
  public:
   /// `settings` are the variant's with the user's over them. A tolerance is multiplied by
   /// `tolerance_scale` before it is compared.
-  CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale);
+  CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale,
+          bool keeps_frames = false);
 
   /// Starts the engine on a problem, with the run's settings and `extra` over them.
   std::unique_ptr<Simulation> simulate(const Problem& problem, const Settings& extra = {});
@@ -58,6 +71,7 @@ class CaseRun {
 
   /// The record so far, verdict and cost included; environment left to the caller.
   Record record() const;
+  std::optional<Recording> take_recording() { return std::move(recording_); }
 
  private:
   friend class Simulation;
@@ -70,6 +84,9 @@ class CaseRun {
   std::string limit_;
   Record record_;
   bool settings_resolved_ = false;
+  bool keeps_frames_;
+  bool recorded_ = false;  // a simulation of this case has been, or is being
+  std::optional<Recording> recording_;
   Fnv1a hash_;
   double timed_contacts_ = 0.0;  // contact updates of engines that timed them
   double contact_seconds_ = 0.0;

@@ -76,6 +76,11 @@ class Engine {
 
   virtual BodyMotion body(std::size_t index) const = 0;
   virtual std::vector<ContactSample> contacts() const = 0;
+  /// For pictures: triangles of a body's surface, counter-clockwise seen from outside, and where
+  /// the vertices that they name are now (m). Empty, the default: nothing to draw.
+  virtual Eigen::Matrix3Xi surface(std::size_t) const { return {}; }
+  virtual Eigen::Matrix3Xd vertices(std::size_t) const { return {}; }
+
   virtual Energies energies() const = 0;
   virtual Momenta momenta() const = 0;
 

@@ -20,6 +20,7 @@ class InclineRun {
              const Settings& extra = {});
 
   void advance_to(double time) { simulation_->advance_to(time); }
+  void record_frames(double interval) { simulation_->record_frames(interval); }
   double time() const { return simulation_->time(); }
   double time_step() const { return simulation_->engine().time_step(); }
   double travel() const;  ///< downhill from the start, m

@@ -51,8 +51,8 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
   return jobs;
 }
 
-Record run_job(const Job& job, double tolerance_scale) {
-  CaseRun run(job.which, job.engine, job.settings, tolerance_scale);
+Record run_job(const Job& job, double tolerance_scale, std::optional<Recording>* recording) {
+  CaseRun run(job.which, job.engine, job.settings, tolerance_scale, recording != nullptr);
   std::string error;
   try {
     job.which.run(run);
@@ -65,19 +65,22 @@ Record run_job(const Job& job, double tolerance_scale) {
     record.error = error;
   }
   record.environment = current_environment();
+  if (recording) *recording = run.take_recording();
   return record;
 }
 
 void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
-              const std::function<void(std::size_t, Record)>& finished) {
+              const std::function<void(std::size_t, Record)>& finished, const KeepRecording& keep) {
   std::atomic<std::size_t> next{0};
   std::mutex one_at_a_time;
   // Jobs are taken in order, so that their results can be shown in order soon after they are known.
   const auto work = [&] {
     for (std::size_t k = next++; k < jobs.size(); k = next++) {
-      Record record = run_job(jobs[k], tolerance_scale);
+      std::optional<Recording> recording;
+      Record record = run_job(jobs[k], tolerance_scale, keep ? &recording : nullptr);
       const std::lock_guard<std::mutex> lock(one_at_a_time);
       try {
+        if (recording) record.frames = keep(k, *recording);
         finished(k, std::move(record));
       } catch (...) {
         next = jobs.size();

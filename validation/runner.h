@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "reports/frames.h"
 #include "reports/record.h"
 #include "validation/case.h"
 
@@ -31,13 +33,20 @@ struct Selection {
 /// matches no case or the engine is unknown.
 std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& selection);
 
-/// Runs one job. What goes wrong becomes the record's error; nothing is thrown for it.
-Record run_job(const Job& job, double tolerance_scale);
+/// Runs one job. What goes wrong becomes the record's error; nothing is thrown for it. What the
+/// case recorded for the player goes into `recording`; without one nothing is recorded.
+Record run_job(const Job& job, double tolerance_scale,
+               std::optional<Recording>* recording = nullptr);
+
+/// Keeps the recording of the job with this index; gives the record's `frames`.
+using KeepRecording = std::function<std::string(std::size_t, const Recording&)>;
 
 /// Runs the jobs on `threads` threads, each job on one. `finished(index, record)` is called once a
-/// job, from any thread, one call at a time; when it throws, no further job starts and the
-/// exception leaves this function.
+/// job, from any thread, one call at a time, and `keep` just before it when the case recorded
+/// something; when one throws, no further job starts and the exception leaves this function.
+/// Without `keep` nothing is recorded.
 void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
-              const std::function<void(std::size_t, Record)>& finished);
+              const std::function<void(std::size_t, Record)>& finished,
+              const KeepRecording& keep = {});
 
 }  // namespace stiction

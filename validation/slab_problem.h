@@ -50,6 +50,7 @@ class SlabRun {
   SlabRun(CaseRun& run, const SlabSetup& setup, const Settings& extra = {});
 
   void advance_to(double time) { simulation_->advance_to(time); }
+  void record_frames(double interval) { simulation_->record_frames(interval); }
   double time() const { return simulation_->time(); }
   double time_step() const { return simulation_->engine().time_step(); }
   Vec3 travel() const;   ///< of the box from its start, m

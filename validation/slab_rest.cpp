@@ -11,6 +11,7 @@ SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& 
   constexpr double kEvery = 0.05, kLongest = 8.0;  // s
   constexpr int kPerWindow = 6;                    // samples
   SlabRun slab(run, setup, extra);
+  if (history) slab.record_frames(0.02);
   SlabOutcome outcome;
   double now = 0.0, before = INFINITY;  // highest kinetic energy in this window and the last, J
   int in_window = 0, stalled = 0;

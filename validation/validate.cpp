@@ -7,8 +7,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -18,6 +23,7 @@
 #include "reports/markdown.h"
 #include "reports/record_store.h"
 #include "reports/table.h"
+#include "reports/vtk.h"
 #include "solver/demand.h"
 #include "validation/runner.h"
 #include "validation/user_problem.h"
@@ -35,6 +41,8 @@ struct Arguments {
   bool list = false;
   bool quick = false;
   bool full = false;
+  bool vtk = false;
+  bool no_page = false;
   std::string out = "validation-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   double tolerance_scale = 1.0;
@@ -70,6 +78,10 @@ void define(CLI::App& app, Arguments& arguments) {
                  "to the last")
       ->type_name("DIR")
       ->capture_default_str();
+  app.add_flag("--vtk", arguments.vtk,
+               "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder");
+  app.add_flag("--no-page", arguments.no_page,
+               "Leave out report.html, which ./stiction makes from the records with node");
   app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
@@ -167,6 +179,21 @@ class Console {
   bool progress_;
 };
 
+// "incline/restick/box", 12 → "012-incline_restick_box": a file name that every system takes.
+std::string file_stem(const std::string& case_name, std::size_t index) {
+  std::string stem = fmt::format("{:03}-{}", index, case_name.substr(0, 100));
+  for (char& sign : stem) {
+    if (!std::isalnum(static_cast<unsigned char>(sign)) && !std::strchr("-=.", sign)) sign = '_';
+  }
+  return stem;
+}
+
+// Where ./stiction, which set the variable, looks for the run that it makes the page of.
+void tell_page_maker(const std::filesystem::path& folder) {
+  const char* file = std::getenv("STICTION_RUN_FILE");
+  if (file != nullptr) std::ofstream(file) << folder.string() << '\n';
+}
+
 int exit_code(const std::vector<Record>& records) {
   int code = kAllHold;
   for (const Record& record : records) {
@@ -199,18 +226,26 @@ int validate(Arguments& arguments) {
   const TableStyle style = terminal_style();
   std::vector<Record> records(jobs.size());
   Console console(jobs, style);
-  run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, [&](std::size_t index, Record record) {
+  const auto finished = [&](std::size_t index, Record record) {
     store.append(record);
     if (record.verdict == Verdict::kError) console.complain(record);
     console.finished(index, record);
     records[index] = std::move(record);
-  });
+  };
+  const auto keep = [&](std::size_t index, const Recording& recording) {
+    const std::string stem = file_stem(jobs[index].which.name, index);
+    write_frames(store.folder() / "frames" / (stem + ".bin"), recording);
+    if (arguments.vtk) write_vtk(store.folder() / "vtk", stem, recording);
+    return "frames/" + stem + ".bin";
+  };
+  run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, finished, keep);
   store.write_file("report.md", markdown_report(records));
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
   fmt::print("{}", closing_summary(records, style));
   fmt::print("Report: {}\n", (store.folder() / "report.md").string());
+  if (!arguments.no_page) tell_page_maker(store.folder());
   if (std::fflush(stdout) != 0) throw InputError("the table could not be written to stdout");
   return exit_code(records);
 }

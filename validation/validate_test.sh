@@ -209,6 +209,17 @@ grep -qE '^\{.*"case":"half-space/free-fall".*\}$' "$records" ||
   failed "a full disk" "the finished record cannot be read"
 passed "a full disk loses no finished record"
 
+# ---- recordings ---------------------------------------------------------------------------------
+recorded=(--case incline/restick/box --set rule=none)
+STICTION_RUN_FILE=$work/run exits 0 "a recorded case" "$validate" "${recorded[@]}" --out frames --vtk
+run=$(cat run)
+[ -s "$run/$(sed -E 's/.*"frames":"([^"]+)".*/\1/' "$run/records.jsonl")" ] ||
+  failed "a recorded case" "its record names no file in $run"
+[ -s "$run/vtk/000-incline_restick_box.pvd" ] || failed "--vtk" "there is no PVD file"
+exits 0 "a case by itself" "$validate" --case half-space/free-fall --out unrecorded --no-page
+[ ! -e unrecorded/latest/frames ] || failed "recordings" "a case that asks for none has one"
+passed "a case that asks is recorded, with --vtk for ParaView too"
+
 # ---- determinism ------------------------------------------------------------------------------
 hashes() { # case, settings, hash of each record
   sed -E 's/.*"case":"([^"]*)".*"settings":(\{[^}]*\}).*"state_hash":"([0-9a-f]{16})".*/\1 \2 \3/' \

@@ -248,7 +248,7 @@ void run_bar(CaseRun& run) {
     const double end = kSettled + (s + 1) * kTurn;
     while (simulation->time() < end - 0.5 * dt) {
       const double before = motion.at(simulation->time()).x();
-      simulation->engine().advance(1);
+      simulation->advance(1);
       const Bed bed = bed_of(engine);
       stroke.friction += dt * bed.power;
       stroke.end_work -= bed.friction * (motion.at(simulation->time()).x() - before);

@@ -95,6 +95,7 @@ void run_figure(CaseRun& run, const PyramidSetup& setup) {
   expect_no_rest_of_paper(run);
   constexpr double kWindow = 3.0;  // s
   const auto simulation = run.simulate(pyramid_problem(setup));
+  simulation->record_frames(0.05);
   const Engine& engine = simulation->engine();
   const std::vector<Vec3> start = places(engine, setup);
   PyramidSeries series;

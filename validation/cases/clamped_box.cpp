@@ -97,6 +97,7 @@ void run_figure(CaseRun& run, const ClampSetup& setup) {
   expect_no_rest_of_paper(run);
   constexpr double kFrom = 2.0, kWindow = 5.0;  // s
   const auto simulation = run.simulate(clamp_problem(setup));
+  simulation->record_frames(0.05);
   const Engine& engine = simulation->engine();
   ClampSeries series;
   advance_sampled(*simulation, kFallFrom, 16, series);

@@ -70,6 +70,7 @@ class Pyramid {
     const auto simulation = simulate(friction);
     Engine& engine = simulation->engine();
     engine.restore(start_);
+    simulation->record_frames(0.01);
     Series height{std::string("top ball sunk, ") + series_name, "m", "time", "s", {}, {}};
     Series slip{std::string("ground slip, ") + series_name, "m/s", "time", "s", {}, {}};
     Series speed{std::string("lower balls' speed, ") + series_name, "m/s", "time", "s", {}, {}};

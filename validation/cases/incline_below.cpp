@@ -23,6 +23,7 @@ Stop simulate_stop(CaseRun& run, const InclineSetup& setup, const Settings& extr
                    double expected_time, InclineSeries* series) {
   InclineRun incline(run, setup, incline_problem(setup), extra);
   const double dt = incline.time_step();
+  if (series) incline.record_frames(0.01);
   double stopped = std::numeric_limits<double>::quiet_NaN();
   // The stop itself is watched step by step; the way there in samples.
   if (series) {

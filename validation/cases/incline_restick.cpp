@@ -54,6 +54,7 @@ double travel_of_push(CaseRun& run, const InclineSetup& setup) {
 void run_restick(CaseRun& run, const InclineSetup& setup) {
   const Problem problem = push_and_release(setup);
   InclineRun incline(run, setup, problem);
+  incline.record_frames(0.02);
   InclineSeries series;
   advance_sampled(incline, 1.0, 50, series);
   const double before = incline.travel();

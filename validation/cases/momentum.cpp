@@ -101,6 +101,7 @@ Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool ke
   Settings settings = extra;
   if (!run.settings().contains("cells")) settings["cells"] = "4";
   const std::unique_ptr<Simulation> simulation = run.simulate(problem, settings);
+  simulation->record_frames(1e-3);
   const Engine& engine = simulation->engine();
   Audit audit;
   for (const ProblemBody& body : problem.bodies) {
@@ -113,7 +114,7 @@ Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool ke
   Momenta before = start;
   Vec3 sum = Vec3::Zero();
   while (simulation->time() < problem.duration - 0.5 * engine.time_step()) {
-    simulation->engine().advance(1);
+    simulation->advance(1);
     const Momenta now = engine.momenta();
     const Contacts contacts = contacts_of(engine);
     const Vec3 defect = now.angular - before.angular;

@@ -99,6 +99,7 @@ void check_drift(CaseRun& run, const SlabSetup& setup) {
   expect_no_rest_of_paper(run);
   constexpr double kFrom = 4.0, kTo = 14.0;  // s: by 4 s the vibration of quiet has decayed
   SlabRun slab(run, setup);
+  slab.record_frames(0.1);
   SlabSeries history;
   const auto advance = [&](double from, double to, int samples) {
     for (int k = 1; k <= samples; ++k) {

@@ -65,6 +65,7 @@ Outcome collide(CaseRun& run, const Problem& problem, const std::string& label) 
   Settings settings;
   if (!run.settings().contains("cells")) settings["cells"] = "4";
   const std::unique_ptr<Simulation> simulation = run.simulate(problem, settings);
+  simulation->record_frames(1e-3);
   const Engine& engine = simulation->engine();
   Outcome outcome;
   for (const ProblemBody& body : problem.bodies) {
@@ -81,7 +82,7 @@ Outcome collide(CaseRun& run, const Problem& problem, const std::string& label) 
   int apart_count = 0;
   while (simulation->time() < problem.duration - 0.5 * engine.time_step()) {
     const double time = simulation->time();
-    simulation->engine().advance(1);
+    simulation->advance(1);
     const Energies next = engine.energies();
     const double total = now.elastic + 0.5 * (now.kinetic + next.kinetic);
     now = next;

@@ -237,6 +237,25 @@ class StictionEngine final : public Engine {
     return samples;
   }
 
+  Eigen::Matrix3Xi surface(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    Eigen::Matrix4Xi tetrahedra(4, body.element_count);
+    for (int e = 0; e < body.element_count; ++e) {
+      const Element& element = scene_.elements[static_cast<std::size_t>(body.first_element + e)];
+      for (int k = 0; k < 4; ++k) tetrahedra(k, e) = element.vertex[k] - body.first_vertex;
+    }
+    return surface_triangles(tetrahedra);
+  }
+
+  Eigen::Matrix3Xd vertices(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    Eigen::Matrix3Xd positions(3, body.vertex_count);
+    for (int v = 0; v < body.vertex_count; ++v) {
+      positions.col(v) = state_.position[static_cast<std::size_t>(body.first_vertex + v)].x;
+    }
+    return positions;
+  }
+
   Energies energies() const override {
     const double time = static_cast<double>(state_.step) * options_.time_step;
     return {kinetic_energy(scene_, state_), gravity_energy(scene_, state_, time),

@@ -59,6 +59,23 @@ TEST(StictionEngine, SaysWhatItIs) {
   }
 }
 
+// Divergence theorem: Σ x₀·(x₁ × x₂)/6 over outward triangles.
+TEST(StictionEngine, ShowsAClosedOutwardSurface) {
+  Problem problem = incline_problem(slope(0.3));
+  problem.bodies[0].shape = BallShape{0.1};
+  problem.obstacles.clear();
+  const auto engine = loaded(problem, {{"ball", "16"}});
+  const Eigen::Matrix3Xi surface = engine->surface(0);
+  const Eigen::Matrix3Xd vertices = engine->vertices(0);
+  double volume = 0.0;
+  for (Eigen::Index t = 0; t < surface.cols(); ++t) {
+    const Vec3 a = vertices.col(surface(0, t));
+    const Vec3 b = vertices.col(surface(1, t));
+    volume += a.dot(b.cross(vertices.col(surface(2, t)))) / 6.0;
+  }
+  EXPECT_NEAR(volume, 4.0 / 3.0 * M_PI * 1e-3, 2e-5);
+}
+
 TEST(StictionEngine, ResolvesItsSettings) {
   const Problem problem = incline_problem(slope(0.3));
   EXPECT_EQ(loaded(problem)->settings(),

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs → what the page holds: an index that is read at once, and parts that are read when needed.
+import { margin } from "../model/check_text.js";
+import { compare } from "../model/compare.js";
+import { family_name, group_by } from "../model/family.js";
+import { natural_sort } from "../model/natural.js";
+import { to_number } from "../model/number.js";
+import { is_bad, worst_check } from "../model/verdict.js";
+import { attributes_of, variant_key, variant_labels } from "../model/variant.js";
+import { comparison_plots } from "../plots/comparison_plot.js";
+import { margin_plot } from "../plots/margin_plot.js";
+import { case_plots, family_plots } from "../plots/plots.js";
+
+const RECORDS_A_PART = 200;
+const MOST_FAMILIES_PLOTTED = 24;
+const MOST_CHANGES = 5000;
+
+// Texts that many records share, once.
+class Texts {
+  list = [];
+  #places = new Map();
+  add(text) {
+    let place = this.#places.get(text);
+    if (place === undefined) {
+      place = this.list.push(text) - 1;
+      this.#places.set(text, place);
+    }
+    return place;
+  }
+}
+
+// What runs are called beside their records: "this run" and "earlier" where one is compared with one,
+// else their names without the date that all share, numbered where they are the same.
+function short_names(runs, against) {
+  if (runs.length === 1 && against.length === 1) return ["this run", "earlier"];
+  const names = [...runs, ...against].map(({ name }) => name);
+  const starts = names.map((name) => name.slice(0, name.indexOf("T") + 1));
+  const short = names.map((name) =>
+    starts.every((start) => start === starts[0]) ? name.slice(starts[0].length) : name,
+  );
+  return short.map((name, i) => {
+    const place = short.slice(0, i + 1).filter((other) => other === name).length;
+    return place > 1 ? `${name} (${place})` : name;
+  });
+}
+
+function run_heads(runs, against) {
+  const short = short_names(runs, against);
+  const head = (run, role, place) => {
+    const environment = run.records[0].environment;
+    return {
+      name: run.name,
+      short: short[place],
+      role,
+      records: run.records.length,
+      ...environment,
+    };
+  };
+  return [
+    ...runs.map((run, i) => head(run, "shown", i)),
+    ...against.map((run, i) => head(run, "against", runs.length + i)),
+  ];
+}
+
+const short_number = (value) =>
+  Number.isFinite(value)
+    ? Number(value.toPrecision(7))
+    : String(value).replace("Infinity", "inf").toLowerCase();
+
+// One record in the index. page/rows.js reads it in the same order.
+function row_of(texts, { record, run, part }) {
+  const check = worst_check(record.checks, margin);
+  const text = (value) => texts.add(value);
+  const number = (value) => short_number(to_number(value));
+  return [
+    run,
+    part,
+    text(record.case),
+    text(record.title),
+    text(record.engine),
+    text(variant_key(record)),
+    text(record.verdict),
+    number(record.cost.cpu_seconds),
+    record.cost.steps,
+    record.cost.contact_updates,
+    number(record.cost.ns_per_contact_update),
+    record.checks.length,
+    text(record.frames ?? ""),
+    text(record.verdict === "error" ? record.error : ""),
+    check
+      ? [
+          text(check.quantity),
+          text(check.unit),
+          number(check.value),
+          number(check.expected),
+          number(check.error),
+          check.relative ? 1 : 0,
+          number(check.tolerance),
+          number(check.digits),
+        ]
+      : 0,
+  ];
+}
+
+// Entries in parts of about the same size; a case is never split.
+function parts_of(by_case) {
+  const parts = [];
+  let part = [];
+  let size = 0;
+  for (const entry of by_case) {
+    part.push(entry);
+    size += entry[1].length;
+    if (size >= RECORDS_A_PART) {
+      parts.push(part);
+      part = [];
+      size = 0;
+    }
+  }
+  if (part.length > 0) parts.push(part);
+  return parts;
+}
+
+/**
+ * {index, parts, families, comparison}: JSON values. `parts[i]` gives the records and the plots of some
+ * cases when it is called, so that one part at a time is in memory.
+ */
+export function page_data({ runs, against, title, warnings }) {
+  const heads = run_heads(runs, against);
+  const entries = [...runs, ...against].flatMap((run, place) =>
+    run.records.map((record) => ({ record, run: place })),
+  );
+  const names = natural_sort(
+    [...new Set(entries.map(({ record }) => record.case))],
+    (name) => name,
+  );
+  const groups = group_by(entries, ({ record }) => record.case);
+  const by_case = names.map((name) => [name, groups.get(name)]);
+  const cut = parts_of(by_case);
+
+  const texts = new Texts();
+  const rows = [];
+  cut.forEach((part, place) => {
+    for (const [, group] of part)
+      for (const { record, run } of group) rows.push(row_of(texts, { record, run, part: place }));
+  });
+
+  const current = entries.filter(({ run }) => heads[run].role === "shown");
+  const by_family = [...group_by(by_case, ([name]) => family_name(name))];
+  const current_families = by_family
+    .map(([name, cases]) => ({
+      name,
+      records: cases.flatMap(([, group]) =>
+        group.filter(({ run }) => heads[run].role === "shown").map(({ record }) => record),
+      ),
+    }))
+    .filter(({ records }) => records.length > 0);
+  const worst_margin = ({ records }) => {
+    let worst = 0;
+    for (const record of records)
+      for (const check of record.checks) worst = Math.max(worst, margin(check));
+    return worst;
+  };
+  const has_bad = ({ records }) => records.some(({ verdict }) => is_bad(verdict));
+  const failing_first = [
+    ...current_families.filter(has_bad),
+    ...current_families.filter((family) => !has_bad(family)),
+  ];
+  const shown_families =
+    current_families.length <= MOST_FAMILIES_PLOTTED
+      ? failing_first
+      : current_families
+          .map((family) => [worst_margin(family), family])
+          .sort((a, b) => b[0] - a[0])
+          .slice(0, MOST_FAMILIES_PLOTTED)
+          .map(([, family]) => family);
+
+  const families = by_family.map(([name, cases]) => ({
+    name,
+    plots: family_plots(
+      name,
+      cases.flatMap(([, group]) => group),
+      heads,
+    ),
+  }));
+  const changes =
+    against.length > 0
+      ? compare(
+          against.flatMap(({ records }) => records),
+          runs.flatMap(({ records }) => records),
+        )
+      : null;
+  const counts = { pass: 0, fail: 0, error: 0, shown: 0, "not-applicable": 0 };
+  for (const { record } of current) for (const { verdict } of record.checks) ++counts[verdict];
+
+  const overview = margin_plot(shown_families);
+  return {
+    index: {
+      title,
+      runs: heads,
+      warnings,
+      check_counts: counts,
+      overview: overview && { id: "overview", kind: "overview", ...overview },
+      families: families.map(({ name, plots }) => ({
+        name,
+        plots: plots.map(({ id, kind, title: plot_title }) => ({ id, kind, title: plot_title })),
+      })),
+      rows,
+      texts: texts.list,
+    },
+    parts: cut.map((part) => ({
+      records: () =>
+        part.flatMap(([, group]) =>
+          group.map(({ record, run }) => ({ ...without_series(record), run })),
+        ),
+      plots: () =>
+        part.map(([name, group]) => ({ case: name, plots: case_plots(name, group, heads) })),
+    })),
+    families,
+    comparison: changes && {
+      total: changes.length,
+      counts: Object.fromEntries(
+        [...group_by(changes, (change) => change.class)].map(([name, list]) => [name, list.length]),
+      ),
+      changes: thin_changes(changes.slice(0, MOST_CHANGES)),
+      plots: comparison_plots(
+        changes.map((change) => ({ ...change, family: family_name(change.case) })),
+      ).map((plot, i) => ({ ...plot, id: `comparison/${i + 1}` })),
+      seconds: cost_sums(changes),
+    },
+  };
+}
+
+// The series stand in the plots' data already.
+function without_series(record) {
+  const { series, ...rest } = record;
+  return rest;
+}
+
+function thin_changes(changes) {
+  const thin = (record) =>
+    record && {
+      verdict: record.verdict,
+      seconds: short_number(to_number(record.cost.cpu_seconds)),
+    };
+  const records = changes.map(({ before, after }) => after ?? before);
+  const labels = variant_labels(
+    records.map((record) => attributes_of(record)),
+    (i) => records[i].case,
+  );
+  return changes.map(({ before, after, ...rest }, i) => ({
+    ...rest,
+    before: thin(before),
+    after: thin(after),
+    variant: variant_key(records[i]),
+    label: labels[i],
+  }));
+}
+
+function cost_sums(changes) {
+  const paired = changes.filter(({ before, after }) => before && after);
+  const sum = (side) =>
+    paired.reduce((total, change) => total + to_number(change[side].cost.cpu_seconds), 0);
+  return { before: sum("before"), after: sum("after") };
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Phrases about a check that several outputs share.
+import { format_error, format_pair, to_number, with_unit } from "./number.js";
+
+const error_unit = (check) => (check.relative ? "rel" : check.unit);
+
+/** "1.2e-05 m", or "1.2e-05 rel" when the error is relative. */
+export const error_text = (check) =>
+  with_unit(format_error(to_number(check.error)), error_unit(check));
+
+export const tolerance_text = (check) =>
+  with_unit(format_error(to_number(check.tolerance)), error_unit(check));
+
+// Measured and expected, with the digits that it takes to see that they differ.
+const pair = (check) => format_pair(to_number(check.value), to_number(check.expected));
+
+export const value_text = (check) => with_unit(pair(check)[0], check.unit);
+
+export const expected_text = (check) => with_unit(pair(check)[1], check.unit);
+
+/** |error| ÷ tolerance: the check holds up to 1. A broken error counts as infinite. */
+export function margin(check) {
+  const error = Math.abs(to_number(check.error));
+  const tolerance = to_number(check.tolerance);
+  if (Number.isNaN(error) || Number.isNaN(tolerance)) return Infinity;
+  if (error === 0) return 0;
+  return tolerance > 0 ? error / tolerance : Infinity;
+}
+
+/** The margin in short: "12 %", "320 ×". */
+export function short_margin(value) {
+  if (value === 0) return "exact";
+  if (!Number.isFinite(value)) return "∞";
+  if (value <= 1) return `${format_error(value * 100)} %`;
+  return `${value < 1e5 ? String(Number(value.toPrecision(2))) : format_error(value)} ×`;
+}
+
+/** The margin in words: "12 % of its tolerance", "320 × its tolerance". */
+export function margin_text(value) {
+  if (value === 0) return "exact";
+  if (!Number.isFinite(value)) return "beyond any tolerance";
+  const short = short_margin(value);
+  return short.endsWith("×") ? `${short} its tolerance` : `${short} of its tolerance`;
+}

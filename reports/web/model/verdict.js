@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verdicts, worst first, each with the words that people read. Colour never stands alone: each has a
+// shape of its own too (page/glyph.js, plots/verdict_scale.js).
+export const VERDICTS = ["error", "fail", "limit", "pass", "shown", "not-applicable"];
+
+export const VERDICT_WORDS = {
+  error: "broke off",
+  fail: "fails",
+  limit: "falls short, as known",
+  pass: "holds",
+  shown: "shown only",
+  "not-applicable": "not applicable",
+};
+
+/** 0 for the worst. Unknown words come last. */
+export function rank(verdict) {
+  const place = VERDICTS.indexOf(verdict);
+  return place < 0 ? VERDICTS.length : place;
+}
+
+export const is_bad = (verdict) => verdict === "error" || verdict === "fail";
+
+/** The check that decides, as worst_check() in reports/record.h; undefined when none does. */
+export function worst_check(checks, margin) {
+  let worst;
+  for (const check of checks) {
+    if (rank(check.verdict) > rank("pass")) continue;
+    if (
+      worst === undefined ||
+      rank(check.verdict) < rank(worst.verdict) ||
+      (check.verdict === worst.verdict && margin(check) > margin(worst))
+    ) {
+      worst = check;
+    }
+  }
+  return worst;
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One case: what it claims, what was measured, how it went, what it cost.
+import { attributes_of, variant_labels } from "../model/variant.js";
+import { rank } from "../model/verdict.js";
+import { checks_height, checks_section } from "./checks_section.js";
+import { cost_table } from "./cost_table.js";
+import { breakable, h, replace } from "./dom.js";
+import { verdict_mark } from "./glyph.js";
+import { player_figure } from "./player_figure.js";
+import { plot_figure } from "./plot_figure.js";
+import { plots_of_case, records_of_case } from "./records.js";
+import { case_hash, hash_of } from "./route.js";
+import { sketch } from "./sketch/sketch.js";
+
+function notes_of(entries) {
+  const by_note = new Map();
+  for (const { record, label } of entries) {
+    const all = record.error ? [`broke off: ${record.error}`, ...record.notes] : record.notes;
+    for (const note of all) by_note.set(note, [...(by_note.get(note) ?? []), label]);
+  }
+  return [...by_note].map(([note, labels]) => [
+    note,
+    labels.length === entries.length ? "" : labels.filter(Boolean).join(", "),
+  ]);
+}
+
+function environment_of(records, runs) {
+  const told = records.map((record) => ({ ...record.environment, run: runs[record.run] }));
+  const unique = [
+    ...new Map(
+      told.map((one) => [`${one.revision} ${one.toolchain} ${one.machine} ${one.run.name}`, one]),
+    ).values(),
+  ];
+  return unique.map((one) =>
+    h(
+      "p",
+      { class: "provenance" },
+      [
+        one.run.role === "against" ? "earlier run" : "",
+        one.date.replace("T", " ").replace("Z", " UTC"),
+        `revision ${one.revision}`,
+        one.toolchain,
+        one.machine,
+      ]
+        .filter(Boolean)
+        .join(" · "),
+    ),
+  );
+}
+
+// Old and new method stand at the ends of a run's variants.
+function first_and_last(recorded, runs) {
+  const places = recorded.flatMap(({ record }, i) =>
+    runs[record.run].role === "shown" ? [i] : [],
+  );
+  return places.length > 1 ? [places[0], places.at(-1)] : [0, recorded.length - 1];
+}
+
+function neighbours(name, list) {
+  const names = [...new Set(list.map((row) => row.case))];
+  const place = names.indexOf(name);
+  const link = (target, text, rel) =>
+    target === undefined
+      ? h("span", { class: "off" }, text)
+      : h("a", { href: case_hash(target), rel }, text);
+  return h(
+    "nav",
+    { class: "neighbours", "aria-label": "Neighbouring cases" },
+    link(place > 0 ? names[place - 1] : undefined, "← previous", "prev"),
+    link(place >= 0 ? names[place + 1] : undefined, "next →", "next"),
+  );
+}
+
+// How many plots stand beside the claims and notes: as many as these leave room for.
+function plots_beside(entries, notes, with_player) {
+  const height =
+    checks_height(entries) +
+    notes.reduce((sum, [note, who]) => sum + 23 * Math.ceil((note.length + who.length) / 78), 0);
+  return Math.max(0, Math.round((height - (with_player ? 340 : 200)) / 340));
+}
+
+/** Fills `element` with the case; `list` are the rows among which previous and next are meant. */
+export async function show_case(element, name, { index, rows }, list) {
+  const records = await records_of_case(name, rows);
+  if (records.length === 0) {
+    replace(
+      element,
+      h("h1", {}, "There is no such case"),
+      h(
+        "p",
+        {},
+        "The page holds no case named ",
+        h("code", {}, name),
+        ". ",
+        h("a", { href: hash_of("cases") }, "All cases"),
+        ".",
+      ),
+    );
+    return;
+  }
+  const labels = variant_labels(
+    records.map((record) => attributes_of(record, index.runs[record.run].short)),
+  );
+  const several_runs = new Set(records.map((record) => record.run)).size > 1;
+  const entries = records.map((record, i) => ({
+    record,
+    label: labels[i],
+    run: several_runs ? index.runs[record.run].short : "",
+  }));
+  const current = records.filter((record) => index.runs[record.run].role === "shown");
+  const worst = (current.length > 0 ? current : records).reduce((a, b) =>
+    rank(b.verdict) < rank(a.verdict) ? b : a,
+  ).verdict;
+  const family = rows.find((row) => row.case === name).family;
+  const notes = notes_of(entries);
+  const recorded = entries.filter(
+    ({ record }) => record.frames && index.assets.includes(`frames/${record.frames}`),
+  );
+  const plots = await plots_of_case(name, rows, index);
+  const figures =
+    plots === null
+      ? [
+          h(
+            "p",
+            { class: "message" },
+            "The plots of this case were left out to keep the page small.",
+          ),
+        ]
+      : plots.map((plot) => plot_figure(plot));
+  const beside = plots_beside(entries, notes, recorded.length > 0);
+
+  replace(
+    element,
+    h(
+      "div",
+      { class: "case-head" },
+      h(
+        "p",
+        { class: "crumbs" },
+        h("a", { href: hash_of("cases") }, "Cases"),
+        " / ",
+        h("a", { href: hash_of("family", family) }, family),
+      ),
+      neighbours(name, list),
+      h("h1", { id: "case-title" }, breakable(name)),
+      h("p", { class: "case-title" }, verdict_mark(worst, 20), records[0].title),
+    ),
+    h(
+      "div",
+      { class: recorded.length > 0 ? "case-columns with-player" : "case-columns" },
+      h(
+        "div",
+        { class: "case-claims" },
+        h("h2", {}, "What must hold"),
+        entries.some(({ record }) => record.checks.length > 0)
+          ? checks_section(entries)
+          : h("p", {}, "Nothing was checked."),
+        notes.length > 0 &&
+          h(
+            "div",
+            { class: "notes" },
+            h("h2", {}, "Notes"),
+            h(
+              "ul",
+              {},
+              notes.map(([note, who]) => h("li", {}, who && h("strong", {}, `${who}: `), note)),
+            ),
+          ),
+      ),
+      h(
+        "div",
+        { class: "case-pictures" },
+        recorded.length > 0
+          ? player_figure(recorded, first_and_last(recorded, index.runs))
+          : sketch(name),
+        figures.slice(0, beside),
+      ),
+    ),
+    figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
+    h("h2", {}, "Cost"),
+    cost_table(entries),
+    environment_of(records, index.runs),
+  );
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The index's rows (make/page_data.mjs writes them) as objects.
+import { margin } from "../model/check_text.js";
+import { family_name, group_by } from "../model/family.js";
+import { to_number } from "../model/number.js";
+import { variant_labels } from "../model/variant.js";
+
+function check_of(values, texts) {
+  if (!values) return null;
+  const [quantity, unit, value, expected, error, relative, tolerance, digits] = values;
+  const check = {
+    quantity: texts[quantity],
+    unit: texts[unit],
+    value,
+    expected,
+    error,
+    relative: relative === 1,
+    tolerance,
+    digits: to_number(digits),
+  };
+  return { ...check, margin: margin(check) };
+}
+
+// What tells a record from the others of its case and run: [label], "" where it is the only one.
+function labels_of(rows, texts) {
+  const attributes = (row) =>
+    Object.fromEntries(
+      texts[row[5]].split(" ").map((word) => {
+        const equals = word.indexOf("=");
+        return equals < 0 ? ["engine", word] : [word.slice(0, equals), word.slice(equals + 1)];
+      }),
+    );
+  const labels = new Map();
+  for (const group of group_by(rows, (row) => `${row[0]} ${row[2]}`).values()) {
+    if (group.length > 1)
+      variant_labels(group.map(attributes)).forEach((label, i) => labels.set(group[i], label));
+  }
+  return (row) => labels.get(row) ?? "";
+}
+
+/** One object a record, in natural order of the case names. */
+export function rows_of({ rows, texts }) {
+  const families = new Map();
+  const family_of = (name) => {
+    if (!families.has(name)) families.set(name, family_name(texts[name]));
+    return families.get(name);
+  };
+  const label_of = labels_of(rows, texts);
+  return rows.map((row, index) => {
+    const [
+      run,
+      part,
+      name,
+      title,
+      engine,
+      variant,
+      verdict,
+      seconds,
+      steps,
+      updates,
+      ns,
+      checks,
+      frames,
+      error,
+      check,
+    ] = row;
+    return {
+      index,
+      run,
+      part,
+      case: texts[name],
+      family: family_of(name),
+      title: texts[title],
+      engine: texts[engine],
+      variant: texts[variant],
+      label: label_of(row),
+      verdict: texts[verdict],
+      seconds: to_number(seconds),
+      steps,
+      updates,
+      ns: to_number(ns),
+      checks,
+      frames: texts[frames],
+      error: texts[error],
+      check: check_of(check, texts),
+    };
+  });
+}

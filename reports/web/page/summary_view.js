@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds, what doesn't, by how much, at what cost: one screen.
+import { short_margin } from "../model/check_text.js";
+import { group_by } from "../model/family.js";
+import {
+  format_count,
+  format_digits,
+  format_seconds,
+  format_short,
+  format_value,
+} from "../model/number.js";
+import { rank, VERDICTS, VERDICT_WORDS } from "../model/verdict.js";
+import { h } from "./dom.js";
+import { failures_list } from "./failures.js";
+import { family_table } from "./family_table.js";
+import { glyph } from "./glyph.js";
+import { plot_figure } from "./plot_figure.js";
+import { case_hash, hash_of } from "./route.js";
+import { tally_of } from "./tally.js";
+
+const plural = (count, one, many = `${one}s`) =>
+  `${format_count(count)} ${count === 1 ? one : many}`;
+
+function headline(tally) {
+  if (tally.bad === 0 && tally.pass === 0) return ["shown", "Nothing was decided."];
+  if (tally.bad === 0 && tally.limit > 0)
+    return [
+      "pass",
+      `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}, ${format_count(tally.limit)} fall${tally.limit === 1 ? "s" : ""} short as known.`,
+    ];
+  if (tally.bad === 0)
+    return [
+      "pass",
+      tally.pass === 1 ? "The one record holds." : `All ${format_count(tally.pass)} records hold.`,
+    ];
+  const verdict = tally.error > 0 ? "error" : "fail";
+  const parts = [
+    tally.fail > 0 && `${format_count(tally.fail)} ${tally.fail === 1 ? "fails" : "fail"}`,
+    tally.error > 0 && `${format_count(tally.error)} broke off`,
+  ];
+  return [
+    verdict,
+    `${parts.filter(Boolean).join(", ")}, ${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}.`,
+  ];
+}
+
+const fact = (name, value, note, href) =>
+  h(
+    "div",
+    { class: "fact" },
+    h("dt", {}, name),
+    h(
+      "dd",
+      {},
+      h("span", { class: "fact-value" }, href ? h("a", { href }, value) : value),
+      note && h("span", { class: "fact-note" }, note),
+    ),
+  );
+
+function facts(tally, index) {
+  const checks = index.check_counts;
+  const total = Object.values(checks).reduce((a, b) => a + b, 0);
+  return h(
+    "dl",
+    { class: "facts" },
+    fact(
+      "Checks",
+      format_count(total),
+      VERDICTS.filter((verdict) => checks[verdict] > 0)
+        .map(
+          (verdict) =>
+            `${format_count(checks[verdict])} ${VERDICT_WORDS[verdict].replace(/s$/, "")}`,
+        )
+        .join(", "),
+    ),
+    tally.closest &&
+      fact(
+        tally.closest.check.margin > 1
+          ? "Furthest beyond its tolerance"
+          : "Closest to its tolerance",
+        short_margin(tally.closest.check.margin),
+        tally.closest.case,
+        case_hash(tally.closest.case),
+      ),
+    fact(
+      "Fewest digits",
+      Number.isFinite(tally.fewest) ? format_digits(tally.fewest) : "–",
+      "of the deciding checks",
+    ),
+    fact("CPU time", `${format_seconds(tally.seconds)} s`, `${format_short(tally.steps)} steps`),
+    fact(
+      "Contact update",
+      tally.median_ns > 0 ? `${format_value(Number(tally.median_ns.toPrecision(3)))} ns` : "–",
+      `median; ${format_short(tally.updates)} updates`,
+    ),
+  );
+}
+
+function change_line(comparison) {
+  if (!comparison) return null;
+  const { counts } = comparison;
+  const said = [
+    ["worse", "verdict worse", "verdicts worse"],
+    ["better", "verdict better", "verdicts better"],
+    ["fewer-digits", "with fewer digits"],
+    ["more-digits", "with more digits"],
+    ["new", "new"],
+    ["gone", "gone"],
+  ]
+    .filter(([name]) => counts[name] > 0)
+    .map(([name, one, many]) => `${counts[name]} ${counts[name] === 1 || !many ? one : many}`);
+  return h(
+    "p",
+    { class: "change-line" },
+    "Against the earlier run: ",
+    h("a", { href: hash_of("compare") }, said.join(", ") || "nothing changed"),
+    ".",
+  );
+}
+
+// Cases that were recorded, one a family, the failing ones first.
+function play_line(rows, index, most = 4) {
+  const recorded = rows.filter(({ frames }) => frames && index.assets.includes(`frames/${frames}`));
+  const first = [...recorded].sort((a, b) => rank(a.verdict) - rank(b.verdict));
+  const names = [...group_by(first, (row) => row.family).values()].map(([row]) => row.case);
+  if (names.length === 0) return null;
+  const all = new Set(first.map((row) => row.case)).size;
+  const links = names.slice(0, most).map((name) => [h("a", { href: case_hash(name) }, name), " "]);
+  const more =
+    all > Math.min(names.length, most) &&
+    h("a", { href: hash_of("cases", "", { q: "recorded" }) }, `all ${all}`);
+  return h(
+    "p",
+    { class: "play-line" },
+    h("span", { "aria-hidden": "true" }, "▶ "),
+    "Recorded in 3-D: ",
+    links,
+    more,
+  );
+}
+
+// Where and with what: of the first run, and how many more there are.
+function provenance(runs) {
+  const shown = runs.filter(({ role }) => role === "shown");
+  const [run] = shown;
+  const more =
+    shown.length > 1 ? `and ${shown.length - 1} more run${shown.length > 2 ? "s" : ""}` : "";
+  return [
+    run.date.replace("T", " ").replace("Z", " UTC"),
+    `revision ${run.revision}`,
+    run.toolchain,
+    run.machine,
+    more,
+  ]
+    .filter(Boolean)
+    .join(" · ");
+}
+
+export function summary_view({ index, rows, comparison }) {
+  const current = rows.filter((row) => index.runs[row.run].role === "shown");
+  const tally = tally_of(current);
+  const [verdict, sentence] = headline(tally);
+  const families = new Set(current.map((row) => row.case)).size;
+  return h(
+    "section",
+    { class: "view view-summary", "aria-labelledby": "summary-title" },
+    h(
+      "div",
+      { class: "headline" },
+      glyph(verdict, 44),
+      h(
+        "div",
+        {},
+        h("h1", { id: "summary-title", class: `verdict-${verdict}` }, sentence),
+        h(
+          "p",
+          { class: "subline" },
+          `${plural(tally.records, "record")} of ${plural(families, "case")}`,
+          VERDICTS.filter((name) => tally[name] > 0).map((name) =>
+            h(
+              "span",
+              { class: `tally verdict-${name}` },
+              glyph(name, 13),
+              ` ${format_count(tally[name])} ${VERDICT_WORDS[name].replace(/s$/, "")}`,
+            ),
+          ),
+        ),
+        h("p", { class: "provenance" }, provenance(index.runs)),
+        play_line(current, index),
+        change_line(comparison),
+      ),
+    ),
+    facts(tally, index),
+    failures_list(current),
+    h(
+      "div",
+      { class: "overview" },
+      h("div", { class: "overview-table" }, h("h2", {}, "By family"), family_table(current)),
+      index.overview &&
+        h(
+          "div",
+          { class: "overview-plot" },
+          plot_figure(index.overview, {
+            heading: "h2",
+            on_click: (datum) => datum.family && (location.hash = hash_of("family", datum.family)),
+          }),
+        ),
+    ),
+  );
+}

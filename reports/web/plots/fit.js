@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/**
+ * The power law y = factor · x^exponent that fits best in the logarithms (least squares); null when
+ * fewer than two points with different x are positive.
+ */
+export function power_law(points) {
+  const logs = points
+    .filter(({ x, y }) => x > 0 && y > 0)
+    .map(({ x, y }) => [Math.log(x), Math.log(y)]);
+  if (logs.length < 2) return null;
+  const mean = (place) => logs.reduce((sum, one) => sum + one[place], 0) / logs.length;
+  const [mean_x, mean_y] = [mean(0), mean(1)];
+  let covariance = 0;
+  let variance = 0;
+  for (const [x, y] of logs) {
+    covariance += (x - mean_x) * (y - mean_y);
+    variance += (x - mean_x) ** 2;
+  }
+  if (variance === 0) return null;
+  const exponent = covariance / variance;
+  return { exponent, factor: Math.exp(mean_y - exponent * mean_x) };
+}
+
+/** The points that no other beats in both: none is as cheap and as precise, and better in one. */
+export function pareto_front(points, cost_of, error_of) {
+  const front = [];
+  const sorted = [...points].sort((a, b) => cost_of(a) - cost_of(b) || error_of(a) - error_of(b));
+  for (const point of sorted) {
+    if (front.length === 0 || error_of(point) < error_of(front.at(-1))) front.push(point);
+  }
+  return front;
+}

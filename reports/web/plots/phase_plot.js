@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the time went: CPU time by phase, one bar a variant.
+import { to_number } from "../model/number.js";
+import { rounded } from "./axes.js";
+import { name_axis, numbered, tip, tip_number } from "./names.js";
+import { SERIES_COLOURS } from "./palette.js";
+import { MOST_VARIANTS, variant_channel } from "./series_plot.js";
+
+// In the order of a time step; phases of other engines come after, by name.
+const ORDER = [
+  "predict",
+  "detect",
+  "normal force",
+  "depth",
+  "friction",
+  "post-correct",
+  "forces",
+  "integrate",
+];
+
+/** `entries`: [{label, record}] of one case. Null when no phase was timed. */
+export function phase_plot(entries) {
+  const values = entries.slice(0, MOST_VARIANTS).flatMap(({ label, record }) =>
+    Object.entries(record.cost.phase_seconds).map(([phase, seconds]) => ({
+      variant: label || "all phases",
+      phase,
+      seconds: rounded(to_number(seconds)),
+    })),
+  );
+  if (values.length === 0) return null;
+  const place = (phase) => (ORDER.includes(phase) ? ORDER.indexOf(phase) : ORDER.length);
+  const phases = [...new Set(values.map(({ phase }) => phase))].sort(
+    (a, b) => place(a) - place(b) || (a < b ? -1 : 1),
+  );
+  const rows = numbered(phases);
+  const variants = numbered([...new Set(values.map(({ variant }) => variant))]);
+  for (const value of values)
+    Object.assign(value, {
+      phase_key: rows.key_of(value.phase),
+      variant_key: variants.key_of(value.variant),
+    });
+  const single = variants.keys.length === 1;
+  return {
+    title: "CPU time by phase",
+    caption: "",
+    description: `CPU seconds of ${phases.join(", ")}.`,
+    spec: {
+      height: { step: single ? 20 : 9 },
+      data: { values },
+      mark: { type: "bar", cornerRadiusEnd: 2 },
+      encoding: {
+        y: name_axis("phase_key", rows),
+        x: {
+          field: "seconds",
+          type: "quantitative",
+          axis: { title: "CPU time (s)", tickCount: 5 },
+        },
+        ...(single
+          ? { color: { value: "$s0" } }
+          : {
+              yOffset: { field: "variant_key", type: "ordinal", scale: { domain: variants.keys } },
+              color: variant_channel(variants, SERIES_COLOURS),
+            }),
+        tooltip: [tip("variant", "variant"), tip("phase", "phase"), tip_number("seconds", "CPU s")],
+      },
+    },
+  };
+}

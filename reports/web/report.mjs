@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program behind `./stiction report`: records → one self-contained page.
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { write_whole } from "./make/files.mjs";
+import { parse_arguments, USAGE } from "./make/arguments.mjs";
+import { html_page, read_bundles } from "./make/page.mjs";
+import { page_data } from "./make/page_data.mjs";
+import { read_recordings } from "./make/recordings.mjs";
+import { read_run } from "./make/read_run.mjs";
+import { write_svg_files } from "./make/svg_files.mjs";
+
+// Broken runs are told of; the others are shown.
+function read_all(folders, warnings) {
+  const runs = [];
+  const failures = [];
+  for (const folder of folders) {
+    try {
+      const run = read_run(folder);
+      warnings.push(...run.warnings);
+      runs.push(run);
+    } catch (error) {
+      failures.push(error.message);
+    }
+  }
+  if (runs.length === 0 && failures.length > 0) throw new Error(failures.join("; "));
+  warnings.push(...failures.map((failure) => `${failure}. It is left out.`));
+  return runs;
+}
+
+const default_title = (runs) =>
+  `Validation report, ${runs
+    .map(({ name }) => name)
+    .slice(0, 3)
+    .join(", ")}`;
+
+async function report(options) {
+  const warnings = [];
+  const runs = read_all(options.folders, warnings);
+  const against = read_all(options.against, warnings);
+  const { recordings, warnings: recording_warnings } = read_recordings([...runs, ...against]);
+  warnings.push(...recording_warnings);
+
+  const data = page_data({
+    runs,
+    against,
+    warnings: [...new Set(warnings)],
+    title: options.title ?? default_title(runs),
+  });
+  const bundles = read_bundles(join(dirname(fileURLToPath(import.meta.url)), "bundle"));
+  const page = html_page({ data, bundles, recordings, limit_bytes: options.limit_bytes });
+  const bytes = Buffer.byteLength(page.html);
+  const size = `${(bytes / 1e6).toFixed(1)} MB`;
+  if (bytes > options.limit_bytes)
+    page.warnings.push(`The page has ${size} all the same: that many records are listed in it.`);
+  const file = options.out ?? join(runs[0].folder, "report.html");
+  write_whole(file, page.html);
+  for (const warning of page.warnings) console.error(`stiction report: ${warning}`);
+  if (options.svg) {
+    const count = await write_svg_files(options.svg, data);
+    console.log(`Plots: ${count} SVG files in ${options.svg}`);
+  }
+  console.log(`Page: ${file} (${size})`);
+}
+
+try {
+  const options = parse_arguments(process.argv.slice(2));
+  if (options.help) console.log(USAGE);
+  else await report(options);
+} catch (error) {
+  console.error(`stiction report: ${error.message}`);
+  process.exitCode = 2;
+}

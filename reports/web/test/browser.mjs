@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens pages in a real browser and notes what must not happen: errors in the console, exceptions,
+// anything that leaves the page.
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { build } from "./report.mjs";
+
+const require = createRequire(join(build, "package.json"));
+const { chromium } = require("playwright-core");
+export const axe_source = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+
+const EXECUTABLE = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const FLAGS = [
+  "--no-sandbox",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+const WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
+
+/** {open(file, {hash, width, height, dark, wait}), close()}; each page has `faults`, a list of sentences. */
+export async function start_browser({ webgl = true } = {}) {
+  const browser = await chromium.launch({
+    executablePath: EXECUTABLE,
+    headless: true,
+    args: [...FLAGS, ...(webgl ? WITH_WEBGL : WITHOUT_WEBGL)],
+  });
+  return {
+    async open(file, { hash = "", width = 1400, height = 900, dark = false, wait = true } = {}) {
+      const context = await browser.newContext({
+        viewport: { width, height },
+        colorScheme: dark ? "dark" : "light",
+      });
+      const page = await context.newPage();
+      page.faults = [];
+      const own = pathToFileURL(file).href;
+      await context.route("**/*", (route) => {
+        const url = route.request().url();
+        if (url.split("#")[0] !== own && !url.startsWith("data:"))
+          page.faults.push(`request: ${url}`);
+        return route.continue();
+      });
+      page.on("request", (request) => {
+        const url = request.url();
+        if (url.split("#")[0] !== own && !/^(data|blob):/.test(url))
+          page.faults.push(`request: ${url}`);
+      });
+      page.on(
+        "console",
+        (message) =>
+          ["error", "warning"].includes(message.type()) &&
+          page.faults.push(`console: ${message.text()}`),
+      );
+      page.on("pageerror", (error) => page.faults.push(`exception: ${error.message}`));
+      page.on("dialog", (dialog) => page.faults.push(`dialog: ${dialog.message()}`));
+      const start = Date.now();
+      await page.goto(own + hash);
+      if (wait) await page.waitForSelector("[data-ready]", { timeout: 30_000 });
+      page.ready_ms = Date.now() - start;
+      return page;
+    },
+    close: () => browser.close(),
+  };
+}
+
+/** Waits until every plot in view, after scrolling to it, has been drawn. Gives their marks' counts. */
+export async function draw_plots(page) {
+  for (const plot of await page.locator(".plot-canvas").all()) {
+    await plot.scrollIntoViewIfNeeded();
+    await plot.locator("svg").waitFor({ timeout: 10_000 });
+  }
+  return page
+    .locator(".plot-canvas")
+    .evaluateAll((plots) =>
+      plots.map(
+        (plot) =>
+          plot.querySelectorAll(
+            ".mark-symbol path, .mark-line path, .mark-rect path, .mark-rule line, .mark-area path",
+          ).length,
+      ),
+    );
+}

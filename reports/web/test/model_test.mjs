@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { margin, margin_text, short_margin, value_text } from "../model/check_text.js";
+import { compare } from "../model/compare.js";
+import { family_name, short_name } from "../model/family.js";
+import { natural_sort } from "../model/natural.js";
+import {
+  format_count,
+  format_digits,
+  format_error,
+  format_pair,
+  format_seconds,
+  format_value,
+  to_number,
+} from "../model/number.js";
+import { variant_labels } from "../model/variant.js";
+import { worst_check } from "../model/verdict.js";
+import { filtered, sorted } from "../page/filter.js";
+import { instant, place_at, view_of } from "../page/playback.js";
+import { hash_of, parse_hash } from "../page/route.js";
+import { pareto_front, power_law } from "../plots/fit.js";
+import { kind_of } from "../plots/parameter_plot.js";
+import { bracket_in } from "../plots/threshold_plot.js";
+import { check, record } from "./records.mjs";
+
+// The expected texts are those of reports/number_test.cpp and of printf("%.6g").
+test("numbers are spelled as in the Markdown report", () => {
+  const texts = [
+    [0.1 + 0.2, "0.3"],
+    [1234567, "1.23457e+06"],
+    [123456, "123456"],
+    [1e-4, "0.0001"],
+    [1e-5, "1e-05"],
+    [-0, "0"],
+    [NaN, "nan"],
+    [-Infinity, "-inf"],
+    [1e100, "1e+100"],
+    [999999.5, "1e+06"],
+    [0.265962865780865, "0.265963"],
+  ];
+  for (const [value, text] of texts) assert.equal(format_value(value), text);
+  assert.equal(format_error(0.00096234), "0.00096");
+  assert.equal(format_error(100), "1e+02");
+  assert.equal(format_digits(4.449), "4.4");
+  assert.equal(format_seconds(1234.6), "1235");
+  assert.equal(format_count(9685906), "9,685,906");
+  assert.equal(format_count(12), "12");
+});
+
+test("numbers that JSON lacks are read", () => {
+  assert.ok(Number.isNaN(to_number("nan")));
+  assert.equal(to_number("-inf"), -Infinity);
+  assert.ok(Number.isNaN(to_number("7")));
+});
+
+test("a measured value has the digits that tell it from the expected one", () => {
+  assert.deepEqual(format_pair(0.139765, 0.138803), ["0.139765", "0.138803"]);
+  assert.deepEqual(format_pair(1.00000013, 1), ["1.0000001", "1"]);
+  assert.equal(value_text(check({ value: 2, expected: 2, unit: "1" })), "2");
+});
+
+test("margins", () => {
+  assert.equal(margin(check({ error: -5e-4, tolerance: 1e-3 })), 0.5);
+  assert.equal(margin(check({ error: 0, tolerance: 0 })), 0);
+  assert.equal(margin(check({ error: 1e-20, tolerance: 0 })), Infinity);
+  assert.equal(margin(check({ error: "nan" })), Infinity);
+  assert.equal(margin_text(0.5), "50 % of its tolerance");
+  assert.equal(short_margin(2000), "2000 ×");
+  assert.equal(short_margin(6.7e-13), "6.7e-11 %");
+});
+
+test("the worst check decides as in record.h", () => {
+  const near = check({ quantity: "near", error: 9e-4, verdict: "pass" });
+  const bad = check({ quantity: "bad", error: 1e-9, verdict: "fail" });
+  const shown = check({ quantity: "shown", error: 1e9, verdict: "shown" });
+  assert.equal(worst_check([check(), near, shown], margin), near);
+  assert.equal(worst_check([near, bad], margin), bad);
+  assert.equal(worst_check([shown], margin), undefined);
+});
+
+// As reports/family_test.cpp has them.
+test("families and natural order", () => {
+  assert.equal(family_name("incline/threshold/mu=0.3/azimuth=30"), "incline/threshold");
+  assert.equal(family_name("incline/mu=0.3"), "incline");
+  assert.equal(family_name("single"), "single");
+  assert.equal(short_name("incline/threshold/mu=0.3"), "mu=0.3");
+  assert.deepEqual(
+    natural_sort(["dt=1e-3", "dt=1e-4", "dt=10", "dt=9"], (x) => x),
+    ["dt=1e-4", "dt=1e-3", "dt=9", "dt=10"],
+  );
+});
+
+test("variants are told by what differs", () => {
+  const of = (...settings) =>
+    variant_labels(settings.map((one) => ({ run: "a", engine: "stiction", ...one })));
+  assert.deepEqual(of({ rule: "none", dt: "1" }), [""]);
+  assert.deepEqual(of({ rule: "none", dt: "1" }, { rule: "secant", dt: "1" }), ["none", "secant"]);
+  assert.deepEqual(of({ rule: "none" }, { rule: "fixed-point", gain: "0.7" }), [
+    "none",
+    "fixed-point",
+  ]);
+  assert.deepEqual(of({ rule: "a" }, { rule: "a", gain: "0.7" }), ["", "gain=0.7"]);
+  assert.deepEqual(of({ rule: "a" }, { rule: "a" }), ["#1", "#2"]);
+  const methods = [
+    { method: "old", rule: "none", weights: "t" },
+    { method: "paper", rule: "fixed-point" },
+    { method: "paper", rule: "secant", gain: "1" },
+    { method: "quiet", rule: "stored-vector" },
+  ];
+  assert.deepEqual(of(...methods), ["old", "paper · fixed-point", "paper · secant", "quiet"]);
+  // Only within a case must they be told apart: dt differs between the cases.
+  const cases = [
+    { rule: "none", dt: "1" },
+    { rule: "secant", dt: "1" },
+    { rule: "none", dt: "2" },
+  ];
+  assert.deepEqual(
+    variant_labels(cases, (i) => (i < 2 ? "a" : "b")),
+    ["none", "secant", "none"],
+  );
+});
+
+test("two runs are compared by case, engine and settings", () => {
+  const before = [
+    record({ case: "a" }),
+    record({ case: "b" }),
+    record({ case: "gone" }),
+    record({ case: "same" }),
+  ];
+  const after = [
+    record({ case: "a", verdict: "fail", checks: [check({ verdict: "fail", digits: 1 })] }),
+    record({
+      case: "b",
+      checks: [check({ digits: 2.5 })],
+      cost: { ...record().cost, cpu_seconds: 0.5 },
+    }),
+    record({ case: "new" }),
+    record({ case: "same", state_hash: "fedcba9876543210" }),
+  ];
+  const changes = compare(before, after);
+  assert.deepEqual(
+    changes.map((change) => [change.case, change.class]),
+    [
+      ["a", "worse"],
+      ["gone", "gone"],
+      ["b", "fewer-digits"],
+      ["new", "new"],
+      ["same", "same"],
+    ],
+  );
+  assert.equal(changes[2].cost_ratio, 2);
+  assert.equal(changes[2].digits_change, -1);
+  assert.equal(changes[4].hash_equal, false);
+});
+
+test("a power law is fitted", () => {
+  const fit = power_law([1, 2, 4, 8].map((x) => ({ x, y: 3 * x ** 2 })));
+  assert.ok(Math.abs(fit.exponent - 2) < 1e-12 && Math.abs(fit.factor - 3) < 1e-12);
+  assert.equal(
+    power_law([
+      { x: 1, y: 1 },
+      { x: 1, y: 2 },
+    ]),
+    null,
+  );
+  assert.equal(
+    power_law([
+      { x: 1, y: 0 },
+      { x: 2, y: 2 },
+    ]),
+    null,
+  );
+});
+
+test("the Pareto front leaves out what another beats", () => {
+  const points = [
+    { c: 1, e: 5 },
+    { c: 2, e: 5 },
+    { c: 3, e: 1 },
+    { c: 4, e: 2 },
+    { c: 1, e: 6 },
+  ];
+  assert.deepEqual(
+    pareto_front(
+      points,
+      ({ c }) => c,
+      ({ e }) => e,
+    ),
+    [
+      { c: 1, e: 5 },
+      { c: 3, e: 1 },
+    ],
+  );
+});
+
+test("series over a parameter are told apart", () => {
+  assert.equal(kind_of({ name: "distance error", unit: "m", x_name: "time step" }), "convergence");
+  assert.equal(kind_of({ name: "contact phases", unit: "s", x_name: "contacts" }), "scaling");
+  assert.equal(
+    kind_of({ name: "start-up slip", unit: "m", x_name: "Young's modulus" }),
+    "dependence",
+  );
+});
+
+test("addresses survive every name", () => {
+  for (const name of ["incline/mu=0.3", "a&b#c%d e", "100%", "<img>", "日本", "=", "&", "?"]) {
+    assert.equal(parse_hash(hash_of("case", name)).value, name);
+    assert.deepEqual(parse_hash(hash_of("cases", "", { q: name, verdict: "fail" })).options, {
+      q: name,
+      verdict: "fail",
+    });
+  }
+  assert.equal(parse_hash("").view, "summary");
+  assert.equal(parse_hash("#case=%zz").value, "%zz");
+});
+
+test("rows are filtered and sorted", () => {
+  const row = (index, change) => ({
+    index,
+    run: 0,
+    case: `case/${index}`,
+    family: "case",
+    title: "",
+    engine: "e",
+    variant: "rule=none",
+    verdict: "pass",
+    seconds: 1,
+    ns: 0,
+    check: { quantity: "creep", margin: index, digits: 3 },
+    ...change,
+  });
+  const rows = [
+    row(0),
+    row(1, { verdict: "fail" }),
+    row(2, { check: null }),
+    row(3, { check: { quantity: "slip", margin: Infinity, digits: NaN } }),
+  ];
+  const indices = (list) => list.map(({ index }) => index);
+  assert.deepEqual(indices(filtered(rows, { q: "CASE creep" })), [0, 1]);
+  assert.deepEqual(indices(filtered(rows, { verdict: "fail,error" })), [1]);
+  assert.deepEqual(indices(sorted(rows, "verdict")), [1, 0, 2, 3]);
+  assert.deepEqual(indices(sorted(rows, "-margin")), [3, 1, 0, 2]);
+  assert.deepEqual(indices(sorted(rows, "no such column")), [0, 1, 2, 3]);
+});
+
+test("a time stands between two frames", () => {
+  const times = [0, 0.1, 0.4];
+  assert.deepEqual(place_at(times, -1), { frame: 0, part: 0 });
+  assert.deepEqual(place_at(times, 9), { frame: 2, part: 0 });
+  assert.equal(place_at(times, 0.25).frame, 1);
+  assert.ok(Math.abs(place_at(times, 0.25).part - 0.5) < 1e-12);
+});
+
+// One vertex that moves by `way` m a frame, with a contact of `forces[i]` N in frame i.
+const recording_of = (way, forces) => ({
+  times: forces.map((_, i) => i),
+  ups: forces.map(() => [0, 0, 1]),
+  low: [0, 0, 0],
+  high: [Math.max(1, way * (forces.length - 1)), 1, 1],
+  frame: (i) => ({
+    positions: Float32Array.of(way * i, 0, 0, way * i + 1, 1, 1),
+    contacts: [{ normal_force: [0, 0, forces[i]], friction_force: [0, 0, 0], sticks: true }],
+  }),
+});
+
+test("the camera shows the whole way, but not what flies off; an impact does not shrink the arrows", () => {
+  const near = recording_of(1, [1, 2, 900]);
+  const far = recording_of(40, [3, 3, 3]);
+  assert.equal(view_of([near]).centre[0], 1);
+  assert.equal(view_of([near]).force, 2);
+  assert.ok(Math.abs(view_of([near, far]).radius - 3 * Math.sqrt(3)) < 1e-6);
+  assert.equal(view_of([near, far]).force, 2);
+});
+
+test("between two frames bodies and the way up go on evenly", () => {
+  const recording = {
+    ...recording_of(1, [1, 2]),
+    ups: [
+      [0, 0, 1],
+      [1, 0, 1],
+    ],
+  };
+  const { positions, up, contacts } = instant(recording, 0.25);
+  assert.equal(positions[0], 0.25);
+  assert.deepEqual(up, [0.25, 0, 1]);
+  assert.equal(contacts[0].normal_force[2], 1);
+});
+
+test("brackets are read from notes, however the case tells them", () => {
+  const of = (note) => Object.values(bracket_in(note) ?? {});
+  assert.deepEqual(
+    of("bracket on tan θ: holds at 0.4999, slides at 5.001e-1; 28 runs"),
+    [0.4999, 0.5001],
+  );
+  assert.deepEqual(
+    of("holds at N = 9.8129 N, fails at 9.8100 N, 12 runs; Δh/w = 0.1"),
+    [9.8129, 9.81],
+  );
+  assert.deepEqual(of("stands at tan θ = 0.29550, slides at 0.29600, 9 runs"), [0.2955, 0.296]);
+  assert.deepEqual(of("the box holds, and slides later"), []);
+});

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of a run of `./stiction validate`: $STICTION_TEST_RUN, as .ci/run names it.
+import assert from "node:assert/strict";
+import { readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { axe_source, draw_plots, start_browser } from "./browser.mjs";
+import { make_page } from "./report.mjs";
+
+const run = process.env.STICTION_TEST_RUN;
+const skip = run ? false : "$STICTION_TEST_RUN names no run";
+const records = run
+  ? readFileSync(join(run, "latest", "records.jsonl"), "utf8")
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line))
+  : [];
+let browser;
+let file;
+before(async () => {
+  if (skip) return;
+  browser = await start_browser();
+  file = make_page(run);
+});
+after(() => browser?.close());
+
+const go = (page, hash) => page.evaluate((next) => (location.hash = next), hash);
+
+test(
+  "the page of a real run is ready in two seconds, below 15 MB, and says what matters on a screen",
+  { skip },
+  async () => {
+    assert.ok(statSync(file).size < 15e6, `${statSync(file).size} bytes`);
+    const times = [];
+    let page;
+    for (let i = 0; i < 3; ++i) times.push((page = await browser.open(file)).ready_ms);
+    assert.ok(Math.min(...times) < 2000, `${times} ms`);
+    await draw_plots(page);
+    const failing = records.filter(
+      ({ verdict }) => verdict === "fail" || verdict === "error",
+    ).length;
+    assert.match(
+      await page.locator("h1").getAttribute("class"),
+      failing > 0 ? /verdict-(fail|error)/ : /verdict-pass/,
+    );
+    // All families need not fit, but what fails and the first of them, failing ones, must.
+    const bottom = await page
+      .locator("table.families tbody tr")
+      .nth(7)
+      .evaluate((row) => row.getBoundingClientRect().bottom + scrollY);
+    assert.ok(bottom <= 900, `the eighth family ends at ${bottom} px`);
+    assert.deepEqual(page.faults, []);
+  },
+);
+
+test(
+  "each case of a real run is shown with its plots, the first recording moves",
+  { skip },
+  async () => {
+    const page = await browser.open(file);
+    const names = [...new Set(records.map((record) => record.case))];
+    for (const name of names) {
+      await go(page, `#case=${encodeURIComponent(name)}`);
+      await page.waitForFunction(
+        (wanted) => document.querySelector("h1")?.textContent === wanted,
+        name,
+      );
+      assert.doesNotMatch(
+        await page.locator("main").innerText(),
+        /cannot be (shown|drawn)|undefined|NaN\b/,
+        name,
+      );
+    }
+    const recorded = records.find(({ frames }) => frames);
+    assert.ok(recorded, "no case was recorded");
+    await go(page, `#case=${encodeURIComponent(recorded.case)}`);
+    for (const marks of await draw_plots(page)) assert.ok(marks > 0, recorded.case);
+    await page.locator(".player").scrollIntoViewIfNeeded();
+    await page.locator(".player[data-loaded]").waitFor();
+    const positions = () =>
+      page.locator(".player").evaluate((player) => player.stiction_positions()[0].join());
+    const start = await positions();
+    await page.locator(".player").focus();
+    await page.keyboard.press("End");
+    assert.notEqual(await positions(), start);
+    await page.evaluate(axe_source);
+    const { violations } = await page.evaluate(() =>
+      globalThis.axe.run(document, { resultTypes: ["violations"] }),
+    );
+    assert.deepEqual(
+      violations
+        .filter(({ impact }) => ["serious", "critical"].includes(impact))
+        .map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)} ${nodes[0].failureSummary}`),
+      [],
+    );
+    assert.deepEqual(page.faults, []);
+  },
+);
