@@ -291,8 +291,7 @@ BallReport examine_ball(const TetMesh& mesh, double radius) {
   report.tetrahedra = mesh.tetrahedra.cols();
   report.volume = certificate.volume.nearest;
   report.volume_ratio = report.volume / (4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3));
-  report.min_dihedral_angle = certificate.min_dihedral_angle;
-  report.max_dihedral_angle = certificate.max_dihedral_angle;
+  report.quality = certificate.quality;
 
   report.min_facet_edge = report.min_facet_inradius = std::numeric_limits<double>::infinity();
   Exact nearest(radius);
@@ -324,14 +323,6 @@ BallReport examine_ball(const TetMesh& mesh, double radius) {
   for (const int v : on_surface) {
     report.max_radius_error =
         std::max(report.max_radius_error, std::abs(mesh.vertices.col(v).norm() - radius));
-  }
-  report.min_altitude = std::numeric_limits<double>::infinity();
-  for (Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
-    std::array<Vector3d, 4> x;
-    for (Index k = 0; k < 4; ++k) {
-      x[static_cast<std::size_t>(k)] = mesh.vertices.col(mesh.tetrahedra(k, e));
-    }
-    report.min_altitude = std::min(report.min_altitude, min_altitude(x));
   }
   return report;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "reference/mesh_quality.h"
 #include "solver/mesh.h"
 
 /// Tetrahedral balls whose surface vertices lie on the sphere (to one rounding of each coordinate).
@@ -58,10 +59,7 @@ struct BallReport {
   /// from the sphere, and the sphere's point beyond the nearest foot is just as far from the facet.
   double hausdorff_distance = 0.0;
 
-  double min_dihedral_angle = 0.0;  ///< degrees
-  double max_dihedral_angle = 0.0;  ///< degrees
-  /// Shortest altitude of any tetrahedron: the explicit time step goes with it.
-  double min_altitude = 0.0;
+  MeshQuality quality;
 };
 
 /// Examines a ball about the origin. Throws std::invalid_argument if the mesh isn't one.

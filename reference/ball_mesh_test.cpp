@@ -39,10 +39,10 @@ TEST_P(Ball, SurfaceVerticesLieOnTheSphere) {
 TEST_P(Ball, TetrahedraAreWellShaped) {
   const BallReport report = examine_ball(ball_mesh({.frequency = GetParam()}), 1.0);
   // Measured 0.76, 0.66, 0.62, 0.60, 0.58 (0.56 at 16); a regular tetrahedron has 0.82.
-  EXPECT_GE(report.min_altitude, 0.55 * report.mean_facet_edge);
+  EXPECT_GE(report.quality.min_altitude, 0.55 * report.mean_facet_edge);
   EXPECT_LE(report.max_facet_edge, 1.18 * report.min_facet_edge);
-  EXPECT_GE(report.min_dihedral_angle, 35.0);
-  EXPECT_LE(report.max_dihedral_angle, 120.0);
+  EXPECT_GE(report.quality.min_dihedral_angle, 35.0);
+  EXPECT_LE(report.quality.max_dihedral_angle, 120.0);
 }
 
 TEST(BallMesh, FrequencyOneIsTheIcosahedron) {  // analytic, edge a = 1/sin(2π/5)

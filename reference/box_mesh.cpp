@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
@@ -133,40 +132,6 @@ void certify_topology(const TetMesh& mesh, MeshCertificate& certificate) {
       static_cast<Eigen::Index>(edges.size()) + certificate.boundary_triangles;
 }
 
-// With n_k the outward normal of face k, of twice its area: altitude h_k = |6V|/|n_k|, dihedral
-// angle between faces j and k = π − ∠(n_j, n_k).
-void certify_quality(const TetMesh& mesh, MeshCertificate& certificate) {
-  double smallest = std::numbers::pi;
-  double largest = 0.0;
-  for (Eigen::Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
-    Eigen::Matrix<double, 3, 4> x;
-    for (Eigen::Index k = 0; k < 4; ++k) x.col(k) = mesh.vertices.col(mesh.tetrahedra(k, e));
-    std::array<Eigen::Vector3d, 4> normals;
-    double longest_edge = 0.0;
-    double largest_normal = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Eigen::Vector3d origin = x.col(kFaces[k][0]);
-      const Eigen::Vector3d side = x.col(kFaces[k][1]) - origin;
-      normals[k] = side.cross(x.col(kFaces[k][2]) - origin);
-      largest_normal = std::max(largest_normal, normals[k].norm());
-      for (std::size_t j = 0; j < k; ++j) {
-        const auto edge = x.col(static_cast<Eigen::Index>(k)) - x.col(static_cast<Eigen::Index>(j));
-        longest_edge = std::max(longest_edge, edge.norm());
-        const double angle = std::numbers::pi - std::atan2(normals[j].cross(normals[k]).norm(),
-                                                           normals[j].dot(normals[k]));
-        smallest = std::min(smallest, angle);
-        largest = std::max(largest, angle);
-      }
-    }
-    const double altitude = 6.0 * std::abs(signed_volume(mesh, e)) / largest_normal;
-    certificate.max_aspect_ratio = std::max(
-        certificate.max_aspect_ratio,
-        altitude > 0.0 ? longest_edge / altitude : std::numeric_limits<double>::infinity());
-  }
-  certificate.min_dihedral_angle = smallest * 180.0 / std::numbers::pi;
-  certificate.max_dihedral_angle = largest * 180.0 / std::numbers::pi;
-}
-
 }  // namespace
 
 // Bit d of a corner's number says whether it is the upper one along axis d. The inner tetrahedron
@@ -244,7 +209,7 @@ MeshCertificate certify(const TetMesh& mesh) {
   MeshCertificate certificate;
   certify_volume(mesh, certificate);
   certify_topology(mesh, certificate);
-  certify_quality(mesh, certificate);
+  certificate.quality = mesh_quality(mesh);
   return certificate;
 }
 

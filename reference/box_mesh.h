@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "reference/mesh_quality.h"
 #include "solver/mesh.h"
 
 namespace stiction::reference {
@@ -42,13 +43,7 @@ struct MeshCertificate {
   /// Vertices − edges + triangles of the boundary: 2 for each ball, 0 for each ring.
   Eigen::Index boundary_euler_characteristic = 0;
 
-  // Quality, in floating point. Infinite, 0 and 180 where a tetrahedron is flat.
-  double min_dihedral_angle = 0.0;  ///< degrees
-  double max_dihedral_angle = 0.0;  ///< degrees
-  /// Largest ratio of a tetrahedron's longest edge to its shortest altitude, dimensionless:
-  /// √(3/2) = 1.22 for a regular one. The altitude is what an explicit time step sees, and slivers,
-  /// which a radius–edge ratio passes, show in it.
-  double max_aspect_ratio = 0.0;
+  MeshQuality quality;  ///< in floating point
 };
 
 /// Examines any tetrahedral mesh with CGAL's exact predicates and exact rationals [CGAL]. Throws

@@ -83,16 +83,17 @@ INSTANTIATE_TEST_SUITE_P(Cells, BoxMesh,
 // Tolerance: ten roundings, of atan2 and of the cross products.
 TEST(BoxMeshQuality, OfCubes) {
   const MeshCertificate certificate = certify(box_mesh({1.0, 1.0, 1.0}, {2, 2, 2}));
-  EXPECT_NEAR(certificate.min_dihedral_angle, std::acos(1.0 / std::sqrt(3.0)) / kDegree, 2e-13);
-  EXPECT_NEAR(certificate.max_dihedral_angle, 90.0, 2e-13);
-  EXPECT_NEAR(certificate.max_aspect_ratio, std::sqrt(6.0), 1e-14);
+  EXPECT_NEAR(certificate.quality.min_dihedral_angle, std::acos(1.0 / std::sqrt(3.0)) / kDegree,
+              2e-13);
+  EXPECT_NEAR(certificate.quality.max_dihedral_angle, 90.0, 2e-13);
+  EXPECT_NEAR(certificate.quality.max_aspect_ratio, std::sqrt(6.0), 1e-14);
   TetMesh regular{Eigen::Matrix3Xd(3, 4), single_tetrahedron().tetrahedra};
   regular.vertices << 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1;
   const MeshCertificate of_regular = certify(regular);
   EXPECT_EQ(of_regular.volume.fraction, "1/3");
-  EXPECT_NEAR(of_regular.min_dihedral_angle, std::acos(1.0 / 3.0) / kDegree, 2e-13);
-  EXPECT_NEAR(of_regular.max_dihedral_angle, std::acos(1.0 / 3.0) / kDegree, 2e-13);
-  EXPECT_NEAR(of_regular.max_aspect_ratio, std::sqrt(1.5), 1e-14);
+  EXPECT_NEAR(of_regular.quality.min_dihedral_angle, std::acos(1.0 / 3.0) / kDegree, 2e-13);
+  EXPECT_NEAR(of_regular.quality.max_dihedral_angle, std::acos(1.0 / 3.0) / kDegree, 2e-13);
+  EXPECT_NEAR(of_regular.quality.max_aspect_ratio, std::sqrt(1.5), 1e-14);
 }
 
 TEST(ExactVolume, IsAReducedFractionAndItsNearestDouble) {

@@ -163,17 +163,10 @@ TetMesh mesh_of(const Complex& complex) {
 void measure(const TetMesh& mesh, SurfaceReport& report) {
   report.vertices = mesh.vertices.cols();
   report.tetrahedra = mesh.tetrahedra.cols();
-  report.min_altitude = std::numeric_limits<double>::infinity();
   std::set<std::pair<int, int>> edges;
   for (Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
     const Eigen::Vector4i t = mesh.tetrahedra.col(e);
-    const double volume = signed_volume(mesh, e);
     for (int k = 0; k < 4; ++k) {
-      const Vector3d a = mesh.vertices.col(t[(k + 1) % 4]);
-      const Vector3d b = mesh.vertices.col(t[(k + 2) % 4]);
-      const Vector3d c = mesh.vertices.col(t[(k + 3) % 4]);
-      const double area = 0.5 * (b - a).cross(c - a).norm();
-      report.min_altitude = std::min(report.min_altitude, 3.0 * volume / area);
       for (int j = 0; j < k; ++j) edges.insert(std::minmax(t[j], t[k]));
     }
   }
@@ -230,8 +223,7 @@ SurfaceBody body_of_closed_surface(const std::filesystem::path& file,
          SurfaceFlaw::not_meshed, "the mesh is not sound: choose a smaller cell_size");
   body.report.surface_triangles = certificate.boundary_triangles;
   body.report.volume = certificate.volume.nearest;
-  body.report.min_dihedral_angle = certificate.min_dihedral_angle;
-  body.report.max_dihedral_angle = certificate.max_dihedral_angle;
+  body.report.quality = certificate.quality;
   measure(body.mesh, body.report);
   return body;
 }

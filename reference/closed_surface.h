@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "reference/mesh_quality.h"
 #include "solver/mesh.h"
 
 /// A person's own closed triangle surface (OFF, OBJ, PLY, STL) as a tetrahedral body, by CGAL's
@@ -58,11 +59,9 @@ struct SurfaceReport {
   Eigen::Index vertices = 0;
   Eigen::Index tetrahedra = 0;
   Eigen::Index surface_triangles = 0;
-  double volume = 0.0;              ///< m³, of the tetrahedra
-  double min_dihedral_angle = 0.0;  ///< degrees
-  double max_dihedral_angle = 0.0;  ///< degrees
-  double min_altitude = 0.0;        ///< of a tetrahedron
-  double mean_edge = 0.0;           ///< of all edges
+  double volume = 0.0;  ///< m³, of the tetrahedra
+  MeshQuality quality;
+  double mean_edge = 0.0;  ///< of all edges
 };
 
 struct SurfaceBody {

@@ -142,9 +142,9 @@ class ClosedSurface : public testing::Test {
 void expect_well_shaped(const SurfaceReport& report) {
   // Perturbation stops at 10°; a sliver of that angle has a largest angle of at most 170° − and an
   // altitude of sin 10° times a triangle's, about 0.1 of a mean edge where edges are half as long.
-  EXPECT_GE(report.min_dihedral_angle, 9.5);
-  EXPECT_LE(report.max_dihedral_angle, 170.0);
-  EXPECT_GE(report.min_altitude, 0.05 * report.mean_edge);
+  EXPECT_GE(report.quality.min_dihedral_angle, 9.5);
+  EXPECT_LE(report.quality.max_dihedral_angle, 170.0);
+  EXPECT_GE(report.quality.min_altitude, 0.05 * report.mean_edge);
 }
 
 TEST_F(ClosedSurface, CubeKeepsItsCornersAndVolume) {
@@ -189,7 +189,7 @@ TEST_F(ClosedSurface, CurvedBodiesStayWithinTheDistanceAskedFor) {
                                                     {.cell_size = 0.2, .facet_distance = distance});
     // Area 4 π R² times the distance bounds the volume between the two surfaces.
     EXPECT_NEAR(body.report.volume, body.report.given_volume, std::numbers::pi * distance);
-    EXPECT_GT(body.report.min_altitude, 0.0);
+    EXPECT_GT(body.report.quality.min_altitude, 0.0);
     expect_well_shaped(body.report);
   }
 }

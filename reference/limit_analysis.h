@@ -30,6 +30,7 @@
 /// the load is necessary for rest, not sufficient. Beyond the threshold no rigid bodies can rest;
 /// below it a state of rest exists, but dynamics, elasticity or a history of slip may fail to find
 /// it. Contacts are points: give the corners of a flat patch, they span every pressure on it.
+/// Scenes with known answers: limit_scenes.h.
 namespace stiction::reference {
 
 inline constexpr int kFixed = -1;  ///< `body_b` of a contact with a fixed obstacle
@@ -129,27 +130,5 @@ LimitBracket critical_load(const LimitProblem& problem, double friction,
 /// number of rows (6 a body): for problems of one to three bodies.
 LimitBracket polygonal_critical_load(const LimitProblem& problem, double friction,
                                      const LimitOptions& options = {});
-
-/// Scenes with known answers. Gravity acts along −z; live gravity along x, so that λ = tan θ.
-
-/// A box of sides `size`, m, on the plane z = 0: four corner contacts.
-/// Critical λ: min(μ, size_x / size_z).
-LimitProblem box_on_incline(const Eigen::Vector3d& size, double mass);
-
-/// Rows of n, n − 1, …, 1 unit cubes, `gap` ≥ 0 apart along x. With `touching` sides (and gap = 0)
-/// neighbours can push each other. Flat patches are given by their corners.
-LimitProblem box_pyramid(int rows, double gap, bool touching);
-
-/// A ball of radius `ratio` on three of radius 1 that just touch each other (without pressing),
-/// equal density, on the plane z = 0. Contacts 0–2: top ball, scale 1; 3–5: ground, `ground_scale`.
-LimitProblem four_ball_pyramid(double ratio, double ground_scale);
-
-/// Smooth rigid balls:  sin θ = (2/√3)/(1 + R/r),  μ_ball = tan(θ/2),
-/// μ_ground = tan(θ/2)/(1 + 3 (r/R)³). Analytic; CASES.md.
-struct FourBallThresholds {
-  double ball = 0.0;
-  double ground = 0.0;
-};
-FourBallThresholds four_ball_thresholds(double ratio);
 
 }  // namespace stiction::reference

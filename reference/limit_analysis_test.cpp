@@ -9,6 +9,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "reference/limit_scenes.h"
+
 namespace stiction::reference {
 namespace {
 

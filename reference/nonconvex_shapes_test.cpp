@@ -31,8 +31,8 @@ TEST_P(Shapes, AreSoundAndHaveTheVolumeOfTheirCubes) {
     EXPECT_EQ(certificate.boundary_euler_characteristic, 2);
     // Each coordinate is rounded once, at 1e-16 of the size (3 edges); a face moves by that.
     EXPECT_NEAR(certificate.volume.nearest / shape_volume(GetParam(), 0.02), 1.0, 1e-14);
-    EXPECT_NEAR(certificate.min_dihedral_angle, std::acos(1.0 / std::sqrt(3.0)) * 180.0 / M_PI,
-                1e-9);
+    EXPECT_NEAR(certificate.quality.min_dihedral_angle,
+                std::acos(1.0 / std::sqrt(3.0)) * 180.0 / M_PI, 1e-9);
   }
 }
 

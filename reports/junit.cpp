@@ -50,7 +50,7 @@ std::string time_text(double seconds) {
 
 std::string counts(const Tally& tally) {
   return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}" time="{}")",
-                     tally.records(), tally.fail, tally.error, tally.not_applicable,
+                     tally.records(), tally.fail, tally.error, tally.not_applicable + tally.limit,
                      time_text(tally.cpu_seconds));
 }
 
@@ -79,6 +79,9 @@ std::string outcome(const Record& record) {
     case Verdict::kNotApplicable:
       return fmt::format("      <skipped message=\"{}\"/>\n",
                          record.notes.empty() ? "not applicable" : escaped(record.notes.front()));
+    case Verdict::kLimit:
+      return fmt::format("      <skipped message=\"falls short, as known: {}\"/>\n",
+                         escaped(worst_check(record.checks)->limit));
     case Verdict::kPass:
     case Verdict::kShown:
       break;

@@ -46,6 +46,7 @@ std::string overview(const std::vector<Family>& families) {
   MarkdownTable table({{"family"},
                        {"pass", kRight},
                        {"fail", kRight},
+                       {"limit", kRight},
                        {"error", kRight},
                        {"not applicable", kRight},
                        {"shown", kRight},
@@ -63,7 +64,8 @@ std::string overview(const std::vector<Family>& families) {
     }
     const auto count = [](std::size_t n) { return n == 0 ? std::string() : std::to_string(n); };
     table.add_row({markdown_escaped(family.name), count(tally.pass), count(tally.fail),
-                   count(tally.error), count(tally.not_applicable), count(tally.shown),
+                   count(tally.limit), count(tally.error), count(tally.not_applicable),
+                   count(tally.shown),
                    fewest == std::numeric_limits<double>::infinity() ? "" : format_digits(fewest),
                    format_seconds(tally.cpu_seconds)});
   }
@@ -105,6 +107,9 @@ constexpr const char* kHowToRead =
     "precise arithmetic; *self-converged*: the limit of this program's own refinement; *external*: "
     "published or measured elsewhere; *golden*: an earlier result of this program, which proves "
     "sameness and not truth.\n"
+    "- *limit*: the check fails, and the case says beforehand why the method must fall short: it "
+    "is "
+    "no news, and doesn't make the run fail.\n"
     "- *shown* is reported beside the verdicts and decides none; *not applicable* means that the "
     "engine cannot do what the case asks.\n"
     "- A CPU time counts the engine's steps; ns per contact update counts the contact phases only. "

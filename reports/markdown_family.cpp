@@ -83,7 +83,7 @@ void for_checks(const Family& family, const ClaimKey& key, Visit visit) {
   }
 }
 
-std::string claim_text(const ClaimKey& key, const SharedTexts& reasons) {
+std::string claim_text(const ClaimKey& key, const SharedTexts& reasons, const SharedTexts& limits) {
   const auto& [claim, formula, kind, source] = key;
   std::string text =
       fmt::format("**Claim.** {}\n\n", claim.empty() ? "(none given)" : markdown_escaped(claim));
@@ -95,13 +95,17 @@ std::string claim_text(const ClaimKey& key, const SharedTexts& reasons) {
     text += fmt::format("- Tolerance{}: {}\n", mark.empty() ? "" : " (" + mark + ")",
                         markdown_escaped(reason.text));
   }
+  for (const SharedTexts::Entry& limit : limits.entries()) {
+    text += fmt::format("- Known limit: {}\n", markdown_escaped(limit.text));
+  }
   return text + "\n";
 }
 
 std::string claim_section(const Family& family, const ClaimKey& key) {
-  SharedTexts reasons;
+  SharedTexts reasons, limits;
   for_checks(family, key, [&](const Record& record, const Check& check) {
     reasons.add(check.reason, record.case_name);
+    if (check.verdict == Verdict::kLimit) limits.add(check.limit, record.case_name);
   });
   MarkdownTable table({{"case"},
                        {"quantity"},
@@ -122,7 +126,7 @@ std::string claim_section(const Family& family, const ClaimKey& key) {
          markdown_escaped(tolerance_text(check)) + (mark.empty() ? "" : " (" + mark + ")"),
          markdown_verdict(check.verdict), markdown_escaped(check.worst)});
   });
-  return claim_text(key, reasons) + table.text();
+  return claim_text(key, reasons, limits) + table.text();
 }
 
 std::string notes_list(const Family& family) {
@@ -142,6 +146,24 @@ std::string notes_list(const Family& family) {
       text += fmt::format(" ({})", cases);
     }
     text += "\n";
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+std::string mesh_lines(const Family& family) {
+  SharedTexts meshes;
+  for (const Record* record : family.records) {
+    for (const Mesh& mesh : record->meshes) {
+      meshes.add(fmt::format("{}: {} vertices, {} tetrahedra, dihedral angles {:.1f}° to {:.1f}°, "
+                             "shortest altitude {:.3g} m",
+                             mesh.bodies, mesh.vertices, mesh.tetrahedra, mesh.min_dihedral_angle,
+                             mesh.max_dihedral_angle, mesh.min_altitude),
+                 "");
+    }
+  }
+  std::string text;
+  for (const auto& [mesh, labels] : meshes.entries()) {
+    text += fmt::format("- Mesh: {}\n", markdown_escaped(mesh));
   }
   return text.empty() ? text : text + "\n";
 }
@@ -190,7 +212,7 @@ std::string markdown_family(const Family& family) {
         fmt::format("All with {}.\n\n", markdown_escaped(settings_text(family.common_settings)));
   }
   for (const ClaimKey& key : claims_of(family)) text += claim_section(family, key);
-  return text + notes_list(family) + series_line(family) + cost_table(family);
+  return text + notes_list(family) + mesh_lines(family) + series_line(family) + cost_table(family);
 }
 
 }  // namespace stiction

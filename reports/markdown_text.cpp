@@ -74,6 +74,8 @@ std::string markdown_verdict(Verdict verdict) {
       return "**FAIL**";
     case Verdict::kError:
       return "**ERROR**";
+    case Verdict::kLimit:
+      return "*limit*";
     case Verdict::kNotApplicable:
       return "not applicable";
     case Verdict::kPass:

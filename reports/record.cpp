@@ -14,8 +14,9 @@ namespace {
 template <typename Enum, std::size_t kCount>
 using Words = std::array<std::pair<Enum, std::string_view>, kCount>;
 
-constexpr Words<Verdict, 5> kVerdictWords{{{Verdict::kPass, "pass"},
+constexpr Words<Verdict, 6> kVerdictWords{{{Verdict::kPass, "pass"},
                                            {Verdict::kFail, "fail"},
+                                           {Verdict::kLimit, "limit"},
                                            {Verdict::kNotApplicable, "not-applicable"},
                                            {Verdict::kShown, "shown"},
                                            {Verdict::kError, "error"}}};
@@ -46,8 +47,10 @@ std::optional<Enum> value_of(const Words<Enum, kCount>& words, const std::string
 int severity(Verdict verdict) {
   switch (verdict) {
     case Verdict::kError:
-      return 4;
+      return 5;
     case Verdict::kFail:
+      return 4;
+    case Verdict::kLimit:
       return 3;
     case Verdict::kPass:
       return 2;

@@ -14,7 +14,9 @@ enum class ReferenceKind { kAnalytic, kExactComputed, kSelfConverged, kExternal,
 
 /// Outcome of one check, and of a record as the worst of its checks. `kShown` marks a quantity that
 /// is reported beside the verdicts (the old method, a literal reading) and never decides one.
-enum class Verdict { kPass, kFail, kNotApplicable, kShown, kError };
+/// `kLimit` marks a check that fails, and of which `Check::limit` says beforehand why it must: it
+/// is reported as short of the claim, but is no news.
+enum class Verdict { kPass, kFail, kLimit, kNotApplicable, kShown, kError };
 
 /// One quantity held against its expected value.
 struct Check {
@@ -33,6 +35,7 @@ struct Check {
   std::string reason{};    ///< derivation of the tolerance
   double digits = 0.0;     ///< −log10 of the relative error, capped at 16
   std::string worst{};     ///< where the worst offender stood; may be empty
+  std::string limit{};     ///< why the method is known to fall short of this; else empty
   Verdict verdict = Verdict::kFail;
 };
 
@@ -44,6 +47,16 @@ struct Series {
   std::string x_unit{};  ///< of x
   std::vector<double> x{};
   std::vector<double> y{};  ///< as many as x
+};
+
+/// The mesh that an engine made of a body, and how well shaped it is.
+struct Mesh {
+  std::string bodies{};  ///< name, or "the first and n more" of one mesh
+  std::uint64_t vertices = 0;
+  std::uint64_t tetrahedra = 0;
+  double min_dihedral_angle = 0.0;  ///< degrees
+  double max_dihedral_angle = 0.0;  ///< degrees
+  double min_altitude = 0.0;        ///< shortest of any tetrahedron, m
 };
 
 /// What a run cost. All zero when nothing was counted.
@@ -65,7 +78,7 @@ struct Environment {
 
 /// One record: case × engine × settings. Written as one line of JSON (reports/schema.md).
 struct Record {
-  static constexpr int kSchemaVersion = 1;
+  static constexpr int kSchemaVersion = 2;
 
   std::string case_name{};  ///< path-like, e.g. "incline/threshold/mu=0.3/azimuth=30"
   std::string title{};      ///< one line for people
@@ -74,6 +87,7 @@ struct Record {
   std::vector<Check> checks{};
   std::vector<std::string> notes{};  ///< what a reader must know: why a case fails, what limits it
   std::vector<Series> series{};
+  std::vector<Mesh> meshes{};  ///< of the finest simulation; empty when the engine shows none
   Cost cost{};
   std::string state_hash{};  ///< 16 hex digits; empty when the engine has none
   Environment environment{};
@@ -82,8 +96,8 @@ struct Record {
   std::string frames{};  ///< file in the run's folder with a Recording (frames.h); may be empty
 };
 
-/// Worst of a record's checks: error, then fail, then pass. When nothing decides: kShown if a check
-/// is shown, otherwise (an empty list too) kNotApplicable.
+/// Worst of a record's checks: error, then fail, then limit, then pass. When nothing decides:
+/// kShown if a check is shown, otherwise (an empty list too) kNotApplicable.
 Verdict combined_verdict(const std::vector<Check>& checks);
 
 /// The check that decides: of those with the worst verdict (order as above), the one whose |error|

@@ -34,14 +34,23 @@ OrderedJson numbers(const std::vector<double>& values) {
 }
 
 OrderedJson check_json(const Check& check) {
-  return {{"quantity", check.quantity},   {"unit", check.unit},
-          {"claim", check.claim},         {"formula", check.formula},
-          {"source", check.source},       {"kind", to_string(check.kind)},
-          {"value", number(check.value)}, {"expected", number(check.expected)},
-          {"error", number(check.error)}, {"relative", check.relative},
-          {"scale", number(check.scale)}, {"tolerance", number(check.tolerance)},
-          {"reason", check.reason},       {"digits", number(check.digits)},
-          {"worst", check.worst},         {"verdict", to_string(check.verdict)}};
+  return {{"quantity", check.quantity},
+          {"unit", check.unit},
+          {"claim", check.claim},
+          {"formula", check.formula},
+          {"source", check.source},
+          {"kind", to_string(check.kind)},
+          {"value", number(check.value)},
+          {"expected", number(check.expected)},
+          {"error", number(check.error)},
+          {"relative", check.relative},
+          {"scale", number(check.scale)},
+          {"tolerance", number(check.tolerance)},
+          {"reason", check.reason},
+          {"digits", number(check.digits)},
+          {"worst", check.worst},
+          {"limit", check.limit},
+          {"verdict", to_string(check.verdict)}};
 }
 
 OrderedJson series_json(const Series& series) {
@@ -51,6 +60,15 @@ OrderedJson series_json(const Series& series) {
   }
   return {{"name", series.name},     {"unit", series.unit},    {"x_name", series.x_name},
           {"x_unit", series.x_unit}, {"x", numbers(series.x)}, {"y", numbers(series.y)}};
+}
+
+OrderedJson mesh_json(const Mesh& mesh) {
+  return {{"bodies", mesh.bodies},
+          {"vertices", mesh.vertices},
+          {"tetrahedra", mesh.tetrahedra},
+          {"min_dihedral_angle", number(mesh.min_dihedral_angle)},
+          {"max_dihedral_angle", number(mesh.max_dihedral_angle)},
+          {"min_altitude", number(mesh.min_altitude)}};
 }
 
 OrderedJson cost_json(const Cost& cost) {
@@ -103,6 +121,7 @@ Check read_check(const JsonField& field) {
   check.reason = field["reason"].text();
   check.digits = field["digits"].real();
   check.worst = optional_text(field, "worst");
+  check.limit = optional_text(field, "limit");
   check.verdict = field["verdict"].word(parse_verdict);
   return check;
 }
@@ -119,6 +138,15 @@ Series read_series(const JsonField& field) {
     field.fail(fmt::format("{} x but {} y", series.x.size(), series.y.size()));
   }
   return series;
+}
+
+Mesh read_mesh(const JsonField& field) {
+  return {field["bodies"].text(),
+          field["vertices"].count(),
+          field["tetrahedra"].count(),
+          field["min_dihedral_angle"].real(),
+          field["max_dihedral_angle"].real(),
+          field["min_altitude"].real()};
 }
 
 Cost read_cost(const JsonField& field) {
@@ -152,6 +180,7 @@ Record read_record(const JsonField& field) {
   record.error = optional_text(field, "error");
   record.checks = field["checks"].list(read_check);
   if (field.has("notes")) record.notes = field["notes"].list(read_text);
+  if (field.has("meshes")) record.meshes = field["meshes"].list(read_mesh);
   record.cost = read_cost(field["cost"]);
   record.state_hash = optional_text(field, "state_hash");
   record.environment = read_environment(field["environment"]);
@@ -174,6 +203,7 @@ std::string to_json_line(const Record& record) {
                             {"error", record.error},
                             {"checks", array_of(record.checks, check_json)},
                             {"notes", record.notes},
+                            {"meshes", array_of(record.meshes, mesh_json)},
                             {"cost", cost_json(record.cost)},
                             {"state_hash", record.state_hash},
                             {"environment", environment_json(record.environment)},

@@ -79,6 +79,13 @@ TEST(RecordJson, EveryFieldArrives) {
   EXPECT_EQ(out.series[0].x_unit, in.series[0].x_unit);
   EXPECT_EQ(out.series[0].x, in.series[0].x);
   EXPECT_EQ(out.series[0].y, in.series[0].y);
+  ASSERT_EQ(out.meshes.size(), 1u);
+  EXPECT_EQ(out.meshes[0].bodies, in.meshes[0].bodies);
+  EXPECT_EQ(out.meshes[0].vertices, in.meshes[0].vertices);
+  EXPECT_EQ(out.meshes[0].tetrahedra, in.meshes[0].tetrahedra);
+  EXPECT_EQ(out.meshes[0].min_dihedral_angle, in.meshes[0].min_dihedral_angle);
+  EXPECT_EQ(out.meshes[0].max_dihedral_angle, in.meshes[0].max_dihedral_angle);
+  EXPECT_EQ(out.meshes[0].min_altitude, in.meshes[0].min_altitude);
   ASSERT_EQ(out.checks.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     const Check& a = out.checks[i];
@@ -98,6 +105,7 @@ TEST(RecordJson, EveryFieldArrives) {
     EXPECT_EQ(a.reason, b.reason);
     EXPECT_EQ(a.digits, b.digits);
     EXPECT_EQ(a.worst, b.worst);
+    EXPECT_EQ(a.limit, b.limit);
     EXPECT_EQ(a.verdict, b.verdict);
   }
 }

@@ -18,15 +18,15 @@ Check check_with(Verdict verdict, double error = 0.0, double tolerance = 1.0) {
   return check;
 }
 
-constexpr Verdict kVerdicts[] = {Verdict::kPass, Verdict::kFail, Verdict::kNotApplicable,
-                                 Verdict::kShown, Verdict::kError};
+constexpr Verdict kVerdicts[] = {Verdict::kPass,          Verdict::kFail,  Verdict::kLimit,
+                                 Verdict::kNotApplicable, Verdict::kShown, Verdict::kError};
 constexpr ReferenceKind kKinds[] = {ReferenceKind::kAnalytic, ReferenceKind::kExactComputed,
                                     ReferenceKind::kSelfConverged, ReferenceKind::kExternal,
                                     ReferenceKind::kGolden};
 
 TEST(CombinedVerdict, IsTheWorstWhateverTheOrder) {
   const std::vector<Verdict> rising = {Verdict::kNotApplicable, Verdict::kShown, Verdict::kPass,
-                                       Verdict::kFail, Verdict::kError};
+                                       Verdict::kLimit,         Verdict::kFail,  Verdict::kError};
   for (std::size_t worst = 0; worst < rising.size(); ++worst) {
     for (std::size_t other = 0; other <= worst; ++other) {
       const Check a = check_with(rising[worst]);
@@ -75,7 +75,7 @@ TEST(RecordWords, ReadBackAndDiffer) {
     words.insert(to_string(kind));
     EXPECT_EQ(parse_reference_kind(to_string(kind)), kind);
   }
-  EXPECT_EQ(words.size(), 10u);
+  EXPECT_EQ(words.size(), std::size(kVerdicts) + std::size(kKinds));
   EXPECT_EQ(to_string(Verdict::kNotApplicable), "not-applicable");
   EXPECT_EQ(to_string(ReferenceKind::kExactComputed), "exact-computed");
 }

@@ -39,6 +39,8 @@ std::string_view verdict_word(Verdict verdict) {
       return "pass";
     case Verdict::kFail:
       return "FAIL";
+    case Verdict::kLimit:
+      return "limit";
     case Verdict::kNotApplicable:
       return "n/a";
     case Verdict::kShown:
@@ -56,6 +58,8 @@ std::string_view colour_code(Verdict verdict) {
     case Verdict::kFail:
     case Verdict::kError:
       return "\033[1;31m";  // bold red
+    case Verdict::kLimit:
+      return "\033[33m";  // yellow
     case Verdict::kNotApplicable:
     case Verdict::kShown:
       return "\033[2m";  // dim

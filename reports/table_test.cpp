@@ -125,7 +125,7 @@ TEST(ClosingSummary, ListsFailuresOnly) {
   EXPECT_TRUE(has(summary, "note: Fails until the stop is resolved"));
   EXPECT_TRUE(has(summary, "ERROR  incline/above/mu=0.9"));
   EXPECT_TRUE(has(summary, "stability limit of element 3"));
-  EXPECT_TRUE(has(summary, "1 pass, 1 fail, 1 error, 1 not applicable, 0 shown\n"));
+  EXPECT_TRUE(has(summary, "1 pass, 1 fail, 0 limit, 1 error, 1 not applicable, 0 shown\n"));
   EXPECT_TRUE(has(summary, "CPU 0.75 s, 36,000 steps"));
 }
 

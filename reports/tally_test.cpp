@@ -14,13 +14,14 @@ TEST(TallyOf, CountsVerdictsAndCosts) {
   const Tally tally =
       tally_of({test::passing_record(), test::passing_record(), shown, test::failing_record(),
                 test::error_record(), test::not_applicable_record()});
-  EXPECT_EQ(verdicts_text(tally), "2 pass, 1 fail, 1 error, 1 not applicable, 1 shown");
+  EXPECT_EQ(verdicts_text(tally), "2 pass, 1 fail, 0 limit, 1 error, 1 not applicable, 1 shown");
   EXPECT_EQ(tally.records(), 6u);
   EXPECT_EQ(cost_text(tally), "CPU 1.25 s, 60,000 steps, 480,000 contact updates");
 }
 
 TEST(TallyOf, Nothing) {
-  EXPECT_EQ(verdicts_text(tally_of({})), "0 pass, 0 fail, 0 error, 0 not applicable, 0 shown");
+  EXPECT_EQ(verdicts_text(tally_of({})),
+            "0 pass, 0 fail, 0 limit, 0 error, 0 not applicable, 0 shown");
 }
 
 }  // namespace

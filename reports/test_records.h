@@ -67,6 +67,7 @@ inline Record passing_record(const std::string& case_name = "incline/threshold/m
   record.settings = {{"dt", "0.001"}, {"rule", "fixed-point"}};
   record.checks = {passing_check()};
   record.notes = {"The box is 0.2 m wide, so that it does not topple."};
+  record.meshes = {{"box", 18, 20, 54.7, 90.0, 0.058}};
   record.series = {{"kinetic energy", "J", "time", "s", {0.0, 0.5}, {1.0, 0.25}}};
   record.cost = {0.25, 12000, 96000, 41.5, {{"friction", 0.1}, {"detect", 0.02}}};
   record.state_hash = "0123456789abcdef";

@@ -12,8 +12,13 @@ Vec3 smooth_keyframes(const std::vector<double>& time, const std::vector<Vec3>& 
   const auto after = std::upper_bound(time.begin(), time.end(), t);
   const auto k = static_cast<std::size_t>(after - time.begin());
   const double s = (t - time[k - 1]) / (time[k] - time[k - 1]);
-  const double blend = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-  return value[k - 1] + blend * (value[k] - value[k - 1]);
+  return value[k - 1] + smooth_step(s) * (value[k] - value[k - 1]);
+}
+
+double Drag::at(double t) const {
+  if (t >= ends) return 0.0;
+  if (t <= full_until) return rate;
+  return rate * (1.0 - smooth_step((t - full_until) / (ends - full_until)));
 }
 
 }  // namespace stiction

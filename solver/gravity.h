@@ -8,6 +8,9 @@ namespace stiction {
 
 using Vec3 = Eigen::Vector3d;
 
+/// 6s⁵ − 15s⁴ + 10s³: from 0 to 1 with two continuous derivatives, for s in [0, 1].
+inline double smooth_step(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
+
 /// Value at time t of keyframes joined by the C² smooth step 6s⁵ − 15s⁴ + 10s³, constant outside
 /// them; zero when there are none.
 Vec3 smooth_keyframes(const std::vector<double>& time, const std::vector<Vec3>& value, double t);
@@ -25,6 +28,16 @@ struct Gravity {
   std::vector<double> time;        ///< s, increasing
   std::vector<Vec3> acceleration;  ///< m/s², one a keyframe
   Vec3 at(double t) const { return smooth_keyframes(time, acceleration, t); }
+};
+
+/// A viscous medium in which a scene may settle, and which then vanishes: force −m c v on each
+/// vertex. Without it a heavy body on a soft one bounces for seconds, because damping by strain
+/// rate hardly acts on so slow a motion.
+struct Drag {
+  double rate = 0.0;        ///< c, 1/s, ≥ 0
+  double full_until = 0.0;  ///< s
+  double ends = 0.0;        ///< s, > full_until: it has faded out by the smooth step
+  double at(double t) const;
 };
 
 }  // namespace stiction

@@ -53,5 +53,15 @@ TEST(Gravity, IsTwiceContinuouslyDifferentiableAtItsKeyframes) {
   EXPECT_NEAR((kRamp.at(2.0 + h).z() - kRamp.at(2.0 - h).z()) / (2.0 * h), -7.5, 1e-4);
 }
 
+TEST(Drag, IsFullThenFadesAndIsGone) {
+  EXPECT_EQ(Drag{}.at(0.0), 0.0);
+  const Drag drag{8.0, 1.0, 3.0};
+  EXPECT_EQ(drag.at(0.0), 8.0);
+  EXPECT_EQ(drag.at(1.0), 8.0);
+  EXPECT_EQ(drag.at(2.0), 4.0);
+  EXPECT_EQ(drag.at(3.0), 0.0);
+  EXPECT_EQ(drag.at(9.0), 0.0);
+}
+
 }  // namespace
 }  // namespace stiction

@@ -30,8 +30,13 @@ void check_options(const Options& options, const Scene& scene) {
   } else if (!(options.pairs.harmonic_gain > 0.0 && options.pairs.harmonic_gain < 4.0 / 3.0)) {
     wrong << "the harmonic gain must lie between 0 and 4/3, above which normal forces diverge, not "
           << options.pairs.harmonic_gain;
+  } else if (!(scene.drag.rate * options.time_step < 1.0)) {
+    wrong << "a drag of " << scene.drag.rate << " 1/s would reverse velocities in a step of "
+          << options.time_step << " s";
   } else if (!(options.pairs.hysteresis >= 0.0) || !std::isfinite(options.pairs.hysteresis)) {
     wrong << "the hysteresis must be non-negative and finite, not " << options.pairs.hysteresis;
+  } else if (!(options.pairs.tie_margin >= 0.0 && options.pairs.tie_margin < 1.0)) {
+    wrong << "the tie margin must lie in [0, 1), not " << options.pairs.tie_margin;
   }
   if (!wrong.str().empty()) throw InputError(wrong.str());
 }

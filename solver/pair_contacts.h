@@ -15,7 +15,9 @@ struct alignas(64) PairContact {
   ContactKey key = 0;          ///< see PairKey in options.h
   std::int32_t vertex = -1;    ///< i
   std::int32_t element = -1;   ///< the tetrahedron that i is in, or was when it last was in one
-  std::int32_t triangle = -1;  ///< nearest surface triangle Tᵢ of the penetrated body
+  std::int32_t triangle = -1;  ///< nearest surface triangle Tᵢ of the penetrated body; that of
+                               ///< the last step, −1 for none, before the depth phase
+  bool open = false;           ///< outside every element: kept from the last step
   std::int32_t partner[4] = {
       -1, -1, -1, -1};  ///< j: corners of Tᵢ (the fourth repeats the third) or of the tetrahedron
   ContactStatus status = ContactStatus::kNew;

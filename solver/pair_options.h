@@ -42,6 +42,10 @@ struct PairOptions {
   /// Contacts are kept up to a gap of `hysteresis` · |g|Δt², dimensionless, with F = 0.
   double hysteresis = 20.0;
   bool count_hysteresis = true;  ///< such contacts count in the harmonic gain
+  /// A contact stays with its triangle while that is at most this much farther than the nearest,
+  /// relative to the depth. Where a vertex is as near to two faces, rounding alone would choose
+  /// anew in each step, and the normal would jump.
+  double tie_margin = 1e-3;
 };
 
 }  // namespace stiction

@@ -198,6 +198,7 @@ Scene build_scene(const SceneDescription& description) {
   Scene scene;
   scene.half_spaces = description.half_spaces;
   scene.gravity = description.gravity;
+  scene.drag = description.drag;
   scene.stable_time_step = std::numeric_limits<double>::infinity();
   for (const BodyDescription& body : description.bodies) add_body(body, scene);
   scene.friction = description.friction;

@@ -48,6 +48,7 @@ struct SceneDescription {
   std::vector<BodyDescription> bodies;
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;
+  Drag drag{};
   double friction = 0.0;  ///< μ between bodies, dimensionless, ≥ 0
 };
 
@@ -80,6 +81,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;
+  Drag drag{};
   double friction = 0.0;  ///< μ between bodies
   Topology topology;      ///< for two-sided contact; empty when no two bodies can touch
   bool pairs_possible = false;

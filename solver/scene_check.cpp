@@ -142,6 +142,13 @@ void check_description(const SceneDescription& description) {
   }
   check_keyframes("gravity", "accelerations", description.gravity.time,
                   description.gravity.acceleration);
+  const Drag& drag = description.drag;
+  if (!(drag.rate >= 0.0) || !std::isfinite(drag.rate)) {
+    refuse("the drag must be non-negative and finite, not ", drag.rate, " 1/s");
+  }
+  if (drag.rate > 0.0 && !(drag.full_until < drag.ends && std::isfinite(drag.ends))) {
+    refuse("the drag must fade out after ", drag.full_until, " s, not at ", drag.ends, " s");
+  }
 }
 
 void check_start(const Scene& scene) {

@@ -20,6 +20,7 @@ void step(const Scene& scene, const Options& options, State& state, Workspace& w
   {
     const PhaseTimer timer(clock, Phase::kForces);
     gravity_forces(scene, time, workspace.force);
+    add_drag_forces(scene, time, state.velocity, workspace.force);
     add_corotational_forces(scene.elements, state, workspace.force);
   }
   {

@@ -67,6 +67,7 @@ Problem ball_pyramid_problem(const BallPyramidSetup& setup) {
   problem.bodies.push_back(top);
   problem.obstacles = {{"ground", Vec3::Zero(), Vec3::UnitZ(), setup.friction}};
   problem.gravity = {{0.0, setup.full_load}, {Vec3::Zero(), Vec3(0.0, 0.0, -kStandardGravity)}};
+  problem.drag = setup.drag;
   problem.friction = setup.friction;
   return problem;
 }

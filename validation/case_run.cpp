@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "validation/verdict.h"
@@ -78,11 +79,20 @@ std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Sett
 void CaseRun::check(Check check) {
   const auto method = settings_.find("method");
   if (method != settings_.end() && method->second == "old") check.verdict = Verdict::kShown;
+  if (check.limit.empty()) check.limit = limit_;
   judge(check, tolerance_scale_);
+  if (check.verdict != Verdict::kLimit) check.limit.clear();
   record_.checks.push_back(std::move(check));
 }
 
 void CaseRun::started(const Engine& engine) {
+  const auto size = [](const std::vector<Mesh>& meshes) {
+    return std::accumulate(
+        meshes.begin(), meshes.end(), std::uint64_t{0},
+        [](std::uint64_t sum, const Mesh& mesh) { return sum + mesh.tetrahedra; });
+  };
+  std::vector<Mesh> meshes = engine.meshes();
+  if (size(meshes) > size(record_.meshes)) record_.meshes = std::move(meshes);
   if (settings_resolved_) return;
   record_.settings = engine.settings();
   const auto method = settings_.find("method");

@@ -60,6 +60,9 @@ class CaseRun {
   /// |error| ≤ tolerance passes; a value that is no number fails. Of the old method (`method=old`)
   /// every check is only shown: it stands in the table for contrast and decides nothing.
   void check(Check check);
+  /// From here on a check that fails is a known limit of the method, for this reason, which names
+  /// what was measured.
+  void known_limit(std::string why) { limit_ = std::move(why); }
   void note(std::string text) { record_.notes.push_back(std::move(text)); }
   void add(Series series) { record_.series.push_back(std::move(series)); }
 
@@ -78,6 +81,7 @@ class CaseRun {
   EngineKind engine_;
   Settings settings_;
   double tolerance_scale_;
+  std::string limit_;
   Record record_;
   bool settings_resolved_ = false;
   bool keeps_frames_;

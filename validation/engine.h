@@ -84,8 +84,9 @@ class Engine {
   virtual Energies energies() const = 0;
   virtual Momenta momenta() const = 0;
 
-  virtual Settings settings() const = 0;  ///< as resolved, Δt included
-  virtual Cost cost() const = 0;          ///< of all steps so far
+  virtual std::vector<Mesh> meshes() const { return {}; }  ///< bodies of one mesh only once
+  virtual Settings settings() const = 0;                   ///< as resolved, Δt included
+  virtual Cost cost() const = 0;                           ///< of all steps so far
   virtual std::uint64_t state_hash() const = 0;
   virtual Snapshot save() const = 0;
   virtual void restore(const Snapshot& snapshot) = 0;

@@ -13,7 +13,10 @@ namespace stiction {
 
 namespace {
 
-constexpr int kStripCells = 40, kBlockCells = 3, kAcross = 3, kLayers = 5, kMiddle = 2;
+constexpr int kBlockCells = 3, kLayers = 5, kMiddle = 2;
+
+// Of the slope on which gravity grows; flat enough for the box to stick.
+constexpr double kFirstTangent = 0.5;
 
 double sag(const reference::MembraneProblem& string, double x) {
   const double s = string.start;
@@ -22,10 +25,17 @@ double sag(const reference::MembraneProblem& string, double x) {
          string.box_load / (string.tension * string.length) * kink;
 }
 
+// The string while gravity grows.
+reference::MembraneProblem first_string(const MembraneSetup& setup) {
+  MembraneSetup first = setup;
+  first.tan_slope = kFirstTangent;
+  return membrane_string(first);
+}
+
 // Cells of one lattice: the block has them all, the strip only the middle layer.
 TetMesh strip_and_block(const MembraneSetup& setup) {
-  const reference::MembraneProblem string = membrane_string(setup);
-  const Eigen::Vector3i cells(kStripCells + kBlockCells, kAcross, kLayers);
+  const reference::MembraneProblem string = first_string(setup);
+  const Eigen::Vector3i cells(setup.cells_along + kBlockCells, setup.cells_across, kLayers);
   const Vec3 half = 0.5 * cells.cast<double>();
   const TetMesh lattice = reference::box_mesh(cells.cast<double>(), cells);
   const double thick = 0.5 * setup.thickness, high = 0.5 * setup.block_height;
@@ -33,12 +43,13 @@ TetMesh strip_and_block(const MembraneSetup& setup) {
                                               thick, 0.5 * (high + thick),  high};
   const auto place = [&](const Vec3& p) {
     const double i = p.x() + half.x();
-    const double x = i <= kStripCells
-                         ? setup.length * i / kStripCells
-                         : setup.length + setup.block_length * (i - kStripCells) / kBlockCells;
+    const double x =
+        i <= setup.cells_along
+            ? setup.length * i / setup.cells_along
+            : setup.length + setup.block_length * (i - setup.cells_along) / kBlockCells;
     const double down = x < setup.length ? sag(string, x) : 0.0;
     const auto k = static_cast<std::size_t>(std::lround(p.z() + half.z()));
-    return Vec3(x, setup.width * p.y() / kAcross, level[k] - down);
+    return Vec3(x, setup.width * p.y() / setup.cells_across, level[k] - down);
   };
   TetMesh mesh;
   mesh.tetrahedra.resize(4, lattice.tetrahedra.cols());
@@ -48,7 +59,7 @@ TetMesh strip_and_block(const MembraneSetup& setup) {
   for (Eigen::Index e = 0; e < lattice.tetrahedra.cols(); ++e) {
     Vec3 centre = half;
     for (int k = 0; k < 4; ++k) centre += 0.25 * lattice.vertices.col(lattice.tetrahedra(k, e));
-    if (centre.x() < kStripCells && static_cast<int>(centre.z()) != kMiddle) continue;
+    if (centre.x() < setup.cells_along && static_cast<int>(centre.z()) != kMiddle) continue;
     for (int k = 0; k < 4; ++k) {
       int& v = number[static_cast<std::size_t>(lattice.tetrahedra(k, e))];
       if (v < 0) {
@@ -95,28 +106,27 @@ reference::MembraneProblem membrane_string(const MembraneSetup& setup) {
 }
 
 Problem membrane_problem(const MembraneSetup& setup) {
-  const reference::MembraneProblem string = membrane_string(setup);
+  const reference::MembraneProblem string = first_string(setup);
   const Elasticity elasticity{
-      .youngs_modulus = setup.modulus, .poisson_ratio = 0.3, .damping_time = 1e-4};
+      .youngs_modulus = setup.modulus, .poisson_ratio = 0.3, .damping_time = 1e-5};
   ProblemBody membrane{.name = "membrane",
                        .shape = MeshShape{strip_and_block(setup)},
                        .mass = strip_mass(setup) + block_mass(setup),
                        .elasticity = elasticity};
   membrane.held = HeldPart{Vec3::Zero(), Vec3::UnitX()};
 
-  // The box starts a hair above the strip's highest point under it, at the strip's own slope.
+  // The strip bends most under the box, whose lower edges therefore bear: it starts a hair above.
   const double half = 0.5 * setup.box_size.x();
   const double rise =
       sag(string, setup.start - half) - sag(string, setup.start + half);  // over the box, m
   const double tilt = std::atan(rise / setup.box_size.x());
-  const double lowest =
-      std::max(0.5 * (sag(string, setup.start - half) + sag(string, setup.start + half)), -1.0);
+  const double low = 0.5 * (sag(string, setup.start - half) + sag(string, setup.start + half));
   ProblemBody box{.name = "box",
                   .shape = BoxShape{setup.box_size},
                   .mass = setup.box_mass,
                   .elasticity = {.youngs_modulus = 5e5, .poisson_ratio = 0.3, .damping_time = 1e-3},
                   .position = Vec3(setup.start, 0.0,
-                                   0.5 * (setup.thickness + setup.box_size.z()) - lowest + 1e-5)};
+                                   0.5 * (setup.thickness + setup.box_size.z()) - low + 1e-5)};
   box.rotation = Eigen::AngleAxisd(-tilt, Vec3::UnitY());
   Problem problem;
   problem.name = "inclined membrane";
@@ -125,8 +135,8 @@ Problem membrane_problem(const MembraneSetup& setup) {
       {.name = "rail", .point = Vec3(0.0, 0.0, -0.5 * setup.block_height - 1e-6), .friction = 0.0}};
   problem.friction = setup.friction;
   problem.gravity = {{0.0, kMembraneLoaded, kMembraneTilted},
-                     {Vec3::Zero(), gravity_on(0.5), gravity_on(setup.tan_slope)}};
-  problem.duration = 3.5;
+                     {Vec3::Zero(), gravity_on(kFirstTangent), gravity_on(setup.tan_slope)}};
+  problem.duration = 5.2;
   return problem;
 }
 

@@ -78,6 +78,7 @@ struct Problem {
   std::vector<ProblemBody> bodies;
   std::vector<Obstacle> obstacles;
   Gravity gravity;        ///< m/s², constant or ramped
+  Drag drag{};            ///< while the scene settles
   double friction = 0.0;  ///< μ between bodies, dimensionless
   double duration = 1.0;  ///< s
 };

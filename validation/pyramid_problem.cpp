@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/box_mesh.h"
+#include "reference/limit_scenes.h"
 #include "validation/incline_problem.h"
 
 namespace stiction {

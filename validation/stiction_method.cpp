@@ -64,6 +64,7 @@ Options preset(const std::string& method) {
   pairs.weights = PairWeights::kTriangle;
   pairs.normals_first = false;
   pairs.hysteresis = 0.0;
+  pairs.tie_margin = 0.0;
   if (method == "paper") {
     options.rule = "fixed-point";
     return options;
@@ -107,6 +108,7 @@ void read_method(SettingsReader& reader, Options& options) {
   read_word(reader, "bound", kBound, pairs.literal_bound);
   read_word(reader, "order", kOrder, pairs.normals_first);
   pairs.hysteresis = reader.number("hysteresis", pairs.hysteresis);
+  pairs.tie_margin = reader.number("tie", pairs.tie_margin);
   read_word(reader, "count-hysteresis", kSwitch, pairs.count_hysteresis);
 }
 
@@ -137,6 +139,7 @@ Settings method_settings(const Options& options, bool with_pairs) {
   all["reaction"] = word_of(kSwitch, pairs.friction_reaction);
   all["order"] = word_of(kOrder, pairs.normals_first);
   all["hysteresis"] = fmt::format("{}", pairs.hysteresis);
+  all["tie"] = fmt::format("{}", pairs.tie_margin);
   if (pairs.literal_bound) all["bound"] = word_of(kBound, true);
   if (pairs.hysteresis > 0.0 && !pairs.count_hysteresis) all["count-hysteresis"] = "off";
   return all;
@@ -163,6 +166,9 @@ std::map<std::string, std::string> method_settings_help() {
       {"bound", "μ times what force: transmitted (default) or literal"},
       {"order", "normals-first (quiet) or interleaved (paper)"},
       {"hysteresis", "gap up to which a contact is kept, in |g|Δt² (quiet: 20; paper: 0)"},
+      {"tie",
+       "how much farther than the nearest a contact's triangle may be to be kept, of the "
+       "depth (quiet: 1e-3; paper: 0)"},
       {"count-hysteresis", "kept contacts count in κ: on (default) or off"},
   };
 }

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,6 +39,9 @@ class TomlTable {
   std::vector<TomlTable> tables(const std::string& key);  ///< [[key]], may be absent
   /// Every key of the table with its value as text.
   std::vector<std::pair<std::string, std::string>> all_as_text();
+
+  /// Of the file: relative paths in it start here.
+  std::filesystem::path folder() const { return std::filesystem::path(file_).parent_path(); }
 
   bool is_table(const std::string& key);
   bool is_text(const std::string& key);

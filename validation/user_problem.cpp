@@ -8,6 +8,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "reference/closed_surface.h"
 #include "solver/demand.h"
 #include "validation/case_run.h"
 #include "validation/observe.h"
@@ -88,11 +89,13 @@ void read_obstacle(TomlTable table, UserProblem& user) {
   table.finish();
 }
 
-// How far above a plane the centre of a body lies that rests on it; a mesh's origin lies on the
-// plane.
+// How far above a plane the centre of a body (a mesh's origin) lies that rests on it.
 double height_of_centre(const Shape& shape) {
   if (const auto* const box = std::get_if<BoxShape>(&shape)) return 0.5 * box->size.z();
   if (const auto* const ball = std::get_if<BallShape>(&shape)) return ball->radius;
+  if (const auto* const mesh = std::get_if<MeshShape>(&shape)) {
+    return -mesh->mesh.vertices.row(2).minCoeff();
+  }
   return 0.0;
 }
 
@@ -136,6 +139,27 @@ MeshShape read_mesh(TomlTable& table) {
   return shape;
 }
 
+// A closed surface from a file, found from the folder of the problem's own file.
+MeshShape read_surface(TomlTable& table) {
+  const std::filesystem::path given = table.text("file");
+  reference::SurfaceOptions options;
+  options.cell_size = table.number("cell_size", options.cell_size);
+  options.feature_angle = table.number("feature_angle_deg", options.feature_angle);
+  const double scale = table.number("scale", 1.0);
+  if (!(scale > 0.0)) table.refuse("scale", "'scale' must be positive");
+  options.cell_size /= scale;  // the mesher sees the file's own units
+  if (const std::string wrong = options.check(); !wrong.empty()) {
+    table.refuse(table.has("cell_size") ? "cell_size" : "feature_angle_deg", wrong);
+  }
+  try {
+    MeshShape shape{reference::body_of_closed_surface(table.folder() / given, options).mesh};
+    shape.mesh.vertices *= scale;
+    return shape;
+  } catch (const reference::SurfaceError& error) {
+    table.refuse("file", error.what());
+  }
+}
+
 void read_body(TomlTable table, UserProblem& user) {
   ProblemBody body;
   body.name = new_name(user.problem.bodies, table);
@@ -150,10 +174,13 @@ void read_body(TomlTable table, UserProblem& user) {
     body.shape = BallShape{radius};
   } else if (shape == "mesh") {
     body.shape = read_mesh(table);
+  } else if (shape == "surface") {
+    body.shape = read_surface(table);
   } else if (shape == "point") {
     body.shape = PointShape{};
   } else {
-    table.refuse("shape", "there is no shape '" + shape + "'; there are: box, ball, mesh, point");
+    table.refuse("shape",
+                 "there is no shape '" + shape + "'; there are: box, ball, mesh, surface, point");
   }
   if (table.has("held")) {
     TomlTable held = table.table("held");
@@ -180,6 +207,14 @@ Gravity read_gravity(TomlTable& top) {
   }
   table.finish();
   return gravity;
+}
+
+Drag read_drag(TomlTable table) {
+  const Drag drag{table.number("rate"), table.number("full_until"), table.number("ends")};
+  if (!(drag.rate >= 0.0)) table.refuse("rate", "'rate' must not be negative");
+  if (!(drag.full_until < drag.ends)) table.refuse("ends", "'ends' must follow 'full_until'");
+  table.finish();
+  return drag;
 }
 
 void read_check(TomlTable table, UserProblem& user) {
@@ -239,6 +274,7 @@ UserProblem read(const std::string& file, const toml::table& root) {
   user.problem.duration = top.number("duration");
   if (!(user.problem.duration > 0.0)) top.refuse("duration", "'duration' must be positive");
   user.problem.gravity = read_gravity(top);
+  if (top.has("drag")) user.problem.drag = read_drag(top.table("drag"));
   user.problem.friction = top.number("friction", 0.0);
   if (top.has("engine")) {
     for (auto& [key, value] : top.table("engine").all_as_text()) user.settings[key] = value;

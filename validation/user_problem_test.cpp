@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -194,7 +195,8 @@ const Mistake kMistakes[] = {
      "[[obstacle]] has no key 'colour'; there are: azimuth_deg, friction, name, normal, point, "
      "slope_deg"},
     {"AnUnknownTable", "[engine]", "[motor]", 5,
-     "the file has no key 'motor'; there are: body, check, duration, engine, friction, gravity, "
+     "the file has no key 'motor'; there are: body, check, drag, duration, engine, friction, "
+     "gravity, "
      "obstacle, "
      "title"},
     {"ATextAsNumber", "mass = 2.0", "mass = \"2.0\"", 16, "'mass' must be a finite number"},
@@ -203,10 +205,13 @@ const Mistake kMistakes[] = {
     {"ZeroDuration", "duration = 0.1", "duration = 0", 2, "'duration' must be positive"},
     {"GravityOfTwoNumbers", "[0, 0, -10]", "[0, -10]", 3,
      "'gravity' must be three numbers, like [0, 0, 1]"},
+    {"DragThatEndsBeforeItFades", "duration = 0.1",
+     "duration = 0.1\ndrag = { rate = 9, full_until = 1, ends = 1 }", 3,
+     "'ends' must follow 'full_until'"},
     {"GravityWithoutAsManyTimes", "[0, 0, -10]", "{ time = [0], acceleration = [] }", 3,
      "gravity needs as many times as accelerations, at least one"},
     {"AnUnknownShape", "shape = \"point\"", "shape = \"disc\"", 15,
-     "there is no shape 'disc'; there are: box, ball, mesh, point"},
+     "there is no shape 'disc'; there are: box, ball, mesh, surface, point"},
     {"ABoxWithoutSize", "shape = \"point\"", "shape = \"box\"", 13, "[[body]] lacks 'size'"},
     {"AnUnknownSupport", "rests_on = \"ramp\"", "rests_on = \"floor\"", 17,
      "there is no rests_on 'floor'; there are: ramp"},
@@ -255,6 +260,48 @@ TEST_F(UserProblem, WithoutBodiesOrChecksIsRefused) {
   text.erase(text.find("[[check]]"));
   EXPECT_THAT(test::refusal([&] { read_user_problem(write(text)); }),
               HasSubstr("the file has no [[check]], so nothing could fail"));
+}
+
+// A body from a surface file beside the problem's own.
+class ClosedSurfaceInUserProblem : public UserProblem {
+ protected:
+  // A cube of 200 mm with the origin in its middle; `faces` of its twelve triangles.
+  void write_cube(int faces) {
+    std::ofstream off(folder_ / "cube.off");
+    off << "OFF\n8 " << faces << " 0\n";
+    for (int v = 0; v < 8; ++v) {
+      off << (v & 1 ? 100 : -100) << ' ' << (v & 2 ? 100 : -100) << ' ' << (v & 4 ? 100 : -100)
+          << '\n';
+    }
+    const char* const triangles[] = {"0 2 1", "1 2 3", "4 5 6", "5 7 6", "0 1 4", "1 5 4",
+                                     "2 6 3", "3 6 7", "0 4 2", "2 4 6", "1 3 5", "3 7 5"};
+    for (int f = 0; f < faces; ++f) off << "3 " << triangles[f] << '\n';
+  }
+  static std::string problem() {
+    return edited("shape = \"point\"",
+                  "shape = \"surface\"\nfile = \"cube.off\"\nscale = 1e-3\ncell_size = 0.2");
+  }
+};
+
+TEST_F(ClosedSurfaceInUserProblem, BecomesABody) {
+  write_cube(12);
+  std::string text = problem();
+  text.replace(text.find("\"speed\""), 7, "\"position\"\ndirection = [0, 0, 1]\nat = 1e-3");
+  text.replace(text.find("dt = 1e-3"), 9, "dt = 1e-4");
+  const Record record = run(read_user_problem(write(text)));
+  ASSERT_EQ(record.meshes.size(), 1u) << record.error;
+  EXPECT_GT(record.meshes[0].tetrahedra, 4u);
+  // The cube's middle is 0.1 m above the ramp, along its normal; in 1 ms it falls 5 µm at most.
+  EXPECT_NEAR(record.checks.at(0).value, 0.1 * std::cos(std::atan(1.0) * 4.0 / 9.0), 1e-5);
+}
+
+TEST_F(ClosedSurfaceInUserProblem, IsRefusedWithTheReasonAndTheLine) {
+  write_cube(11);
+  const std::string file = write(problem()).string();
+  EXPECT_THAT(test::refusal([&] { read_user_problem(file); }),
+              AllOf(HasSubstr(file + ":16: "), HasSubstr("cube.off: it is not closed")));
+  fs::remove(folder_ / "cube.off");
+  EXPECT_THAT(test::refusal([&] { read_user_problem(file); }), HasSubstr("there is no such file"));
 }
 
 // What the file's grammar allows but no scene can be made of: the record says so.

@@ -93,7 +93,8 @@ void define(CLI::App& app, Arguments& arguments) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.footer(engine_help() +
-             "\nExit code: 0 every check holds, 1 some fail, 2 could not run (bad input, a case "
+             "\nExit code: 0 every check holds or is a known limit of the method, 1 some fail, 2 "
+             "could not run (bad input, a case "
              "that broke off, a full disk).");
 }
 

@@ -29,7 +29,9 @@ void judge(Check& check, double tolerance_scale) {
   check.digits = correct_digits(difference, check.scale);
   if (check.verdict == Verdict::kShown || check.verdict == Verdict::kNotApplicable) return;
   const bool holds = std::abs(check.error) <= check.tolerance * tolerance_scale;
-  check.verdict = holds ? Verdict::kPass : Verdict::kFail;
+  // What could not be measured is no known limit.
+  const bool known = !check.limit.empty() && !std::isnan(check.error);
+  check.verdict = holds ? Verdict::kPass : known ? Verdict::kLimit : Verdict::kFail;
 }
 
 }  // namespace stiction

@@ -76,6 +76,15 @@ TEST(Judge, FailsWhatIsNoNumber) {
   EXPECT_EQ(judged({.value = 1.0, .expected = 1.0, .tolerance = kNaN}).verdict, Verdict::kFail);
 }
 
+TEST(Judge, KnowsALimitThatIsNamedBeforehand) {
+  const Check check{.value = 2.0, .expected = 1.0, .tolerance = 0.5, .limit = "why"};
+  EXPECT_EQ(judged(check).verdict, Verdict::kLimit);
+  EXPECT_EQ(judged(check, 2.0).verdict, Verdict::kPass) << "what holds is no limit";
+  EXPECT_EQ(judged({.value = kNaN, .expected = 1.0, .tolerance = 0.5, .limit = "why"}).verdict,
+            Verdict::kFail)
+      << "what could not be measured is none either";
+}
+
 TEST(Judge, WithToleranceScaleZeroFailsAllButWhatIsExact) {
   EXPECT_EQ(judged({.value = 1.0, .expected = 1.0, .tolerance = 0.5}, 0.0).verdict, Verdict::kPass);
   EXPECT_EQ(judged({.value = 1.0 + 1e-15, .expected = 1.0, .tolerance = 0.5}, 0.0).verdict,

@@ -19,17 +19,22 @@ struct Projection {
   std::int32_t triangle;
 };
 
+Projection project_on(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+                      std::int32_t t) {
+  const Triangle& triangle = topology.triangle[static_cast<std::size_t>(t)];
+  return {nearest_on_triangle(point, x[static_cast<std::size_t>(triangle.vertex[0])],
+                              x[static_cast<std::size_t>(triangle.vertex[1])],
+                              x[static_cast<std::size_t>(triangle.vertex[2])]),
+          t};
+}
+
 // Nearest surface triangle of the penetrated body; the first of equals.
 Projection project(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
                    std::int32_t element) {
   Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
   const auto consider = [&](std::int32_t t) {
-    const Triangle& triangle = topology.triangle[static_cast<std::size_t>(t)];
-    const NearestOnTriangle nearest =
-        nearest_on_triangle(point, x[static_cast<std::size_t>(triangle.vertex[0])],
-                            x[static_cast<std::size_t>(triangle.vertex[1])],
-                            x[static_cast<std::size_t>(triangle.vertex[2])]);
-    if (nearest.distance2 < best.nearest.distance2) best = {nearest, t};
+    const Projection other = project_on(topology, x, point, t);
+    if (other.nearest.distance2 < best.nearest.distance2) best = other;
   };
   const auto e = static_cast<std::size_t>(element);
   if (topology.near_begin[e] < topology.near_begin[e + 1]) {
@@ -44,6 +49,16 @@ Projection project(const Topology& topology, const std::vector<Vec3>& x, const V
     }
   }
   return best;
+}
+
+// The same, but the last step's triangle while it is as near but for the margin.
+Projection project_again(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+                         const PairContact& contact, double margin) {
+  const Projection best = project(topology, x, point, contact.element);
+  if (margin == 0.0 || contact.triangle < 0 || contact.triangle == best.triangle) return best;
+  const Projection last = project_on(topology, x, point, contact.triangle);
+  const double farthest2 = (1.0 + margin) * (1.0 + margin) * best.nearest.distance2;
+  return last.nearest.distance2 <= farthest2 ? last : best;
 }
 
 Vec3 outward_normal(const Triangle& triangle, const std::vector<Vec3>& x) {
@@ -88,8 +103,9 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   std::size_t kept = 0;
   for (PairContact contact : workspace.pairs) {
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
-    const bool open = contact.triangle >= 0;  // outside every element: kept from the last step
-    const Projection projection = project(scene.topology, x, point, contact.element);
+    const bool open = contact.open;
+    const Projection projection =
+        project_again(scene.topology, x, point, contact, open ? 0.0 : options.pairs.tie_margin);
     contact.triangle = projection.triangle;
     const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
     const double distance = std::sqrt(projection.nearest.distance2);

@@ -44,6 +44,34 @@ TEST(NearestOnTriangle, IsNeverBeatenBySampling) {
   }
 }
 
+// A point on the diagonal between two side faces of a cube, a hair nearer to x = 0.
+TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
+  const double depth = 0.1, nearer = 1e-6;
+  SceneDescription description;
+  description.bodies = {test::elastic_body(test::cube_mesh(3)), {}};
+  description.bodies[1].mesh.vertices = Vec3(depth - nearer, depth, 0.45);
+  description.bodies[1].point_mass = 1.0;
+  const Scene scene = build_scene(description);
+  Options options;
+  const auto normal_after = [&](const Vec3& last_normal, double margin) {
+    options.pairs.tie_margin = margin;
+    State state = initial_state(scene);
+    // One step before, the point was nearer to the face of `last_normal`.
+    state.position.back().x += 1e-3 * last_normal;
+    test::Found last(scene, options, state);
+    remember_pairs(last.workspace.pairs, scene.topology, state.pair_memory);
+    state.position.back().x -= 1e-3 * last_normal;
+    const test::Found now(scene, options, state);
+    EXPECT_EQ(now.workspace.pairs.size(), 1u);
+    return now.workspace.pairs.at(0).normal;
+  };
+  const Vec3 x = -Vec3::UnitX(), y = -Vec3::UnitY();
+  EXPECT_LT((normal_after(x, 1e-3) - x).norm(), 1e-12);
+  EXPECT_LT((normal_after(y, 1e-3) - y).norm(), 1e-12);
+  EXPECT_LT((normal_after(y, 0.0) - x).norm(), 1e-12) << "without margin the nearest one wins";
+  EXPECT_LT((normal_after(y, 0.5 * nearer / depth) - x).norm(), 1e-12) << "beyond the margin too";
+}
+
 class FlatContact : public testing::TestWithParam<DepthRule> {};
 
 // Upper vertices inside the lower cube's top, and lower ones inside the upper's bottom: both faces

@@ -99,8 +99,10 @@ void test_element(const Scene& scene, std::int32_t e, PairSearch& search) {
       });
 }
 
-void add_contact(ContactKey key, std::int32_t element, std::int32_t triangle, PairContacts& pairs) {
+void add_contact(ContactKey key, std::int32_t element, std::int32_t triangle, bool open,
+                 PairContacts& pairs) {
   PairContact contact;
+  contact.open = open;
   contact.key = key;
   contact.vertex = static_cast<std::int32_t>(key >> 32);
   contact.element = element;
@@ -109,8 +111,7 @@ void add_contact(ContactKey key, std::int32_t element, std::int32_t triangle, Pa
 }
 
 // Merges this step's hits with the contacts of the last step that have only just opened. Those are
-// marked by a triangle ≥ 0, and measured in the depth phase, which drops them when the gap is too
-// wide.
+// measured in the depth phase, which drops them when the gap is too wide.
 void merge_with_kept(const std::vector<PairSearch::Hit>& hits, const PairMemory* last,
                      PairContacts& pairs) {
   pairs.clear();
@@ -119,13 +120,15 @@ void merge_with_kept(const std::vector<PairSearch::Hit>& hits, const PairMemory*
     if (h > 0 && hits[h].key == hits[h - 1].key) continue;  // the deepest one stands first
     for (; last && old < last->body_key.size() && last->body_key[old] <= hits[h].key; ++old) {
       if (last->body_key[old] != hits[h].key) {
-        add_contact(last->body_key[old], last->element[old], last->triangle[old], pairs);
+        add_contact(last->body_key[old], last->element[old], last->triangle[old], true, pairs);
       }
     }
-    add_contact(hits[h].key, hits[h].element, -1, pairs);
+    const bool persists = last && old > 0 && last->body_key[old - 1] == hits[h].key;
+    add_contact(hits[h].key, hits[h].element, persists ? last->triangle[old - 1] : -1, false,
+                pairs);
   }
   for (; last && old < last->body_key.size(); ++old) {
-    add_contact(last->body_key[old], last->element[old], last->triangle[old], pairs);
+    add_contact(last->body_key[old], last->element[old], last->triangle[old], true, pairs);
   }
 }
 
@@ -170,7 +173,7 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
               if (a.deepest != b.deepest) return a.deepest > b.deepest;
               return a.element < b.element;
             });
-  const bool keep = options.pairs.hysteresis > 0.0;
+  const bool keep = options.pairs.hysteresis > 0.0 || options.pairs.tie_margin > 0.0;
   merge_with_kept(search.hits, keep ? &state.pair_memory : nullptr, workspace.pairs);
 }
 

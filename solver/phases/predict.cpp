@@ -9,6 +9,13 @@ void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force) {
   for (std::size_t k = 0; k < force.size(); ++k) force[k] = scene.mass[k] * g;
 }
 
+void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity>& velocity,
+                     std::vector<Vec3>& force) {
+  const double rate = scene.drag.at(time);
+  if (rate == 0.0) return;
+  for (std::size_t k = 0; k < force.size(); ++k) force[k] -= rate * scene.mass[k] * velocity[k].v;
+}
+
 void predict(double dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
              std::vector<Velocity>& predicted) {
   predicted.resize(velocity_t0.size());

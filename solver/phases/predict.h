@@ -10,6 +10,10 @@ namespace stiction {
 /// moves nothing.
 void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force);
 
+/// Adds −mᵢ c(t) vᵢ, N, while there is drag.
+void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity>& velocity,
+                     std::vector<Vec3>& force);
+
 /// v* = v_t0 + Δt F/m, per vertex; 1/m = 0 where pinned.
 void predict(double dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
              std::vector<Velocity>& predicted);

@@ -19,6 +19,19 @@ TEST(GravityForces, AreMassTimesGravityAtThatTime) {
   EXPECT_EQ(force, (std::vector<Vec3>{Vec3(4, 0, -8), Vec3(4, 0, -8)}));
 }
 
+TEST(DragForces, OpposeTheVelocityWhileTheyLast) {
+  SceneDescription description =
+      test::one_body(test::point_masses(Eigen::Matrix3Xd::Zero(3, 1), 2.0));
+  description.drag = {.rate = 3.0, .full_until = 1.0, .ends = 2.0};
+  const Scene scene = build_scene(description);
+  const std::vector<Velocity> velocity = {{Vec3(1, 0, -2), 0.5}};
+  std::vector<Vec3> force = {Vec3(1, 1, 1)};
+  add_drag_forces(scene, 0.5, velocity, force);
+  EXPECT_EQ(force[0], Vec3(-5, 1, 13));
+  add_drag_forces(scene, 2.0, velocity, force);
+  EXPECT_EQ(force[0], Vec3(-5, 1, 13));
+}
+
 TEST(Predict, AddsForceOverMassForOneStep) {
   const std::vector<Velocity> start = {{Vec3(1, 2, 3), 0.5}};
   std::vector<Velocity> predicted;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -45,14 +46,30 @@ class SpatialHash {
     begin_[0] = 0;
   }
 
+  /// Places beyond the range of the cells' numbers, and what is no number, are in the outermost
+  /// cells: an exploding body is slow to look up, not undefined.
   Cell cell(const Eigen::Vector3d& x) const {
-    return (x * inverse_cell_size_).array().floor().cast<std::int32_t>();
+    constexpr double kFarthest = 1e9;
+    const auto number = [&](double along) {
+      const double place = std::floor(along * inverse_cell_size_);
+      return static_cast<std::int32_t>(place >= -kFarthest ? std::min(place, kFarthest)
+                                                           : -kFarthest);
+    };
+    return {number(x[0]), number(x[1]), number(x[2])};
   }
 
   /// Calls `use(point)` for each point in the cells from `low` to `high`, both included, once a
-  /// point.
+  /// point. Where there are far more cells than points, the points are walked instead.
   template <class Use>
   void for_each_in(const Cell& low, const Cell& high, Use&& use) const {
+    const Eigen::Array3d cells = (high - low).template cast<double>().array() + 1.0;
+    if (cells.prod() > 64.0 + 8.0 * static_cast<double>(entries_.size())) {
+      for (const Entry& entry : sorted_) {
+        const auto& c = entry.cell;
+        if ((c.array() >= low.array()).all() && (c.array() <= high.array()).all()) use(entry.point);
+      }
+      return;
+    }
     for (std::int32_t k = low[2]; k <= high[2]; ++k) {
       for (std::int32_t j = low[1]; j <= high[1]; ++j) {
         for (std::int32_t i = low[0]; i <= high[0]; ++i) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "validation/clamp_problem.h"
+#include "validation/clamp_threshold.h"
 #include "validation/incline_problem.h"
 #include "validation/methods.h"
 
@@ -94,6 +94,7 @@ void check_rest(CaseRun& run, const ClampSetup& setup, const Engine& engine, con
 }
 
 void run_figure(CaseRun& run, const ClampSetup& setup) {
+  expect_no_rest_of_paper(run);
   constexpr double kFrom = 2.0, kWindow = 5.0;  // s
   const auto simulation = run.simulate(clamp_problem(setup));
   simulation->record_frames(0.05);
@@ -125,35 +126,6 @@ void run_figure(CaseRun& run, const ClampSetup& setup) {
   series.add_to(run);
 }
 
-void run_threshold(CaseRun& run, const ClampSetup& setup, double most, double least, double width) {
-  const ClampThreshold found = clamp_threshold(run, setup, most, least, width);
-  // Without offset the formula is taken as it stands. With one, the geometry is that of the loaded
-  // clamp: the box has turned, so that its pressure centres lie elsewhere and the planes in which
-  // friction acts are no longer vertical, which adds t = (vertical part of the normal force)/N; and
-  // only the share a of the friction points up, because contacts pressed into bars that give way
-  // sideways hold against that too.
-  const bool offset = setup.offset != 0.0;
-  const ClampProbe& at = found.holds;
-  const double friction = offset ? setup.friction * at.along - at.slope + at.lift : setup.friction;
-  const double expected = setup.box_mass * setup.fall / (2.0 * friction);
-  run.check(
-      {.quantity = "critical clamp force",
-       .unit = "N",
-       .claim = "a clamp holds iff friction can carry the weight",
-       .formula = offset ? "N = mg/(2(aμ − Δh/w + t))" : "N = mg/(2μ)",
-       .source = "balance of force and couple with Coulomb's law at both jaws",
-       .kind = ReferenceKind::kAnalytic,
-       .value = 0.5 * (found.lower + found.upper),
-       .expected = expected,
-       .relative = true,
-       .scale = expected,
-       .tolerance = 1e-4 + 0.5 * (found.upper - found.lower) / expected,
-       .reason = "half the bracket left by the bisection, and 8e-5 of the criterion of rest"});
-  run.note(fmt::format(
-      "holds at N = {:.4f} N, fails at {:.4f} N, {} runs; Δh/w = {:.5f}, t = {:.5f}, a = {:.5f}",
-      found.upper, found.lower, found.evaluations, at.slope, at.lift, at.along));
-}
-
 // Stiff bars that touch only one row of the box's vertices each, so that the pressure centres are
 // where the formula wants them.
 ClampSetup offset_clamp() {
@@ -182,11 +154,10 @@ std::vector<Case> cases_clamped_box() {
   ClampSetup rigid = straight;
   rigid.rigid = true;
   const auto threshold = [](const ClampSetup& setup, double most, double least, double width) {
-    return [=](CaseRun& run) { run_threshold(run, setup, most, least, width); };
+    return [=](CaseRun& run) { check_clamp_threshold(run, setup, most, least, width); };
   };
   return {{.name = "paper/fig3-clamped-box",
            .title = "a box between two offset bars stays where it is",
-           .set = CaseSet::kFull,
            .variants = method_variants(),
            .run = [](CaseRun& run) { run_figure(run, figure()); }},
           {.name = "paper/fig3-clamped-box/fine",
@@ -196,19 +167,16 @@ std::vector<Case> cases_clamped_box() {
            .run = [fine](CaseRun& run) { run_figure(run, fine); }},
           {.name = "paper/fig3-clamped-box/threshold",
            .title = "least force of a clamp of two bars",
-           .set = CaseSet::kFull,
            .variants = method_variants(),
-           .run = threshold(straight, 0.7e-3, 0.1e-3, 2e-6)},
+           .run = threshold(straight, 0.7e-3, 0.1e-3, 2e-7)},
           {.name = "paper/fig3-clamped-box/threshold/offset",
            .title = "least force of a clamp of two bars at different heights",
-           .set = CaseSet::kFull,
            .variants = method_variants(),
-           .run = threshold(offset_clamp(), 1.4e-3, 0.4e-3, 2e-6)},
+           .run = threshold(offset_clamp(), 1.4e-3, 0.4e-3, 2e-7)},
           {.name = "clamp/half-spaces/threshold",
            .title = "least force of a clamp of two rigid half-spaces",
-
            .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "stored-vector"}}},
-           .run = threshold(rigid, 0.3e-3, 0.15e-3, 3e-7)}};
+           .run = threshold(rigid, 0.3e-3, 0.15e-3, 3e-8)}};
 }
 
 }  // namespace stiction

@@ -123,6 +123,11 @@ double vibration_left(double frequency, double rest) {
 }
 
 void run_push(CaseRun& run, double part) {
+  if (run.settings().at("method") == "paper") {
+    run.known_limit(
+        "a scalar ξ holds friction only against a slip that goes on: when the push is released the "
+        "slab must keep a force that the present free slip does not name (see the note)");
+  }
   const SlabSetup setup = pushed_slab();
   const Push found = push(run, setup, part * setup.friction);
   const Vec3 along = slab_downhill(setup);
@@ -211,7 +216,6 @@ std::vector<Case> cases_push_and_retract() {
     cases.push_back({.name = fmt::format("push-and-retract/slab/{}%", percent),
                      .title = fmt::format(
                          "a box on a slab, pushed twice to {} % of the friction limit", percent),
-                     .set = CaseSet::kFull,
                      .variants = method_variants(),
                      .run = [percent](CaseRun& run) { run_push(run, percent / 100.0); }});
   }

@@ -4,60 +4,95 @@
 #include <cmath>
 
 #include "validation/incline_run.h"
+#include "validation/methods.h"
 #include "validation/slab_problem.h"
 
 namespace stiction {
 
 namespace {
 
+// Steps after which a slip stays below what the paper calls static.
+constexpr double kFound = 1e-9;  // m/s
+class Found {
+ public:
+  void add(int step, double slip) {
+    if (!(slip <= kFound)) last_above_ = step;
+  }
+  int steps() const { return last_above_ + 1; }
+
+ private:
+  int last_above_ = 0;
+};
+
+Check steps_check(const std::string& whose, int steps) {
+  return {.quantity = "steps until the " + whose + " slip stays below 1e-9 m/s",
+          .unit = "1",
+          .claim = "static friction is found again within a hundred steps",
+          .formula = "u ≤ 1e-9 m/s from 1e-3 m/s",
+          .source = "[Lazarevych2009], sec. 5: 8 to 16 steps",
+          .kind = ReferenceKind::kExternal,
+          .value = static_cast<double>(steps),
+          .expected = 0.0,
+          .tolerance = 100.0,
+          .reason = "the goal: at most a hundred steps"};
+}
+
 // A settled box at 20° whose contacts forget their friction for one step: no friction rule keeps
 // what another remembered, so one step with the rule `none` empties the memory and leaves a slip.
-// Nothing else is disturbed, so what follows is the friction iteration, and only behind it the
-// elastic vibration that its first steps have set going.
-void run_convergence(CaseRun& run, const SlabSetup& setup) {
-  constexpr int kSteps = 2000;
-  constexpr double kFound = 1e-9;  // m/s
-  SlabRun settled(run, setup);
+// Nothing else is disturbed, so what follows is the friction iteration, and behind it the elastic
+// vibration that its first steps have set going.
+void run_convergence(CaseRun& run, const SlabSetup& setup, const Settings& extra) {
+  constexpr int kSteps = 3000;
+  expect_no_rest_of_paper(run);
+  if (run.settings().at("method") == "quiet") {
+    run.known_limit(
+        "vertices of both sides in each other make contacts that say nearly the same twice: a "
+        "sweep passes the slip to and fro between them (see the note)");
+  }
+  SlabRun settled(run, setup, extra);
   settled.advance_to(4.0);
   const bool uses_none = run.settings().count("rule") && run.settings().at("rule") == "none";
-  SlabRun forgetful(run, setup, {{"rule", uses_none ? "fixed-point" : "none"}, {"sweeps", "1"}});
+  Settings forget = extra;
+  forget["rule"] = uses_none ? "fixed-point" : "none";
+  forget["sweeps"] = "1";
+  SlabRun forgetful(run, setup, forget);
   forgetful.engine().restore(settled.engine().save());
   forgetful.engine().advance(1);
   settled.engine().restore(forgetful.engine().save());
 
-  Series slip{"fastest contact slip", "m/s", "step", "1", {}, {}};
+  Series fastest{"fastest contact slip", "m/s", "step", "1", {}, {}};
+  Series mean{"mean contact slip", "m/s", "step", "1", {}, {}};
   Series kinetic{"kinetic energy", "J", "step", "1", {}, {}};
-  const double largest = forgetful.sample().fastest_slip;
-  int reached = 0, last_above = 0;
+  const SlabSample forgotten = forgetful.sample();
+  Found found_mean, found_fastest;
   for (int k = 1; k <= kSteps; ++k) {
     settled.engine().advance(1);
     const SlabSample sample = settled.sample();
     if (k <= 100 || k % 20 == 0) {
-      slip.x.push_back(k);
-      slip.y.push_back(sample.fastest_slip);
-      kinetic.x.push_back(k);
+      for (Series* series : {&fastest, &mean, &kinetic}) series->x.push_back(k);
+      fastest.y.push_back(sample.fastest_slip);
+      mean.y.push_back(sample.mean_slip);
       kinetic.y.push_back(sample.kinetic);
     }
-    if (sample.fastest_slip > kFound) last_above = k;
-    if (sample.fastest_slip <= kFound && reached == 0) reached = k;
+    found_mean.add(k, sample.mean_slip);
+    found_fastest.add(k, sample.fastest_slip);
   }
-  const double at_100 = slip.y[99];
-  run.add(std::move(slip));
-  run.add(std::move(kinetic));
-  run.check({.quantity = "steps for the slip to fall from 1e-3 below 1e-9 m/s and stay there",
-             .unit = "1",
-             .claim = "static friction is found again within a hundred steps",
-             .formula = "fastest |u| ≤ 1e-9 m/s",
-             .source = "[Lazarevych2009], sec. 5: 1e-3 to 1e-9 m/s in 8–16 steps",
-             .kind = ReferenceKind::kExternal,
-             .value = last_above + 1.0,
-             .expected = 0.0,
-             .tolerance = 100.0,
-             .reason = "the goal: at most a hundred steps"});
+  run.check(steps_check("mean", found_mean.steps()));
+  run.check(steps_check("fastest contact's", found_fastest.steps()));
+  int of_box = 0, of_slab = 0;
+  for (const ContactSample& contact : settled.engine().contacts()) {
+    if (contact.normal_force > 0.0) ++(contact.body == 0 ? of_box : of_slab);
+  }
   run.note(fmt::format(
-      "slip {:.2e} m/s when forgotten, {:.2e} after 100 steps; first below 1e-9 in step "
-      "{} (0: never in {})",
-      largest, at_100, reached, kSteps));
+      "mean slip {:.1e} m/s, fastest {:.1e} m/s when forgotten; {:.1e} and {:.1e} m/s after 100 "
+      "steps. Contacts under load: {} vertices of the box in the slab, {} of the slab in the box. "
+      "Where both sides' vertices touch, their contacts say nearly the same twice, and a sweep "
+      "passes the slip to and fro between them; it then follows the elastic vibration, which "
+      "damping takes away, not friction",
+      forgotten.mean_slip, forgotten.fastest_slip, mean.y[99], fastest.y[99], of_box, of_slab));
+  run.add(std::move(fastest));
+  run.add(std::move(mean));
+  run.add(std::move(kinetic));
 }
 
 }  // namespace
@@ -69,15 +104,24 @@ std::vector<Case> cases_slab_convergence() {
   setup.offset = Vec3(0.013, 0.007, 0.0);
   setup.cells = 2;
   setup.slab_cells = 3;
+  setup.elasticity.damping_time = 1e-3;
+  std::vector<Settings> variants{{{"method", "paper"}},
+                                 {{"method", "paper"}, {"rule", "secant"}},
+                                 {{"method", "quiet"}},
+                                 {{"method", "quiet"}, {"sweeps", "4"}},
+                                 {{"method", "quiet"}, {"sweeps", "16"}}};
+  const auto convergence = [setup](const Settings& extra) {
+    return [setup, extra](CaseRun& run) { run_convergence(run, setup, extra); };
+  };
   return {{.name = "slab/convergence",
            .title = "how fast static friction is found again",
-           .set = CaseSet::kFull,
-           .variants = {{{"method", "paper"}},
-                        {{"method", "paper"}, {"rule", "secant"}},
-                        {{"method", "quiet"}},
-                        {{"method", "quiet"}, {"sweeps", "4"}},
-                        {{"method", "quiet"}, {"sweeps", "16"}}},
-           .run = [setup](CaseRun& run) { run_convergence(run, setup); }}};
+           .variants = variants,
+           .run = convergence({})},
+          // Depths are a quarter, so that the slab's one vertex no longer reaches into the box.
+          {.name = "slab/convergence/half-step",
+           .title = "how fast static friction is found again, at half the time step",
+           .variants = {variants[0], variants[1], variants[2], variants[3]},
+           .run = convergence({{"dt", "1e-4"}})}};
 }
 
 }  // namespace stiction

@@ -117,7 +117,6 @@ std::vector<Case> cases_slab_threshold() {
   turned.slab_cells = 4;
   return {{.name = "slab/threshold",
            .title = "critical slope of a box on a deformable slab",
-           .set = CaseSet::kFull,
            .variants = variants,
            .run = [flat](CaseRun& run) { run_threshold(run, flat); }},
           {.name = "slab/threshold/fine",
@@ -127,7 +126,6 @@ std::vector<Case> cases_slab_threshold() {
            .run = [turned](CaseRun& run) { run_threshold(run, turned); }},
           {.name = "slab/threshold/bound=literal",
            .title = "the 2μ trap: μ times the force before it is halved",
-           .set = CaseSet::kFull,
            .variants = {{{"method", "paper"}, {"bound", "literal"}}},
            .run = [flat](CaseRun& run) { run_threshold(run, flat, 2.0); }}};
 }

@@ -7,6 +7,7 @@
 
 #include "reference/ball_mesh.h"
 #include "reference/box_mesh.h"
+#include "reference/mesh_quality.h"
 #include "solver/demand.h"
 #include "solver/elasticity/corotational.h"
 #include "solver/observables.h"
@@ -128,6 +129,25 @@ BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
   return description;
 }
 
+// One entry for all bodies of a mesh, told apart by what the entry shows.
+void add_mesh(const BodyDescription& body, std::vector<Mesh>& meshes, std::vector<int>& sharing) {
+  if (body.mesh.tetrahedra.cols() == 0) return;
+  const reference::MeshQuality quality = reference::mesh_quality(body.mesh);
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const bool same =
+        meshes[k].vertices == static_cast<std::uint64_t>(body.mesh.vertices.cols()) &&
+        meshes[k].tetrahedra == static_cast<std::uint64_t>(body.mesh.tetrahedra.cols()) &&
+        std::abs(meshes[k].min_altitude / quality.min_altitude - 1.0) < 1e-9;
+    if (!same) continue;
+    ++sharing[k];
+    return;
+  }
+  meshes.push_back({body.name, static_cast<std::uint64_t>(body.mesh.vertices.cols()),
+                    static_cast<std::uint64_t>(body.mesh.tetrahedra.cols()),
+                    quality.min_dihedral_angle, quality.max_dihedral_angle, quality.min_altitude});
+  sharing.push_back(0);
+}
+
 class StictionEngine final : public Engine {
  public:
   explicit StictionEngine(const Settings& given) {
@@ -151,7 +171,14 @@ class StictionEngine final : public Engine {
     }
     description.friction = problem.friction;
     description.gravity = problem.gravity;
+    description.drag = problem.drag;
     scene_ = build_scene(description);
+    meshes_.clear();
+    std::vector<int> sharing;
+    for (const BodyDescription& body : description.bodies) add_mesh(body, meshes_, sharing);
+    for (std::size_t k = 0; k < meshes_.size(); ++k) {
+      if (sharing[k] > 0) meshes_[k].bodies += fmt::format(" and {} more", sharing[k]);
+    }
     if (!chosen_time_step_) {
       options_.time_step =
           std::min(options_.time_step, round_down_125(0.8 * scene_.stable_time_step));
@@ -238,6 +265,8 @@ class StictionEngine final : public Engine {
   Momenta momenta() const override {
     return {linear_momentum(scene_, state_), angular_momentum(scene_, state_)};
   }
+
+  std::vector<Mesh> meshes() const override { return meshes_; }
 
   Settings settings() const override {
     Settings all = method_settings(options_, scene_.pairs_possible);
@@ -328,6 +357,7 @@ class StictionEngine final : public Engine {
   Discretisation how_{};
   bool chosen_time_step_ = false;
   Scene scene_;
+  std::vector<Mesh> meshes_;
   State state_;
   Workspace workspace_;
 

@@ -99,7 +99,7 @@ TEST(StictionEngine, RefusesUnknownSettingsWhenItIsMade) {
             "engine 'stiction' has no setting 'sped'; there are: alpha, ball, bound, cells, "
             "count-hysteresis, depth, dt, gain, hysteresis, integrator, kappa, key, memory, "
             "method, normals, order, "
-            "post-correction, reaction, relaxation, rule, safeguard, sweeps, weights");
+            "post-correction, reaction, relaxation, rule, safeguard, sweeps, tie, weights");
 }
 
 TEST(StictionEngine, ShortensTheDefaultStepWhereStabilityAsksForIt) {

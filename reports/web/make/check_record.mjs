@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The schema of reports/schema.md as data, and a check of a parsed line against it.
 
-const NEWEST_SCHEMA = 1;
+const NEWEST_SCHEMA = 2;
 
 const text = (value) => (typeof value === "string" ? null : "expected a string");
 const number = (value) =>
@@ -69,7 +69,7 @@ function object(required, optional = {}) {
   };
 }
 
-const verdict = word("pass", "fail", "error", "not-applicable", "shown");
+const verdict = word("pass", "fail", "limit", "error", "not-applicable", "shown");
 const empty_text = () => "";
 const empty_list = () => [];
 const empty_map = () => ({});
@@ -91,7 +91,7 @@ const check = object(
     digits: number,
     verdict,
   },
-  { formula: [text, empty_text], worst: [text, empty_text] },
+  { formula: [text, empty_text], worst: [text, empty_text], limit: [text, empty_text] },
 );
 
 const cost = object({
@@ -113,6 +113,15 @@ const series = object({
   y: list(number),
 });
 
+const mesh = object({
+  bodies: text,
+  vertices: count,
+  tetrahedra: count,
+  min_dihedral_angle: number,
+  max_dihedral_angle: number,
+  min_altitude: number,
+});
+
 const record = object(
   {
     schema_version: count,
@@ -129,6 +138,7 @@ const record = object(
     error: [text, empty_text],
     notes: [list(text), empty_list],
     state_hash: [text, empty_text],
+    meshes: [list(mesh), empty_list],
     series: [list(series), empty_list],
     frames: [text, empty_text],
   },

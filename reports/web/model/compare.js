@@ -9,7 +9,7 @@ import { variant_key } from "./variant.js";
 /** A change of fewer digits than this is noise. */
 export const DIGITS_NOISE = 0.1;
 
-const decided = (check) => check.verdict === "pass" || check.verdict === "fail";
+const decided = (check) => ["pass", "fail", "limit"].includes(check.verdict);
 
 // The check whose digits changed most: {change, quantity}.
 function digits_change(before, after) {

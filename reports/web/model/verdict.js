@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Verdicts, worst first, each with the words that people read. Colour never stands alone: each has a
 // shape of its own too (page/glyph.js, plots/verdict_scale.js).
-export const VERDICTS = ["error", "fail", "pass", "shown", "not-applicable"];
+export const VERDICTS = ["error", "fail", "limit", "pass", "shown", "not-applicable"];
 
 export const VERDICT_WORDS = {
   error: "broke off",
   fail: "fails",
+  limit: "falls short, as known",
   pass: "holds",
   shown: "shown only",
   "not-applicable": "not applicable",

@@ -23,6 +23,11 @@ const plural = (count, one, many = `${one}s`) =>
 
 function headline(tally) {
   if (tally.bad === 0 && tally.pass === 0) return ["shown", "Nothing was decided."];
+  if (tally.bad === 0 && tally.limit > 0)
+    return [
+      "pass",
+      `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}, ${format_count(tally.limit)} fall${tally.limit === 1 ? "s" : ""} short as known.`,
+    ];
   if (tally.bad === 0)
     return [
       "pass",

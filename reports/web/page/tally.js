@@ -6,6 +6,7 @@ export function tally_of(rows) {
   const tally = {
     pass: 0,
     fail: 0,
+    limit: 0,
     error: 0,
     shown: 0,
     "not-applicable": 0,

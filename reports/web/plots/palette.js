@@ -15,6 +15,7 @@ export const PALETTES = {
     $band: "#e6f2ec",
     $pass: "#1b7f5c",
     $fail: "#c2330c",
+    $limit: "#9a6700",
     $error: "#8b1a8b",
     $shown: "#5b6b7b",
     $na: "#8d969f",
@@ -41,6 +42,7 @@ export const PALETTES = {
     $band: "#18332a",
     $pass: "#4cc39a",
     $fail: "#ff7a52",
+    $limit: "#e0b13c",
     $error: "#e58ae5",
     $shown: "#9fb0c0",
     $na: "#7b858f",
@@ -84,9 +86,9 @@ export const SERIES_SHAPES = [
 export const body_colour = (i) => `$b${i % 6}`;
 
 /** Vega-Lite's scale for verdicts, colour and shape. */
-export const VERDICT_DOMAIN = ["pass", "fail", "error", "shown", "not-applicable"];
-export const VERDICT_COLOURS = ["$pass", "$fail", "$error", "$shown", "$na"];
-export const VERDICT_SHAPES = ["circle", "triangle-up", "diamond", "square", "stroke"];
+export const VERDICT_DOMAIN = ["pass", "fail", "limit", "error", "shown", "not-applicable"];
+export const VERDICT_COLOURS = ["$pass", "$fail", "$limit", "$error", "$shown", "$na"];
+export const VERDICT_SHAPES = ["circle", "triangle-up", "triangle-down", "diamond", "square", "stroke"];
 
 /** The words of model/verdict.js, in Vega's expressions. */
 export const VERDICT_LABELS = `(${JSON.stringify(VERDICT_WORDS)})[datum.label]`;

@@ -20,7 +20,7 @@ function shared_records(by_run) {
 
 const digits_of = (record) =>
   record.checks
-    .filter(({ verdict }) => verdict === "pass" || verdict === "fail")
+    .filter(({ verdict }) => ["pass", "fail", "limit"].includes(verdict))
     .map((check) => to_number(check.digits))
     .filter(Number.isFinite);
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "reference/limit_analysis.h"
+
+/// Scenes with known answers. Gravity acts along −z; live gravity along x, so that λ = tan θ.
+namespace stiction::reference {
+
+/// A box of sides `size`, m, on the plane z = 0: four corner contacts.
+/// Critical λ: min(μ, size_x / size_z).
+LimitProblem box_on_incline(const Eigen::Vector3d& size, double mass);
+
+/// Rows of n, n − 1, …, 1 unit cubes, `gap` ≥ 0 apart along x. With `touching` sides (and gap = 0)
+/// neighbours can push each other. Flat patches are given by their corners.
+LimitProblem box_pyramid(int rows, double gap, bool touching);
+
+/// A ball of radius `ratio` on three of radius 1 that just touch each other (without pressing),
+/// equal density, on the plane z = 0. Contacts 0–2: top ball, scale 1; 3–5: ground, `ground_scale`.
+LimitProblem four_ball_pyramid(double ratio, double ground_scale);
+
+/// Smooth rigid balls:  sin θ = (2/√3)/(1 + R/r),  μ_ball = tan(θ/2),
+/// μ_ground = tan(θ/2)/(1 + 3 (r/R)³). Analytic; CASES.md.
+struct FourBallThresholds {
+  double ball = 0.0;
+  double ground = 0.0;
+};
+FourBallThresholds four_ball_thresholds(double ratio);
+
+}  // namespace stiction::reference
