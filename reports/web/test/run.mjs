@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// npm test: builds with the test packages, then runs every *_test.mjs, or those named.
-import { spawnSync } from "node:child_process";
+// npm test: builds with the test packages, then runs every *_test.mjs, or those named, two at a time.
+import { spawn } from "node:child_process";
 import { readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const run = (...words) => spawnSync(process.execPath, words, { stdio: "inherit" }).status ?? 1;
 
-const built = run(join(here, "..", "build.mjs"), "--tests");
-if (built !== 0) process.exit(built);
+// What it printed is shown in one piece when it has ended.
+function run(...words) {
+  return new Promise((resolve) => {
+    const child = spawn(process.execPath, words, { stdio: ["ignore", "pipe", "pipe"] });
+    const told = [];
+    for (const stream of [child.stdout, child.stderr]) stream.on("data", (text) => told.push(text));
+    child.on("close", (code) => {
+      process.stdout.write(Buffer.concat(told));
+      resolve(code ?? 1);
+    });
+  });
+}
+
+if ((await run(join(here, "..", "build.mjs"), "--tests")) !== 0) process.exit(2);
 const wanted = process.argv.slice(2);
 const files = readdirSync(here).filter(
   (name) =>
     name.endsWith("_test.mjs") &&
     (wanted.length === 0 || wanted.some((word) => name.includes(word))),
 );
-process.exit(run("--test", ...files.sort().map((name) => join(here, name))));
+
+let worst = 0;
+async function work() {
+  for (let file = files.shift(); file; file = files.shift()) {
+    worst = Math.max(worst, await run("--test", join(here, file)));
+  }
+}
+await Promise.all([work(), work()]);
+process.exit(worst);
