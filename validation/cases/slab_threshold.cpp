@@ -19,8 +19,7 @@ constexpr double kWidth = 0.02;  // of the bracket on θ, degrees
 double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
 
 // A box that has come so far slides: start-up slip and shear of box and slab stay below 1 mm. It is
-// stopped there, since further on a vertex of the slab stands in its way: the slab is dented by a
-// tenth of a millimetre, and what lies before the dent catches the box's side.
+// stopped there, because further on it leaves the part of the slab that it was settled on.
 constexpr double kFar = 3e-3;  // m
 
 // What one slope showed: mean speeds downhill in two windows of 0.1 s, 0.3 s apart, m/s.
