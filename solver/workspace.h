@@ -54,6 +54,12 @@ struct PairSearch {
   std::vector<int> order;                    ///< bodies along x
   SpatialHash hash;
   std::vector<Hit> hits;
+  /// Per surface triangle of the bodies that can meet another: a ball around it.
+  struct Ball {
+    Vec3 centre;    ///< m
+    double radius;  ///< m
+  };
+  std::vector<Ball> ball;
   std::vector<int> level;  ///< per contact: of the breadth-first depth propagation
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/phases/depth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,15 +29,49 @@ Projection project_on(const Topology& topology, const std::vector<Vec3>& x, cons
           t};
 }
 
-// Nearest surface triangle of the penetrated body; the first of equals.
-Projection project(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
-                   std::int32_t element) {
+// Balls around the surface triangles of the bodies that can meet another, so that the search for
+// the nearest triangle looks closely at few.
+void bound_triangles(const Topology& topology, PairSearch& search) {
+  search.ball.resize(topology.triangle.size());
+  const std::vector<Vec3>& x = search.predicted;
+  for (std::size_t b = 0; b < search.overlap.size(); ++b) {
+    if (search.overlap[b].isEmpty()) continue;
+    const auto end = static_cast<std::size_t>(topology.body_triangle_begin[b + 1]);
+    for (auto t = static_cast<std::size_t>(topology.body_triangle_begin[b]); t < end; ++t) {
+      const auto& v = topology.triangle[t].vertex;
+      const Vec3& p = x[static_cast<std::size_t>(v[0])];
+      const Vec3& q = x[static_cast<std::size_t>(v[1])];
+      const Vec3& r = x[static_cast<std::size_t>(v[2])];
+      const Vec3 centre = (p + q + r) / 3.0;
+      const double radius2 = std::max(
+          {(p - centre).squaredNorm(), (q - centre).squaredNorm(), (r - centre).squaredNorm()});
+      search.ball[t] = {centre, std::sqrt(radius2)};
+    }
+  }
+}
+
+// Nearest surface triangle of the penetrated body, of equals that of the lowest number. The search
+// begins with the triangle of the last step, if there was one, so that most others are out of
+// reach.
+Projection project(const Topology& topology, const PairSearch& search, const Vec3& point,
+                   const PairContact& contact) {
+  constexpr double kRounding = 1.0 + 1e-12;
+  const std::vector<Vec3>& x = search.predicted;
   Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
+  double reach = std::numeric_limits<double>::infinity();
   const auto consider = [&](std::int32_t t) {
+    const PairSearch::Ball& ball = search.ball[static_cast<std::size_t>(t)];
+    const double least = reach + ball.radius;
+    if ((point - ball.centre).squaredNorm() > least * least * kRounding) return;
     const Projection other = project_on(topology, x, point, t);
-    if (other.nearest.distance2 < best.nearest.distance2) best = other;
+    const double nearer = other.nearest.distance2 - best.nearest.distance2;
+    if (nearer < 0.0 || (nearer == 0.0 && t < best.triangle)) {
+      best = other;
+      reach = std::sqrt(best.nearest.distance2);
+    }
   };
-  const auto e = static_cast<std::size_t>(element);
+  if (contact.triangle >= 0) consider(contact.triangle);
+  const auto e = static_cast<std::size_t>(contact.element);
   if (topology.near_begin[e] < topology.near_begin[e + 1]) {
     for (std::int32_t k = topology.near_begin[e]; k < topology.near_begin[e + 1]; ++k) {
       consider(topology.near[static_cast<std::size_t>(k)]);
@@ -52,11 +87,11 @@ Projection project(const Topology& topology, const std::vector<Vec3>& x, const V
 }
 
 // The same, but the last step's triangle while it is as near but for the margin.
-Projection project_again(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+Projection project_again(const Topology& topology, const PairSearch& search, const Vec3& point,
                          const PairContact& contact, double margin) {
-  const Projection best = project(topology, x, point, contact.element);
+  const Projection best = project(topology, search, point, contact);
   if (margin == 0.0 || contact.triangle < 0 || contact.triangle == best.triangle) return best;
-  const Projection last = project_on(topology, x, point, contact.triangle);
+  const Projection last = project_on(topology, search.predicted, point, contact.triangle);
   const double farthest2 = (1.0 + margin) * (1.0 + margin) * best.nearest.distance2;
   return last.nearest.distance2 <= farthest2 ? last : best;
 }
@@ -100,12 +135,13 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   const double dt = options.time_step;
   const double widest = options.pairs.hysteresis * dt * dt *
                         scene.gravity.at(static_cast<double>(state.step) * dt).norm();
+  if (!workspace.pairs.empty()) bound_triangles(scene.topology, workspace.search);
   std::size_t kept = 0;
   for (PairContact contact : workspace.pairs) {
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
     const bool open = contact.open;
-    const Projection projection =
-        project_again(scene.topology, x, point, contact, open ? 0.0 : options.pairs.tie_margin);
+    const Projection projection = project_again(scene.topology, workspace.search, point, contact,
+                                                open ? 0.0 : options.pairs.tie_margin);
     contact.triangle = projection.triangle;
     const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
     const double distance = std::sqrt(projection.nearest.distance2);
