@@ -5,14 +5,14 @@ import { compare } from "../model/compare.js";
 import { family_name, group_by } from "../model/family.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
-import { is_bad, worst_check } from "../model/verdict.js";
+import { overview_rows } from "../model/overview.js";
+import { worst_check, VERDICTS } from "../model/verdict.js";
 import { attributes_of, variant_key, variant_labels } from "../model/variant.js";
 import { comparison_plots } from "../plots/comparison_plot.js";
 import { margin_plot } from "../plots/margin_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 
 const RECORDS_A_PART = 200;
-const MOST_FAMILIES_PLOTTED = 24;
 const MOST_CHANGES = 5000;
 
 // Texts that many records share, once.
@@ -154,25 +154,9 @@ export function page_data({ runs, against, title, warnings }) {
       ),
     }))
     .filter(({ records }) => records.length > 0);
-  const worst_margin = ({ records }) => {
-    let worst = 0;
-    for (const record of records)
-      for (const check of record.checks) worst = Math.max(worst, margin(check));
-    return worst;
-  };
-  const has_bad = ({ records }) => records.some(({ verdict }) => is_bad(verdict));
-  const failing_first = [
-    ...current_families.filter(has_bad),
-    ...current_families.filter((family) => !has_bad(family)),
-  ];
-  const shown_families =
-    current_families.length <= MOST_FAMILIES_PLOTTED
-      ? failing_first
-      : current_families
-          .map((family) => [worst_margin(family), family])
-          .sort((a, b) => b[0] - a[0])
-          .slice(0, MOST_FAMILIES_PLOTTED)
-          .map(([, family]) => family);
+  const shown_families = overview_rows(current_families, ({ records }) =>
+    records.map(({ verdict }) => verdict),
+  );
 
   const families = by_family.map(([name, cases]) => ({
     name,
@@ -189,7 +173,7 @@ export function page_data({ runs, against, title, warnings }) {
           runs.flatMap(({ records }) => records),
         )
       : null;
-  const counts = { pass: 0, fail: 0, error: 0, shown: 0, "not-applicable": 0 };
+  const counts = Object.fromEntries(VERDICTS.map((verdict) => [verdict, 0]));
   for (const { record } of current) for (const { verdict } of record.checks) ++counts[verdict];
 
   const overview = margin_plot(shown_families);

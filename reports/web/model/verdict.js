@@ -6,7 +6,7 @@ export const VERDICTS = ["error", "fail", "limit", "pass", "shown", "not-applica
 export const VERDICT_WORDS = {
   error: "broke off",
   fail: "fails",
-  limit: "falls short, as known",
+  limit: "known limit",
   pass: "holds",
   shown: "shown only",
   "not-applicable": "not applicable",
@@ -34,4 +34,16 @@ export function worst_check(checks, margin) {
     }
   }
   return worst;
+}
+
+const COUNTED = {
+  fail: ["fails", "fail"],
+  limit: ["known limit", "known limits"],
+  pass: ["holds", "hold"],
+};
+
+/** "1 fails", "33 known limits"; `number` is the count as it shall be spelled. */
+export function counted(verdict, count, number = String(count)) {
+  const word = VERDICT_WORDS[verdict];
+  return `${number} ${(COUNTED[verdict] ?? [word, word])[count === 1 ? 0 : 1]}`;
 }

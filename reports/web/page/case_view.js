@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One case: what it claims, what was measured, how it went, what it cost.
+import { format_count, format_value, to_number } from "../model/number.js";
 import { attributes_of, variant_labels } from "../model/variant.js";
 import { rank } from "../model/verdict.js";
 import { checks_height, checks_section } from "./checks_section.js";
@@ -23,6 +24,21 @@ function notes_of(entries) {
     labels.length === entries.length ? "" : labels.filter(Boolean).join(", "),
   ]);
 }
+
+// Meshes of the bodies, each once.
+function meshes_of(records) {
+  const texts = records.flatMap(({ meshes }) =>
+    meshes.map(
+      (mesh) =>
+        `Mesh of ${mesh.bodies}: ${format_count(mesh.vertices)} vertices, ${format_count(mesh.tetrahedra)} tetrahedra, ` +
+        `dihedral angles ${format_angle(mesh.min_dihedral_angle)} to ${format_angle(mesh.max_dihedral_angle)}, ` +
+        `shortest altitude ${format_value(Number(to_number(mesh.min_altitude).toPrecision(3)))} m.`,
+    ),
+  );
+  return [...new Set(texts)].map((text) => h("p", { class: "provenance" }, text));
+}
+
+const format_angle = (value) => `${to_number(value).toFixed(1)}°`;
 
 function environment_of(records, runs) {
   const told = records.map((record) => ({ ...record.environment, run: runs[record.run] }));
@@ -179,6 +195,7 @@ export async function show_case(element, name, { index, rows }, list) {
     figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
     h("h2", {}, "Cost"),
     cost_table(entries),
+    meshes_of(records),
     environment_of(records, index.runs),
   );
 }

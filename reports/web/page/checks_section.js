@@ -55,15 +55,16 @@ function check_row({ check, label }, columns) {
   );
 }
 
-const places_of = (group) =>
-  [...new Set(group.map(({ check }) => check.worst).filter(Boolean))].join("; ");
+const told = (group, field) =>
+  [...new Set(group.map(({ check }) => check[field]).filter(Boolean))].join("; ");
 
 function claim_section(group, several) {
   const { check } = group[0];
   const worst = group.reduce((a, b) =>
     rank(b.check.verdict) < rank(a.check.verdict) ? b : a,
   ).check;
-  const places = places_of(group);
+  const places = told(group, "worst");
+  const limits = told(group, "limit");
   const columns = COLUMNS.filter(({ shared }) => !shared || !is_shared(group, shared));
   const expected = is_shared(group, "expected") && h("strong", {}, `${expected_of(group)}: `);
   const tolerance = is_shared(group, "tolerance") && h("strong", {}, `${tolerance_text(check)}: `);
@@ -124,6 +125,7 @@ function claim_section(group, several) {
       h("dd", {}, expected, `${check.source} (${KINDS[check.kind] ?? check.kind})`),
       h("dt", {}, "Tolerance"),
       h("dd", {}, tolerance, check.reason || "no reason given"),
+      limits !== "" && [h("dt", {}, "Known limit"), h("dd", {}, limits)],
       places !== "" && [h("dt", {}, "Worst place"), h("dd", {}, places)],
     ),
   );
@@ -139,10 +141,8 @@ function claims_of(entries) {
       JSON.stringify([check.quantity, check.unit, check.relative, check.claim, check.formula]),
     ).values(),
   ];
-  const worst = (group) => Math.min(...group.map(({ check }) => rank(check.verdict)));
-  return groups.sort(
-    (a, b) => (worst(a) < rank("pass") ? 0 : 1) - (worst(b) < rank("pass") ? 0 : 1),
-  );
+  const worst = (group) => Math.min(rank("pass"), ...group.map(({ check }) => rank(check.verdict)));
+  return groups.sort((a, b) => worst(a) - worst(b));
 }
 
 /** `entries`: [{record, label}]. */
@@ -163,7 +163,8 @@ export function checks_height(entries) {
       HEIGHTS.row * (group.length + 1) +
       lines(check.source, 56) +
       lines(check.reason, 56) +
-      lines(places_of(group), 56)
+      lines(told(group, "worst"), 56) +
+      lines(told(group, "limit"), 56)
     );
   }, 0);
 }

@@ -2,14 +2,14 @@
 // One row a family: verdicts as a row of shapes, digits, cost. The plot beside it has the same rows.
 import { group_by } from "../model/family.js";
 import { format_count, format_digits, format_seconds_short } from "../model/number.js";
-import { is_bad, rank, VERDICTS } from "../model/verdict.js";
+import { overview_rows, row_height } from "../model/overview.js";
+import { rank, VERDICTS } from "../model/verdict.js";
 import { h, svg } from "./dom.js";
 import { glyph, verdict_mark } from "./glyph.js";
 import { case_hash, hash_of } from "./route.js";
 import { tally_of } from "./tally.js";
 
 const MOST_GLYPHS = 24;
-const MOST_FAMILIES = 40;
 
 const counts = (tally) =>
   h(
@@ -61,18 +61,14 @@ function family_row(name, rows) {
 }
 
 export function family_table(rows) {
-  const has_bad = (list) => list.some((row) => is_bad(row.verdict));
   const groups = [...group_by(rows, (row) => row.family)].map(([name, list]) => ({ name, list }));
-  const ordered = [
-    ...groups.filter(({ list }) => has_bad(list)),
-    ...groups.filter(({ list }) => !has_bad(list)),
-  ];
+  const shown = overview_rows(groups, ({ list }) => list.map(({ verdict }) => verdict));
   return h(
     "div",
     { class: "family-scroll", tabindex: "0", role: "region", "aria-label": "Families" },
     h(
       "table",
-      { class: "families" },
+      { class: "families", style: { "--row": `${row_height(shown.length)}px` } },
       h(
         "thead",
         {},
@@ -89,14 +85,14 @@ export function family_table(rows) {
       h(
         "tbody",
         {},
-        ordered.slice(0, MOST_FAMILIES).map(({ name, list }) => family_row(name, list)),
+        shown.map(({ name, list }) => family_row(name, list)),
       ),
     ),
-    ordered.length > MOST_FAMILIES &&
+    groups.length > shown.length &&
       h(
         "p",
         {},
-        h("a", { href: hash_of("cases") }, `${ordered.length - MOST_FAMILIES} more families`),
+        h("a", { href: hash_of("cases") }, `${groups.length - shown.length} more families`),
       ),
   );
 }

@@ -8,6 +8,8 @@ const DECADES_ABOVE = 4;
 const WIDTH = 90;
 const LIMIT = (WIDTH * DECADES_BELOW) / (DECADES_BELOW + DECADES_ABOVE);
 
+const CLASSES = { pass: "within", fail: "beyond", error: "beyond", limit: "known" };
+
 function length_of(margin) {
   if (margin === 0) return 0;
   const decades = Math.min(DECADES_ABOVE, Math.max(-DECADES_BELOW, Math.log10(margin)));
@@ -19,7 +21,7 @@ export function margin_bar(margin, with_text = true, verdict = margin <= 1 ? "pa
   const bar = svg(
     "svg",
     {
-      class: `margin ${verdict === "pass" ? "within" : verdict === "fail" || verdict === "error" ? "beyond" : "undecided"}`,
+      class: `margin ${CLASSES[verdict] ?? "undecided"}`,
       viewBox: `0 0 ${WIDTH} 12`,
       width: WIDTH,
       height: 12,

@@ -9,7 +9,7 @@ import {
   format_short,
   format_value,
 } from "../model/number.js";
-import { rank, VERDICTS, VERDICT_WORDS } from "../model/verdict.js";
+import { counted, rank, VERDICTS } from "../model/verdict.js";
 import { h } from "./dom.js";
 import { failures_list } from "./failures.js";
 import { family_table } from "./family_table.js";
@@ -67,10 +67,7 @@ function facts(tally, index) {
       "Checks",
       format_count(total),
       VERDICTS.filter((verdict) => checks[verdict] > 0)
-        .map(
-          (verdict) =>
-            `${format_count(checks[verdict])} ${VERDICT_WORDS[verdict].replace(/s$/, "")}`,
-        )
+        .map((verdict) => counted(verdict, checks[verdict], format_count(checks[verdict])))
         .join(", "),
     ),
     tally.closest &&
@@ -178,10 +175,10 @@ export function summary_view({ index, rows, comparison }) {
           `${plural(tally.records, "record")} of ${plural(families, "case")}`,
           VERDICTS.filter((name) => tally[name] > 0).map((name) =>
             h(
-              "span",
-              { class: `tally verdict-${name}` },
+              "a",
+              { class: `tally verdict-${name}`, href: hash_of("cases", "", { verdict: name }) },
               glyph(name, 13),
-              ` ${format_count(tally[name])} ${VERDICT_WORDS[name].replace(/s$/, "")}`,
+              ` ${counted(name, tally[name], format_count(tally[name]))}`,
             ),
           ),
         ),

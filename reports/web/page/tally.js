@@ -24,6 +24,7 @@ export function tally_of(rows) {
     tally.steps += row.steps;
     tally.updates += row.updates;
     if (row.ns > 0) ns.push(row.ns);
+    if (row.verdict === "limit") continue; // its case says why it must be beyond
     if (row.check && (!tally.closest || row.check.margin > tally.closest.check.margin))
       tally.closest = row;
     if (row.check) tally.fewest = Math.min(tally.fewest, row.check.digits);

@@ -2,13 +2,13 @@
 // The overview: how close each check stands to its tolerance, a row a family.
 import { group_by } from "../model/family.js";
 import { margin } from "../model/check_text.js";
+import { row_height } from "../model/overview.js";
 import { name_axis, numbered, tip, tip_number } from "./names.js";
 import { VERDICT_COLOURS, VERDICT_DOMAIN, VERDICT_LABELS, VERDICT_SHAPES } from "./palette.js";
 
 const LOWEST = -9; // decades; an exact result stands here
 const HIGHEST = 6;
 const PER_DECADE = 4;
-const ROW = 26; // px, as the rows of the table beside it
 
 function place_of(value) {
   if (value === 0) return LOWEST;
@@ -59,7 +59,7 @@ export function margin_plot(families) {
     caption: "A check holds left of the limit. Larger marks are several checks.",
     description: `|error| ÷ tolerance of ${values.reduce((sum, { checks }) => sum + checks, 0)} checks, by family.`,
     spec: {
-      height: { step: ROW },
+      height: { step: row_height(families.length) },
       layer: [
         {
           data: { values: [{ low: 0, high: highest }] },

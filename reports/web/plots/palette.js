@@ -88,7 +88,14 @@ export const body_colour = (i) => `$b${i % 6}`;
 /** Vega-Lite's scale for verdicts, colour and shape. */
 export const VERDICT_DOMAIN = ["pass", "fail", "limit", "error", "shown", "not-applicable"];
 export const VERDICT_COLOURS = ["$pass", "$fail", "$limit", "$error", "$shown", "$na"];
-export const VERDICT_SHAPES = ["circle", "triangle-up", "triangle-down", "diamond", "square", "stroke"];
+export const VERDICT_SHAPES = [
+  "circle",
+  "triangle-up",
+  "triangle-down",
+  "diamond",
+  "square",
+  "stroke",
+];
 
 /** The words of model/verdict.js, in Vega's expressions. */
 export const VERDICT_LABELS = `(${JSON.stringify(VERDICT_WORDS)})[datum.label]`;

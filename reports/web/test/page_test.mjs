@@ -349,3 +349,37 @@ test("a damaged page says so", async () => {
   await page.getByText("This report cannot be shown").waitFor();
   assert.match(await page.locator("main").innerText(), /damaged or cut off/);
 });
+
+test("a known limit is told as such, with its reason, and is no failure", async () => {
+  const limit = "penalty contacts close the depth in steps";
+  const short = record({
+    schema_version: 2,
+    case: "limit/known",
+    verdict: "limit",
+    checks: [check({ verdict: "limit", limit, error: 0.1 })],
+    meshes: [
+      {
+        bodies: "box and 2 more",
+        vertices: 1234,
+        tetrahedra: 27,
+        min_dihedral_angle: 45,
+        max_dihedral_angle: 90,
+        min_altitude: 0.05,
+      },
+    ],
+  });
+  const page = await browser.open(make_page(make_run(lines_of([short, record()]))));
+  assert.equal(await page.locator("h1").innerText(), "1 holds, 1 falls short as known.");
+  assert.equal(await page.locator(".failures").count(), 0);
+  assert.match(await page.locator(".facts").innerText(), /1 known limit, 1 holds/);
+  await page.locator(".tally.verdict-limit").click();
+  await page.locator(".c-case a").click();
+  await page.locator(".claim.verdict-limit").waitFor();
+  const text = await page.locator("main").innerText();
+  assert.ok(text.includes(limit));
+  assert.match(
+    text,
+    /Mesh of box and 2 more: 1,234 vertices, 27 tetrahedra, dihedral angles 45\.0° to 90\.0°/,
+  );
+  unfaulted(page);
+});

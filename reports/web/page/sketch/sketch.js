@@ -41,8 +41,11 @@ export function sketch(case_name) {
     h(
       "figcaption",
       {},
-      "Sketch, not to scale: ",
-      used.map(([name, word], i) => [i > 0 && ", ", h("span", { class: `key key-${name}` }, word)]),
+      "Sketch, not to scale",
+      used.map(([name, word], i) => [
+        i > 0 ? ", " : ": ",
+        h("span", { class: `key key-${name}` }, word),
+      ]),
       ".",
     ),
   );
