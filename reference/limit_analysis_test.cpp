@@ -52,7 +52,7 @@ TEST(LimitAnalysis, BoxTopplesAtWidthOverHeight) {  // analytic
   expect_contains(critical_load(box_on_incline({1.0, 1.0, 4.0}, 1.0), 3.0), 0.25);
 }
 
-TEST(LimitAnalysis, FourBallsHaveTheSmoothThresholds) {        // analytic, CASES.md
+TEST(LimitAnalysis, FourBallsHaveTheSmoothThresholds) {        // analytic
   EXPECT_NEAR(four_ball_thresholds(1.75).ball, 0.2201, 5e-5);  // four printed digits
   EXPECT_NEAR(four_ball_thresholds(1.75).ground, 0.1411, 5e-5);
   EXPECT_NEAR(four_ball_thresholds(1.0).ball, std::sqrt(3.0) - std::sqrt(2.0), 1e-15);
@@ -65,7 +65,7 @@ TEST(LimitAnalysis, FourBallsHaveTheSmoothThresholds) {        // analytic, CASE
 }
 
 TEST(LimitAnalysis, BoxPyramidSlidesAtMuAndTopplesLater) {
-  const double toppling[] = {1.0, 11.0 / 14.0, 33.0 / 47.0, 0.0, 0.63};  // exact-computed; CASES.md
+  const double toppling[] = {1.0, 11.0 / 14.0, 33.0 / 47.0, 0.0, 0.63};  // exact-computed
   for (int rows = 1; rows <= 5; ++rows) {
     const LimitProblem pyramid = box_pyramid(rows, 0.0, false);
     expect_contains(critical_load(pyramid, 0.3), 0.3);
@@ -112,7 +112,7 @@ TEST_P(Friction, ClampedRowHoldsIfPressedEnough) {  // analytic: N ≥ n m g / (
   }
 }
 
-TEST(LimitAnalysis, OffsetBarsTakeTheirShareOfFriction) {  // N ≥ m g / (2 (μ − Δh/w)), CASES.md
+TEST(LimitAnalysis, OffsetBarsTakeTheirShareOfFriction) {  // N ≥ m g / (2 (μ − Δh/w))
   LimitProblem box = clamped_row(1, 100.0);
   for (ContactPoint& contact : box.contacts)
     contact.point.z() = contact.normal.x() > 0 ? 0.1 : -0.1;

@@ -21,7 +21,7 @@ LimitProblem box_pyramid(int rows, double gap, bool touching);
 LimitProblem four_ball_pyramid(double ratio, double ground_scale);
 
 /// Smooth rigid balls:  sin θ = (2/√3)/(1 + R/r),  μ_ball = tan(θ/2),
-/// μ_ground = tan(θ/2)/(1 + 3 (r/R)³). Analytic; CASES.md.
+/// μ_ground = tan(θ/2)/(1 + 3 (r/R)³). Analytic.
 struct FourBallThresholds {
   double ball = 0.0;
   double ground = 0.0;

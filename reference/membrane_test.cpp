@@ -47,7 +47,7 @@ TEST(Membrane, LinearLawStopsWhereTheClosedFormSays) {  // analytic
   }
 }
 
-TEST(Membrane, AtTheCriticalSlopeTheClosedFormIsTheOneOfTheCase) {  // CASES.md
+TEST(Membrane, AtTheCriticalSlopeTheClosedFormIsTheOneOfTheCase) {
   const MembraneProblem p = paper();
   const double kappa = p.gravity * std::cos(p.slope) * (1.0 + 0.36) *
                        (p.box_load / (p.tension * p.length) + p.own_load / p.tension);

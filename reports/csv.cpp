@@ -11,11 +11,11 @@
 namespace stiction {
 namespace {
 
-constexpr std::size_t kCheckColumns = 16;
+constexpr std::size_t kCheckColumns = 17;
 constexpr std::string_view kHeader =
     "case,title,engine,settings,case_verdict,case_error,"
     "quantity,unit,claim,formula,source,kind,value,expected,error,relative,scale,tolerance,reason,"
-    "digits,worst,verdict,"
+    "digits,worst,limit,verdict,"
     "cpu_seconds,steps,contact_updates,ns_per_contact_update,state_hash,"
     "revision,toolchain,machine,date";
 
@@ -45,7 +45,7 @@ std::string check_cells(const Check& check) {
               to_string(check.kind), format_exact(check.value), format_exact(check.expected),
               format_exact(check.error), check.relative ? "true" : "false",
               format_exact(check.scale), format_exact(check.tolerance), check.reason,
-              format_exact(check.digits), check.worst, to_string(check.verdict)});
+              format_exact(check.digits), check.worst, check.limit, to_string(check.verdict)});
 }
 
 std::string run_cells(const Record& record) {

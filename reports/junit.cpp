@@ -79,9 +79,11 @@ std::string outcome(const Record& record) {
     case Verdict::kNotApplicable:
       return fmt::format("      <skipped message=\"{}\"/>\n",
                          record.notes.empty() ? "not applicable" : escaped(record.notes.front()));
-    case Verdict::kLimit:
+    case Verdict::kLimit: {
+      const Check* worst = worst_check(record.checks);
       return fmt::format("      <skipped message=\"falls short, as known: {}\"/>\n",
-                         escaped(worst_check(record.checks)->limit));
+                         worst == nullptr ? "" : escaped(worst->limit));
+    }
     case Verdict::kPass:
     case Verdict::kShown:
       break;

@@ -145,5 +145,13 @@ TEST(MarkdownReport, ARecordWithoutChecksKeepsItsReason) {
   EXPECT_TRUE(has(report, "the engine has no deformable obstacles"));
 }
 
+TEST(MarkdownReport, TellsAKnownLimitWithItsReason) {
+  const std::string report = markdown_report({test::limit_record()}, "Limits");
+  EXPECT_NE(report.find("0 fail, 1 limit"), std::string::npos);
+  EXPECT_NE(report.find("*limit*"), std::string::npos);
+  EXPECT_NE(report.find("- Known limit: normal forces never settle"), std::string::npos);
+  EXPECT_EQ(report.find("## What failed"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stiction

@@ -21,8 +21,8 @@ struct alignas(32) Position {
 };
 static_assert(sizeof(Velocity) == 32 && sizeof(Position) == 32);
 
-/// What persists of a pair contact besides its friction: where it was, for hysteresis. In the order
-/// of the body keys, which is that of `State::pair_friction` too.
+/// What persists of a pair contact besides its friction: where it was, for hysteresis and ties. In
+/// the order of the body keys, which is that of `State::pair_friction` too.
 struct PairMemory {
   std::vector<ContactKey> body_key;  ///< (vertex, penetrated body)
   std::vector<std::int32_t> element;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
 #include "validation/methods.h"
@@ -41,24 +42,27 @@ Measured measure(CaseRun& run, ClampSetup setup, double factor, double most, dou
 
 void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, double least,
                            double width) {
-  expect_no_rest_of_paper(run);
   const Measured soft = measure(run, setup, 1.0, most, least, width);
   const Measured stiff = measure(run, setup, kStiffer, most, least, width);
   const auto to_rigid = [](double at_stiff, double at_soft) {
     return (kStiffer * at_stiff + at_soft) / (kStiffer - 1.0);
   };
   constexpr double kRest = 8e-5;  // of the criterion of rest, see ClampProbe
+  const double ratio = to_rigid(stiff.ratio, -soft.ratio);
+  // Half a per cent is what the jumping load of the paper's method was seen to cost; more is news.
+  const bool known = std::abs(ratio - 1.0) < 5e-3;
   run.check({.quantity = "critical clamp force ÷ balance, rigid limit",
              .unit = "1",
              .claim = "a clamp holds iff its friction can carry the weight",
              .formula = "N = n m g/(2(aμ − Δh/w + t))",
              .source = "balance of force and couple with Coulomb's law at both jaws",
              .kind = ReferenceKind::kAnalytic,
-             .value = to_rigid(stiff.ratio, -soft.ratio),
+             .value = ratio,
              .expected = 1.0,
              .tolerance = to_rigid(stiff.half_bracket + kRest, soft.half_bracket + kRest),
              .reason = "half the brackets left by the bisections and 8e-5 of the criterion of "
-                       "rest, each as the extrapolation (4 x(4E) − x(E))/3 weighs it"});
+                       "rest, each as the extrapolation (4 x(4E) − x(E))/3 weighs it",
+             .limit = known ? no_rest_of_paper(run) : ""});
 }
 
 }  // namespace stiction

@@ -30,7 +30,7 @@ void judge(Check& check, double tolerance_scale) {
   if (check.verdict == Verdict::kShown || check.verdict == Verdict::kNotApplicable) return;
   const bool holds = std::abs(check.error) <= check.tolerance * tolerance_scale;
   // What could not be measured is no known limit.
-  const bool known = !check.limit.empty() && !std::isnan(check.error);
+  const bool known = !check.limit.empty() && std::isfinite(check.error);
   check.verdict = holds ? Verdict::kPass : known ? Verdict::kLimit : Verdict::kFail;
 }
 

@@ -86,7 +86,8 @@ Projection project(const Topology& topology, const PairSearch& search, const Vec
   return best;
 }
 
-// The same, but the last step's triangle while it is as near but for the margin.
+// As `project`, but keeps the last step's triangle while its distance is within (1 + margin) of the
+// nearest one's.
 Projection project_again(const Topology& topology, const PairSearch& search, const Vec3& point,
                          const PairContact& contact, double margin) {
   const Projection best = project(topology, search, point, contact);

@@ -19,7 +19,7 @@ namespace stiction {
 /// start-of-step positions (see PairWeights).
 void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace);
 
-/// Keeps where the contacts are for the hysteresis of the next step.
+/// Keeps where the contacts are for the hysteresis and the ties of the next step.
 void remember_pairs(const PairContacts& pairs, const Topology& topology, PairMemory& memory);
 
 }  // namespace stiction

@@ -196,7 +196,7 @@ void check_cycle(CaseRun& run, const std::vector<Stroke>& strokes, double cell) 
              .unit = "J",
              .claim = "a cycle between 0 and U loses what partial slip says",
              .formula = "W = 2F_a³/(3EAτ), F_a = τ b half the range of F",
-             .source = "bar on a frictional bed; CASES.md",
+             .source = "bar on a frictional bed: friction per length τ ends where it has carried F",
              .kind = ReferenceKind::kAnalytic,
              .value = friction,
              .expected = loss,

@@ -143,7 +143,9 @@ class Pyramid {
   PyramidShape shape_;
 };
 
-// e/r of the facets of frequency n (CASES.md: 0.087, 0.043, 0.022 for n = 4, 8, 16).
+// Half-width e of the facets of frequency n over the radius: 0.087, 0.043, 0.022 at n = 4, 8, 16.
+// Over so much the ground's pressure can move outwards under a lower ball, which lowers the
+// critical μ by 0.82 e/r (balance of moments of a lower ball, as for four_ball_thresholds).
 double facet(const BallPyramidSetup& setup) { return 0.344 / setup.frequency; }
 
 // Half angle of a lower ball's patch on the ground by Hertz, rad.
@@ -276,7 +278,6 @@ std::vector<Case> cases_four_balls() {
                     "0.20",
            .variants = method_variants(),
            .run = [](CaseRun& run) { run_four_balls(run, balls(4), 0.0); }},
-          threshold(4, 0.005),
           threshold(6, 0.005),
           threshold(8, 0.005)};
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "solver/demand.h"
 #include "validation/incline_run.h"
 #include "validation/methods.h"
 #include "validation/slab_problem.h"
@@ -11,8 +10,9 @@ namespace stiction {
 
 namespace {
 
-// Steps after which a slip stays below what the paper calls static.
-constexpr double kFound = 1e-9;  // m/s
+constexpr double kFound = 1e-9;  // m/s: what the paper calls static
+
+// Steps after which a slip stays below that.
 class Found {
  public:
   void add(int step, double slip) {
@@ -34,17 +34,20 @@ Check steps_check(const std::string& whose, int steps) {
           .value = static_cast<double>(steps),
           .expected = 0.0,
           .tolerance = 100.0,
-          .reason = "the goal: at most a hundred steps"};
+          .reason =
+              "six times the paper's largest, because forgetting sets elastic vibration going "
+              "besides"};
 }
 
 // A settled box at 20° whose contacts forget their friction for one step: no friction rule keeps
 // what another remembered, so one step with the rule `none` empties the memory and leaves a slip.
 // Nothing else is disturbed, so what follows is the friction iteration, and behind it the elastic
 // vibration that its first steps have set going.
-void run_convergence(CaseRun& run, const SlabSetup& setup, const Settings& extra) {
+void run_convergence(CaseRun& run, const SlabSetup& setup, const Settings& extra,
+                     bool both_sides_touch) {
   constexpr int kSteps = 3000;
-  expect_no_rest_of_paper(run);
-  if (run.settings().at("method") == "quiet") {
+  run.known_limit(no_rest_of_paper(run));
+  if (both_sides_touch && run.settings().at("method") == "quiet") {
     run.known_limit(
         "vertices of both sides in each other make contacts that say nearly the same twice: a "
         "sweep passes the slip to and fro between them (see the note)");
@@ -64,6 +67,7 @@ void run_convergence(CaseRun& run, const SlabSetup& setup, const Settings& extra
   Series mean{"mean contact slip", "m/s", "step", "1", {}, {}};
   Series kinetic{"kinetic energy", "J", "step", "1", {}, {}};
   const SlabSample forgotten = forgetful.sample();
+  demand(forgotten.fastest_slip > 1e-4, "forgetting friction leaves a slip");
   Found found_mean, found_fastest;
   for (int k = 1; k <= kSteps; ++k) {
     settled.engine().advance(1);
@@ -110,18 +114,18 @@ std::vector<Case> cases_slab_convergence() {
                                  {{"method", "quiet"}},
                                  {{"method", "quiet"}, {"sweeps", "4"}},
                                  {{"method", "quiet"}, {"sweeps", "16"}}};
-  const auto convergence = [setup](const Settings& extra) {
-    return [setup, extra](CaseRun& run) { run_convergence(run, setup, extra); };
+  const auto convergence = [setup](const Settings& extra, bool both_sides_touch) {
+    return [=](CaseRun& run) { run_convergence(run, setup, extra, both_sides_touch); };
   };
   return {{.name = "slab/convergence",
            .title = "how fast static friction is found again",
            .variants = variants,
-           .run = convergence({})},
+           .run = convergence({}, true)},
           // Depths are a quarter, so that the slab's one vertex no longer reaches into the box.
           {.name = "slab/convergence/half-step",
            .title = "how fast static friction is found again, at half the time step",
            .variants = {variants[0], variants[1], variants[2], variants[3]},
-           .run = convergence({{"dt", "1e-4"}})}};
+           .run = convergence({{"dt", "1e-4"}}, false)}};
 }
 
 }  // namespace stiction

@@ -129,7 +129,7 @@ BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
   return description;
 }
 
-// One entry for all bodies of a mesh, told apart by what the entry shows.
+// One entry for all bodies of a mesh, told apart by their counts and shortest altitude.
 void add_mesh(const BodyDescription& body, std::vector<Mesh>& meshes, std::vector<int>& sharing) {
   if (body.mesh.tetrahedra.cols() == 0) return;
   const reference::MeshQuality quality = reference::mesh_quality(body.mesh);
