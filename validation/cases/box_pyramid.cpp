@@ -9,6 +9,7 @@
 
 #include "validation/incline_problem.h"
 #include "validation/methods.h"
+#include "validation/paper_figure.h"
 #include "validation/pyramid_problem.h"
 #include "validation/threshold.h"
 
@@ -16,7 +17,7 @@ namespace stiction {
 
 namespace {
 
-constexpr double kPaperSlip = 1e-9;  // m/s: what the paper calls static
+constexpr const char* kSource = "[Lazarevych2009], Fig. 5 (right column) and sec. 5";
 
 std::vector<Vec3> places(const Engine& engine, const PyramidSetup& setup) {
   std::vector<Vec3> all;
@@ -62,34 +63,20 @@ struct PyramidSeries {
   }
 };
 
-Check zero_check(const std::string& quantity, const std::string& unit, const std::string& claim,
-                 double value, double tolerance, const std::string& reason) {
-  return {.quantity = quantity,
-          .unit = unit,
-          .claim = claim,
-          .formula = quantity + " = 0",
-          .source = "[Lazarevych2009], Fig. 5 (right column) and sec. 5",
-          .kind = ReferenceKind::kExternal,
-          .value = value,
-          .expected = 0.0,
-          .tolerance = tolerance,
-          .reason = reason};
-}
-
 void check_rest(CaseRun& run, const PyramidSetup& setup, const Engine& engine, const Moved& drift,
                 double slip, double window) {
   run.known_limit(no_rest_of_paper(run));
-  Check check =
-      zero_check("drift at rest", "m", "a pyramid at rest does not creep: farthest box in 3 s",
-                 drift.distance, kPaperSlip * window, "the paper's 1e-9 m/s over the window");
+  Check check = zero_check(kSource, "drift at rest", "m",
+                           "a pyramid at rest does not creep: farthest box in 3 s", drift.distance,
+                           kStaticSlip * window, "the paper's 1e-9 m/s over the window");
   check.worst = fmt::format("box {}", drift.box);
   run.check(check);
-  run.check(zero_check("kinetic energy at rest", "J", "a pyramid at rest has none",
+  run.check(zero_check(kSource, "kinetic energy at rest", "J", "a pyramid at rest has none",
                        engine.energies().kinetic,
-                       0.5 * setup.box_mass * box_count(setup) * kPaperSlip * kPaperSlip,
+                       0.5 * setup.box_mass * box_count(setup) * kStaticSlip * kStaticSlip,
                        "½ m v² of all boxes at the paper's 1e-9 m/s"));
-  run.check(zero_check("fastest contact slip", "m/s", "static contacts end with 1e-9 m/s", slip,
-                       kPaperSlip, "the paper's own figure"));
+  run.check(zero_check(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
+                       slip, kStaticSlip, "the paper's own figure"));
 }
 
 void run_figure(CaseRun& run, const PyramidSetup& setup) {
@@ -113,10 +100,11 @@ void run_figure(CaseRun& run, const PyramidSetup& setup) {
   const std::vector<Vec3> settled = places(engine, setup);
   advance_while_whole(setup.settled + kWindow, 100);
   const Moved whole = moved();
-  Check check = zero_check("displacement", "m", "the pyramid does not slide apart: farthest box",
-                           whole.distance, 0.01 * setup.width * setup.rows,
-                           "a hundredth of the pyramid's height, about what the figure can show; "
-                           "elastic sag and shear are part of it");
+  Check check =
+      zero_check(kSource, "displacement", "m", "the pyramid does not slide apart: farthest box",
+                 whole.distance, 0.01 * setup.width * setup.rows,
+                 "a hundredth of the pyramid's height, about what the figure can show; "
+                 "elastic sag and shear are part of it");
   check.worst = fmt::format("box {}", whole.box);
   run.check(check);
   if (whole.distance > 0.5 * setup.width) {

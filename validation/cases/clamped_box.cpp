@@ -8,13 +8,13 @@
 #include "validation/clamp_threshold.h"
 #include "validation/incline_problem.h"
 #include "validation/methods.h"
+#include "validation/paper_figure.h"
 
 namespace stiction {
 
 namespace {
 
-// The slip at which the paper calls a contact static, m/s.
-constexpr double kPaperSlip = 1e-9;
+constexpr const char* kSource = "[Lazarevych2009], Fig. 3(a) and sec. 5";
 
 // Fig. 3: coarse, narrow bars at different heights. The couple of the two offset pressures wants to
 // turn the box, so that it needs the friction of both sides in full.
@@ -51,28 +51,15 @@ void note_mechanism(CaseRun& run, const ClampSetup& setup, const Engine& engine,
       setup.friction * left.own_normal, setup.friction * right.own_normal));
 }
 
-Check zero_check(const std::string& quantity, const std::string& unit, const std::string& claim,
-                 double value, double tolerance, const std::string& reason) {
-  return {.quantity = quantity,
-          .unit = unit,
-          .claim = claim,
-          .formula = quantity + " = 0",
-          .source = "[Lazarevych2009], Fig. 3(a) and sec. 5",
-          .kind = ReferenceKind::kExternal,
-          .value = value,
-          .expected = 0.0,
-          .tolerance = tolerance,
-          .reason = reason};
-}
-
 // Seen from before gravity: what a reader of the figure would see.
 void check_figure(CaseRun& run, const ClampSetup& setup, const Pose& from, const Pose& to) {
   run.check(
-      zero_check("displacement", "m", "the clamped box doesn't slip out", to.height - from.height,
-                 0.01 * setup.width,
+      zero_check(kSource, "displacement", "m", "the clamped box doesn't slip out",
+                 to.height - from.height, 0.01 * setup.width,
                  "a hundredth of the box's width, about what the figure can show; the elastic "
                  "sag of box and bars under the weight is part of it"));
-  run.check(zero_check("rotation", "°", "the clamped box doesn't turn", to.angle - from.angle, 1.0,
+  run.check(zero_check(kSource, "rotation", "°", "the clamped box doesn't turn",
+                       to.angle - from.angle, 1.0,
                        "about what the figure can show; elastic rotation under the weight is part "
                        "of it"));
 }
@@ -81,17 +68,17 @@ void check_rest(CaseRun& run, const ClampSetup& setup, const Engine& engine, con
                 double window) {
   run.known_limit(no_rest_of_paper(run));
   const Pose to = pose_of(engine, 0);
-  const double slip = kPaperSlip * window;
-  run.check(zero_check("drift at rest", "m", "once settled it stays for 5 s",
+  const double slip = kStaticSlip * window;
+  run.check(zero_check(kSource, "drift at rest", "m", "once settled it stays for 5 s",
                        to.height - from.height, slip, "the paper's 1e-9 m/s over the window"));
-  run.check(zero_check("turn at rest", "°", "once settled it doesn't turn for 5 s",
+  run.check(zero_check(kSource, "turn at rest", "°", "once settled it doesn't turn for 5 s",
                        to.angle - from.angle, slip / (0.5 * setup.width) * 180.0 / M_PI,
                        "the paper's 1e-9 m/s over the window, at half the width"));
-  run.check(zero_check("kinetic energy at rest", "J", "a clamped box has none after 7 s",
-                       engine.energies().kinetic, 0.5 * setup.box_mass * kPaperSlip * kPaperSlip,
+  run.check(zero_check(kSource, "kinetic energy at rest", "J", "a clamped box has none after 7 s",
+                       engine.energies().kinetic, 0.5 * setup.box_mass * kStaticSlip * kStaticSlip,
                        "½ m v² of the box at the paper's 1e-9 m/s"));
-  run.check(zero_check("fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
-                       fastest_slip(engine), kPaperSlip, "the paper's own figure"));
+  run.check(zero_check(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
+                       fastest_slip(engine), kStaticSlip, "the paper's own figure"));
 }
 
 void run_figure(CaseRun& run, const ClampSetup& setup) {

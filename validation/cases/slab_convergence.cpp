@@ -4,19 +4,18 @@
 #include "solver/demand.h"
 #include "validation/incline_run.h"
 #include "validation/methods.h"
+#include "validation/paper_figure.h"
 #include "validation/slab_problem.h"
 
 namespace stiction {
 
 namespace {
 
-constexpr double kFound = 1e-9;  // m/s: what the paper calls static
-
 // Steps after which a slip stays below that.
 class Found {
  public:
   void add(int step, double slip) {
-    if (!(slip <= kFound)) last_above_ = step;
+    if (!(slip <= kStaticSlip)) last_above_ = step;
   }
   int steps() const { return last_above_ + 1; }
 

@@ -89,10 +89,12 @@ void check_rest(CaseRun& run, const std::vector<SlabSetup>& setups) {
              .tolerance = kRestEnergy,
              .reason = "½ m v² of 1 kg at 1e-12 m/s, twice; " + decay,
              .worst = slab_words(setups[energetic])});
-  run.note(
-      fmt::format("{:.0f} of {:.0f} at rest; the others stalled: their kinetic energy fell by "
-                  "less than half in {} s",
-                  at_rest, count, kStallWindow));
+  std::string note = fmt::format("{:.0f} of {:.0f} at rest", at_rest, count);
+  if (at_rest < count) {
+    note += fmt::format("; the others stalled: their kinetic energy fell by less than half in {} s",
+                        kStallWindow);
+  }
+  run.note(std::move(note));
 }
 
 void check_drift(CaseRun& run, const SlabSetup& setup) {

@@ -5,8 +5,11 @@ import { is_bad } from "./verdict.js";
 const MOST_FAMILIES = 40;
 const ROOMY = 20; // as many families stand on one screen in rows of ordinary height
 
+/** Whether rows are set closely, so that all of them stand on one screen. */
+export const is_dense = (families) => families > ROOMY;
+
 /** px */
-export const row_height = (families) => (families > ROOMY ? 21 : 26);
+export const row_height = (families) => (is_dense(families) ? 18 : 26);
 
 /**
  * The families to show of `families`, each with what verdicts_of(family) gives: those that fail first,

@@ -2,7 +2,7 @@
 // One row a family: verdicts as a row of shapes, digits, cost. The plot beside it has the same rows.
 import { group_by } from "../model/family.js";
 import { format_count, format_digits, format_seconds_short } from "../model/number.js";
-import { overview_rows, row_height } from "../model/overview.js";
+import { is_dense, overview_rows, row_height } from "../model/overview.js";
 import { rank, VERDICTS } from "../model/verdict.js";
 import { h, svg } from "./dom.js";
 import { glyph, verdict_mark } from "./glyph.js";
@@ -68,7 +68,10 @@ export function family_table(rows) {
     { class: "family-scroll", tabindex: "0", role: "region", "aria-label": "Families" },
     h(
       "table",
-      { class: "families", style: { "--row": `${row_height(shown.length)}px` } },
+      {
+        class: is_dense(shown.length) ? "families dense" : "families",
+        style: { "--row": `${row_height(shown.length)}px` },
+      },
       h(
         "thead",
         {},
