@@ -278,6 +278,8 @@ std::vector<Case> cases_four_balls() {
                     "0.20",
            .variants = method_variants(),
            .run = [](CaseRun& run) { run_four_balls(run, balls(4), 0.0); }},
+          threshold(4, 0.005),
+          threshold(5, 0.005),
           threshold(6, 0.005),
           threshold(8, 0.005)};
 }
