@@ -19,4 +19,13 @@ class Fnv1a {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
+/// A number in [−1, 1), the same for the same arguments on every machine: splitmix64 of both.
+inline double even_noise(std::uint64_t first, std::uint64_t second) {
+  std::uint64_t z = first * 0x9e3779b97f4a7c15u + second;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
+}
+
 }  // namespace stiction

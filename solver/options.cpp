@@ -37,6 +37,11 @@ void check_options(const Options& options, const Scene& scene) {
     wrong << "the hysteresis must be non-negative and finite, not " << options.pairs.hysteresis;
   } else if (!(options.pairs.tie_margin >= 0.0 && options.pairs.tie_margin < 1.0)) {
     wrong << "the tie margin must lie in [0, 1), not " << options.pairs.tie_margin;
+  } else if (!(options.pairs.depth_noise >= 0.0 && options.pairs.depth_noise < 1.0)) {
+    wrong << "the depth noise must lie in [0, 1), not " << options.pairs.depth_noise;
+  } else if (!(options.friction.slip_tolerance >= 0.0)) {
+    wrong << "the slip tolerance must be non-negative, not " << options.friction.slip_tolerance
+          << " m/s";
   }
   if (!wrong.str().empty()) throw InputError(wrong.str());
 }

@@ -46,6 +46,9 @@ struct PairOptions {
   /// relative to the depth. Where a vertex is as near to two faces, rounding alone would choose
   /// anew in each step, and the normal would jump.
   double tie_margin = 1e-3;
+  /// A depth is wrong by up to this share of it, evenly spread and anew in each step: what a coarse
+  /// or approximate detection does to friction. 0 but in tests.
+  double depth_noise = 0.0;
 };
 
 }  // namespace stiction

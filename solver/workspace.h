@@ -63,6 +63,12 @@ struct PairSearch {
   std::vector<int> level;  ///< per contact: of the breadth-first depth propagation
 };
 
+/// Scratch memory of the conjugate directions of friction forces, per contact.
+struct ConjugateScratch {
+  std::vector<Vec3> before;     ///< f at the start of the sweep, N
+  std::vector<Vec3> direction;  ///< p, N
+};
+
 /// Scratch memory of a step, kept so that a warm step allocates nothing, and what the last step
 /// did. Nothing in it is needed to continue from a State.
 struct Workspace {
@@ -72,9 +78,11 @@ struct Workspace {
   FrictionMemory memory;           ///< the memory being written
   PairContacts pairs;              ///< between bodies, of the last step
   FrictionMemory pair_friction;    ///< the memory being written
-  std::vector<double> load;        ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
+  ConjugateScratch conjugate, pair_conjugate;
+  std::vector<double> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   PairSearch search;
   std::uint64_t contact_updates = 0;      ///< summed over steps
+  std::uint64_t sweeps = 0;               ///< of the friction phase, summed over steps
   PhaseSeconds* phase_seconds = nullptr;  ///< where to add times; null: nothing is timed
 };
 

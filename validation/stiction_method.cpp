@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,17 @@ void read_word(SettingsReader& reader, const std::string& name, const Words<Valu
   throw InputError(fmt::format("setting '{}' is one of {}, not '{}'", name, known, given));
 }
 
+// Whether a rule turns the last step's slip into memory (then it has a gain), rather than storing
+// forces.
+bool rule_learns(const std::string& name) {
+  bool learns = false;
+  with_friction_rule(name, {}, [&](const auto& rule) {
+    using Rule = std::decay_t<decltype(rule)>;
+    learns = Rule::kValues > 0 && !Rule::kWarmStart;
+  });
+  return learns;
+}
+
 Options preset(const std::string& method) {
   Options options;
   options.rule = "stored-vector";
@@ -95,6 +107,7 @@ void read_method(SettingsReader& reader, Options& options) {
   friction.gain = reader.number("gain", friction.gain);
   friction.raw_alpha = reader.number("alpha", friction.raw_alpha);
   friction.relaxation = reader.number("relaxation", friction.relaxation);
+  friction.slip_tolerance = reader.number("slip-tolerance", friction.slip_tolerance);
   read_word(reader, "memory", kMemory, friction.keep_through_slip);
   read_word(reader, "safeguard", kSwitch, friction.safeguard);
   PairOptions& pairs = options.pairs;
@@ -109,6 +122,7 @@ void read_method(SettingsReader& reader, Options& options) {
   read_word(reader, "order", kOrder, pairs.normals_first);
   pairs.hysteresis = reader.number("hysteresis", pairs.hysteresis);
   pairs.tie_margin = reader.number("tie", pairs.tie_margin);
+  pairs.depth_noise = reader.number("depth-noise", pairs.depth_noise);
   read_word(reader, "count-hysteresis", kSwitch, pairs.count_hysteresis);
 }
 
@@ -119,13 +133,17 @@ Settings method_settings(const Options& options, bool with_pairs) {
     all["integrator"] = word_of(kIntegrator, options.integrator);
   }
   if (options.sweeps > 1) all["sweeps"] = fmt::format("{}", options.sweeps);
-  if (options.rule == "fixed-point" || options.rule == "secant") {
+  const bool learns = rule_learns(options.rule);
+  if (learns) {
     const bool raw = friction.raw_alpha != 0.0 && options.rule == "fixed-point";
     all[raw ? "alpha" : "gain"] = fmt::format("{}", raw ? friction.raw_alpha : friction.gain);
     all["memory"] = word_of(kMemory, friction.keep_through_slip);
   }
   if (options.rule == "secant") all["safeguard"] = word_of(kSwitch, friction.safeguard);
-  if (options.rule == "stored-vector" && friction.relaxation != 1.0) {
+  if (options.rule == "conjugate-vector") {
+    all["slip-tolerance"] = fmt::format("{}", friction.slip_tolerance);
+  }
+  if (!learns && options.rule != "none" && friction.relaxation != 1.0) {
     all["relaxation"] = fmt::format("{}", friction.relaxation);
   }
   if (!with_pairs) return all;
@@ -140,6 +158,7 @@ Settings method_settings(const Options& options, bool with_pairs) {
   all["order"] = word_of(kOrder, pairs.normals_first);
   all["hysteresis"] = fmt::format("{}", pairs.hysteresis);
   all["tie"] = fmt::format("{}", pairs.tie_margin);
+  if (pairs.depth_noise > 0.0) all["depth-noise"] = fmt::format("{}", pairs.depth_noise);
   if (pairs.literal_bound) all["bound"] = word_of(kBound, true);
   if (pairs.hysteresis > 0.0 && !pairs.count_hysteresis) all["count-hysteresis"] = "off";
   return all;
@@ -151,10 +170,11 @@ std::map<std::string, std::string> method_settings_help() {
       {"rule", "friction rule: " + friction_rule_list() + " (quiet: stored-vector)"},
       {"integrator", "symplectic-euler (default) or verlet"},
       {"sweeps", "passes over all contacts in the friction phase (default 1)"},
-      {"gain", "g of fixed-point and secant, dimensionless (default 0.7)"},
+      {"gain", "g of the rules that learn from slip, dimensionless (default 0.7)"},
       {"alpha", "the paper's raw α, s/m, in place of g"},
-      {"relaxation", "ω of stored-vector, dimensionless (default 1)"},
-      {"memory", "ξ on slip: reset (default) or keep"},
+      {"relaxation", "ω of the rules that store forces, dimensionless (default 1)"},
+      {"slip-tolerance", "of conjugate-vector: ends its sweeps, m/s (default 1e-12)"},
+      {"memory", "ξ or c on slip: reset (default) or keep"},
       {"safeguard", "of secant: on (default) or off"},
       {"normals", "normal forces: harmonic (quiet) or paper"},
       {"kappa", "κ₀ of harmonic, dimensionless (default 1)"},
@@ -166,6 +186,7 @@ std::map<std::string, std::string> method_settings_help() {
       {"bound", "μ times what force: transmitted (default) or literal"},
       {"order", "normals-first (quiet) or interleaved (paper)"},
       {"hysteresis", "gap up to which a contact is kept, in |g|Δt² (quiet: 20; paper: 0)"},
+      {"depth-noise", "error of each depth in each step, of the depth (default 0)"},
       {"tie",
        "how much farther than the nearest a contact's triangle may be to be kept, of the "
        "depth (quiet: 1e-3; paper: 0)"},

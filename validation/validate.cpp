@@ -2,18 +2,14 @@
 // The program behind `./stiction validate`: cases → records → table, report.md, junit.xml,
 // records.csv.
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -25,14 +21,13 @@
 #include "reports/table.h"
 #include "reports/vtk.h"
 #include "solver/demand.h"
+#include "validation/program.h"
 #include "validation/runner.h"
 #include "validation/user_problem.h"
 
 namespace stiction {
 
 namespace {
-
-enum ExitCode { kAllHold = 0, kSomeFail = 1, kCouldNotRun = 2 };
 
 struct Arguments {
   std::vector<std::string> problems;
@@ -98,18 +93,6 @@ void define(CLI::App& app, Arguments& arguments) {
              "that broke off, a full disk).");
 }
 
-Settings parse_settings(const std::vector<std::string>& words) {
-  Settings settings;
-  for (const std::string& word : words) {
-    const std::size_t equals = word.find('=');
-    if (equals == 0 || equals == std::string::npos) {
-      throw InputError("--set needs NAME=VALUE, not '" + word + "'");
-    }
-    settings[word.substr(0, equals)] = word.substr(equals + 1);
-  }
-  return settings;
-}
-
 const char* set_name(CaseSet set) {
   switch (set) {
     case CaseSet::kQuick:
@@ -129,14 +112,6 @@ void list_cases(const std::vector<Case>& cases, const Selection& selection) {
     last = job.which.name;
     fmt::print("{:<46} {:<6} {}\n", job.which.name, set_name(job.which.set), job.which.title);
   }
-}
-
-TableStyle terminal_style() {
-  TableStyle style;
-  style.colour = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
-  winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
-  return style;
 }
 
 // Prints records in the order of their jobs, each as soon as those before it are known; on a
@@ -178,30 +153,6 @@ class Console {
   std::size_t done_ = 0;
   bool progress_;
 };
-
-// "incline/restick/box", 12 → "012-incline_restick_box": a file name that every system takes.
-std::string file_stem(const std::string& case_name, std::size_t index) {
-  std::string stem = fmt::format("{:03}-{}", index, case_name.substr(0, 100));
-  for (char& sign : stem) {
-    if (!std::isalnum(static_cast<unsigned char>(sign)) && !std::strchr("-=.", sign)) sign = '_';
-  }
-  return stem;
-}
-
-// Where ./stiction, which set the variable, looks for the run that it makes the page of.
-void tell_page_maker(const std::filesystem::path& folder) {
-  const char* file = std::getenv("STICTION_RUN_FILE");
-  if (file != nullptr) std::ofstream(file) << folder.string() << '\n';
-}
-
-int exit_code(const std::vector<Record>& records) {
-  int code = kAllHold;
-  for (const Record& record : records) {
-    if (record.verdict == Verdict::kError) return kCouldNotRun;
-    if (record.verdict == Verdict::kFail) code = kSomeFail;
-  }
-  return code;
-}
 
 int validate(Arguments& arguments) {
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cctype>
+#include <cstddef>
 #include <string>
-#include <tuple>
+#include <vector>
 
 // Written by the build from the headers of this folder: STICTION_FRICTION_RULES(X) expands to
 // X(None, "none") X(FixedPoint, "fixed-point") …
@@ -29,12 +29,32 @@ inline bool is_friction_rule(const std::string& name) {
   return with_friction_rule(name, {}, [](const auto&) {});
 }
 
-/// Names of all rules, comma-separated.
-inline std::string friction_rule_list() {
-  std::string list;
-#define STICTION_NAME_RULE(Rule, word) list += std::string(list.empty() ? "" : ", ") + word;
+/// What the rule of that name, which exists, says of itself; and the bytes that it keeps of a
+/// contact from step to step: its values, the contact's key and its status.
+inline RuleCard friction_rule_card(const std::string& name) {
+  RuleCard card{};
+  with_friction_rule(name, {}, [&](const auto& rule) { card = rule.kCard; });
+  return card;
+}
+inline std::size_t friction_memory_bytes(const std::string& name) {
+  std::size_t bytes = sizeof(ContactKey) + sizeof(ContactStatus);
+  with_friction_rule(name, {}, [&](const auto& rule) { bytes += rule.kValues * sizeof(double); });
+  return bytes;
+}
+
+/// Names of all rules.
+inline std::vector<std::string> friction_rule_names() {
+  std::vector<std::string> names;
+#define STICTION_NAME_RULE(Rule, word) names.emplace_back(word);
   STICTION_FRICTION_RULES(STICTION_NAME_RULE)
 #undef STICTION_NAME_RULE
+  return names;
+}
+
+/// … comma-separated.
+inline std::string friction_rule_list() {
+  std::string list;
+  for (const std::string& name : friction_rule_names()) list += (list.empty() ? "" : ", ") + name;
   return list;
 }
 

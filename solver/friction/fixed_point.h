@@ -28,6 +28,9 @@ namespace stiction {
 ///
 /// u → 0: ξ is constant. A fixed obstacle leaves u = 0, so ξ stays 1.
 struct FixedPoint {
+  static constexpr RuleCard kCard{"ξ",
+                                  "inside the cone; removes slip along ũ where the loop gain is "
+                                  "below 2; blind to slip across ũ"};
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 1;
   static constexpr double kDirectionLess = 1e-12;  ///< m/s

@@ -13,6 +13,9 @@ namespace stiction {
 /// Deviation 1: the closed form −ũ/w replaces λ f_max, so that ũ → 0 is no 0/0.
 /// Exact against a fixed obstacle, where contacts do not couple: the slip ends at round-off.
 struct None {
+  static constexpr RuleCard kCard{
+      "nothing",
+      "inside the cone; exact where contacts do not couple, as on a half-space; creeps elsewhere"};
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 0;
   explicit None(const FrictionParameters&) {}

@@ -12,10 +12,19 @@ struct FrictionParameters {
   double gain = 0.7;
   /// The paper's raw α, s/m [(16)–(18)]: ξ ← ξ − α u. Used in place of the gain when not 0.
   double raw_alpha = 0.0;
-  /// ω, dimensionless: over-relaxation of the stored vector's sweeps; ≤ 1.3 is known to be good.
+  /// ω, dimensionless: over-relaxation of the sweeps that store forces; ≤ 1.3 is known to be good.
   double relaxation = 1.0;
+  /// m/s, ≥ 0: a rule with conjugate directions sweeps no more once a sweep takes away no more slip
+  /// than this. The default is far below what is called static (1e-9 m/s).
+  double slip_tolerance = 1e-12;
   bool keep_through_slip = false;  ///< ξ outlives slip (frozen) instead of being reset to 1
   bool safeguard = true;  ///< secant: fall back to the fixed point where the slope misleads
+};
+
+/// What a rule says of itself.
+struct RuleCard {
+  const char* memory;      ///< what it keeps of a contact from step to step
+  const char* guarantees;  ///< what holds whatever the scene, and what doesn't
 };
 
 /// One contact's friction problem within a step, after its normal force is known.
@@ -25,6 +34,7 @@ struct SlipProblem {
   double inverse_mass = 0;                  ///< w > 0, m/s/N
   double bound = 0;                         ///< μ fⁿ ≥ 0, N
   ContactStatus was = ContactStatus::kNew;  ///< status at the end of the last step
+  Vec3 normal = Vec3::UnitZ();              ///< n of the contact, unit
   bool first_sweep = true;    ///< of this step: rules that learn from step to step learn now
   Vec3 force = Vec3::Zero();  ///< friction applied so far in this step, N; ũ does not contain it
 };
@@ -54,9 +64,11 @@ inline bool can_stick(const SlipProblem& problem) {
 //   static constexpr int kValues            memory per contact, in doubles
 //   explicit Rule(const FrictionParameters&)
 //   void reset(double* memory) const        a new contact, or one whose memory is forgotten
+//   static constexpr RuleCard kCard         what it remembers and guarantees, for people
 //   static constexpr bool kWarmStart        whether the memory holds a force to start from:
 //   Vec3 start(const double* memory) const  that force, N (projected and clamped by the caller)
 //   SlipSolution solve(const SlipProblem&, double* memory) const
+//   static constexpr bool kConjugate        may be left out; see conjugate_vector.h
 // `solve` is called once a contact and sweep, in the order of the keys.
 
 }  // namespace stiction

@@ -23,6 +23,10 @@ namespace stiction {
 ///    good.
 /// 3. Initial ξ = 1; forgotten on separation, and on slip unless `keep_through_slip`.
 struct Secant {
+  static constexpr RuleCard kCard{
+      "ξ, ξ of the step before and its slip",
+      "inside the cone; with the safeguard no step beyond ½; no convergence proven where contacts "
+      "couple; blind to slip across ũ"};
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 3;  // ξ, ξ of the step before, u that came of it (NaN: none yet)
 

@@ -18,6 +18,10 @@ namespace stiction {
 /// what it was, u = 0, and nothing changes. A contact at the cone keeps its clamped force, which is
 /// Coulomb's sliding friction as soon as the slip has turned it (within a step when ũ dominates).
 struct StoredVector {
+  static constexpr RuleCard kCard{
+      "f",
+      "inside the cone; Gauss–Seidel on a convex problem once normal forces stand still, so that "
+      "slip falls in every direction for 0 < ω < 2"};
   static constexpr bool kWarmStart = true;
   static constexpr int kValues = 3;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/hash.h"
 #include "solver/phases/consistent_depth.h"
 #include "solver/phases/detect_pairs.h"
 #include "solver/phases/nearest.h"
@@ -167,6 +168,11 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   }
   workspace.pairs.resize(kept);
   if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
+  if (options.pairs.depth_noise > 0.0) {
+    for (PairContact& contact : workspace.pairs) {
+      contact.depth *= 1.0 + options.pairs.depth_noise * even_noise(contact.key, state.step);
+    }
+  }
 
   const auto inverse_mass = [&](std::int32_t v) {
     return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 #include "solver/mutation.h"
+#include "solver/phases/conjugate_directions.h"
 #include "solver/phases/pair_normal_force.h"
 
 namespace stiction {
@@ -146,6 +148,7 @@ void solve(const Rule& rule, const Side& side, std::size_t c, bool first, Contac
                             .inverse_mass = inverse_mass,
                             .bound = side.bound(c),
                             .was = was,
+                            .normal = side.normal(c),
                             .first_sweep = first,
                             .force = side.force(c)};
   SlipSolution solution = rule.solve(problem, memory);
@@ -166,6 +169,15 @@ void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memor
   }
 }
 
+template <class Rule>
+constexpr bool is_conjugate() {
+  if constexpr (requires { Rule::kConjugate; }) {
+    return Rule::kConjugate;
+  } else {
+    return false;
+  }
+}
+
 template <class Side>
 void remember_status(const Side& side, FrictionMemory& memory) {
   for (std::size_t c = 0; c < side.size(); ++c) memory.status[c] = side.status(c);
@@ -183,8 +195,7 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
     carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
     warm_start(rule, pairs, workspace.pair_friction, velocity);
     warm_start(rule, obstacles, workspace.memory, velocity);
-    for (int s = 0; s < options.sweeps; ++s) {
-      const bool first = s == 0;
+    const auto sweep_all = [&](bool first) {
       sweep(rule, pairs, first, workspace.pair_friction, state.velocity, velocity,
             [&](std::size_t c) {
               if (first && !options.pairs.normals_first) {
@@ -192,6 +203,13 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
               }
             });
       sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, [](std::size_t) {});
+    };
+    if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
+      workspace.sweeps += static_cast<std::uint64_t>(conjugate_sweeps(
+          pairs, obstacles, workspace, options.sweeps, options.friction.slip_tolerance, sweep_all));
+    } else {
+      for (int s = 0; s < options.sweeps; ++s) sweep_all(s == 0);
+      workspace.sweeps += static_cast<std::uint64_t>(options.sweeps);
     }
   });
   demand(known, "the options were checked, so the friction rule exists");

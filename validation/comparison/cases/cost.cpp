@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a rule costs per contact, against the fixed point in the same run: both advance in turn, so
+// that a noisy machine disturbs both.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "validation/comparison/comparison.h"
+#include "validation/comparison/comparison_table.h"
+#include "validation/comparison/scenes.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr int kRounds = 15, kStepsARound = 64;
+
+// A flat plate on a slab: 169 contacts, whose data stay in the cache.
+ComparisonScene plate() {
+  SlabSetup setup = comparison_slab();
+  setup.box_size = Vec3(0.1, 0.1, 0.01);
+  setup.cells = 12;
+  setup.elasticity.damping_time = 2e-4;
+  return {.name = "plate",
+          .title = "a plate of 169 contacts on a slab",
+          .problem = slab_problem(setup),
+          .settings = {{"cells", fmt::format("{}", setup.cells)}, {"dt", "1e-4"}},
+          .settled = 0.8,
+          .size = setup.box_size.x()};
+}
+
+double friction_seconds(const Cost& cost) { return cost.phase_seconds.at("friction"); }
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + kRounds / 2, values.end());
+  return values[kRounds / 2];
+}
+
+void run_cost(CaseRun& run, const ComparisonScene& scene) {
+  const Snapshot start = settled_without_memory(run.engine(), scene, run.settings().at("method"));
+  const auto own = run.simulate(scene.problem, scene.settings);
+  Settings reference = scene.settings;
+  reference["method"] = run.settings().at("method");
+  reference["rule"] = "fixed-point";
+  const auto fixed_point = run.engine().make(reference);
+  fixed_point->load(scene.problem);
+  own->engine().restore(start);
+  fixed_point->restore(start);
+  // Nanoseconds a contact of the next steps.
+  const auto advance = [](Engine& engine) {
+    const Cost before = engine.cost();
+    engine.advance(kStepsARound);
+    const Cost after = engine.cost();
+    return 1e9 * (friction_seconds(after) - friction_seconds(before)) /
+           static_cast<double>(after.contact_updates - before.contact_updates);
+  };
+  advance(own->engine());
+  advance(*fixed_point);
+  std::vector<double> times, ratios;
+  for (int k = 0; k < kRounds; ++k) {
+    const double mine = advance(own->engine());
+    times.push_back(mine);
+    ratios.push_back(mine / advance(*fixed_point));
+  }
+  run.check(measured(kFriction, "ns", "median of 15 rounds", median(times)));
+  run.check(measured(kFrictionRatio, "1", "median of the ratios", median(ratios)));
+  run.check(measured("contacts", "1", "that were timed",
+                     static_cast<double>(own->engine().contacts().size())));
+}
+
+}  // namespace
+
+std::vector<Case> comparisons_cost() {
+  const ComparisonScene scene = plate();
+  return {{.name = "cost/plate",
+           .title = scene.title,
+           .variants = all_rules(),
+           .run = [scene](CaseRun& run) { run_cost(run, scene); }}};
+}
+
+}  // namespace stiction

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/comparison.h"
+
+#include <map>
+
+#include "solver/friction/catalog.h"
+
+namespace stiction {
+
+namespace {
+
+// Readings and numbers of sweeps beside a rule's default.
+const std::multimap<std::string, Settings> kReadings = {
+    {"bias-vector", {{"memory", "keep"}}},
+    {"fixed-point", {{"alpha", "-0.1"}}},  // the paper's, in s/m
+    {"fixed-point", {{"memory", "keep"}}},
+    {"secant", {{"memory", "keep"}}},
+    {"secant", {{"safeguard", "off"}}},
+    {"stored-vector", {{"sweeps", "4"}}},
+    {"stored-vector", {{"sweeps", "8"}}},
+};
+
+// A rule with conjugate directions is one sweep of the stored vector unless it may sweep more.
+const std::map<std::string, Settings> kDefaults = {{"conjugate-vector", {{"sweeps", "64"}}}};
+
+std::vector<Settings> on_both_contacts(const std::vector<Settings>& rules) {
+  std::vector<Settings> variants;
+  for (const char* method : {"paper", "quiet"}) {
+    for (Settings settings : rules) {
+      settings["method"] = method;
+      variants.push_back(std::move(settings));
+    }
+  }
+  return variants;
+}
+
+std::vector<Settings> readings_of(const std::string& rule) {
+  const auto defaults = kDefaults.find(rule);
+  Settings first = defaults == kDefaults.end() ? Settings{} : defaults->second;
+  first["rule"] = rule;
+  std::vector<Settings> all{first};
+  const auto [begin, end] = kReadings.equal_range(rule);
+  for (auto reading = begin; reading != end; ++reading) {
+    all.push_back(reading->second);
+    all.back()["rule"] = rule;
+  }
+  return all;
+}
+
+}  // namespace
+
+Check measured(const std::string& quantity, const std::string& unit, const std::string& better,
+               double value) {
+  return {.quantity = quantity,
+          .unit = unit,
+          .claim = better,
+          .source = "measured in this comparison",
+          .kind = ReferenceKind::kAnalytic,
+          .value = value,
+          .expected = 0.0,
+          .reason = "none: rules are set side by side, not judged",
+          .verdict = Verdict::kShown};
+}
+
+std::vector<Settings> all_rules() {
+  std::vector<Settings> rules;
+  for (const std::string& rule : friction_rule_names()) {
+    for (Settings& reading : readings_of(rule)) rules.push_back(std::move(reading));
+  }
+  return on_both_contacts(rules);
+}
+
+std::vector<Settings> chief_rules() {
+  std::vector<Settings> rules;
+  for (const char* rule : {"fixed-point", "secant", "stored-vector", "conjugate-vector"}) {
+    rules.push_back(readings_of(rule).front());
+  }
+  return on_both_contacts(rules);
+}
+
+std::string rule_words(const Settings& settings) {
+  std::string words = settings.at("rule");
+  const auto add = [&](const char* name, const std::string& before, const std::string& after) {
+    const auto found = settings.find(name);
+    if (found != settings.end()) words += ", " + before + found->second + after;
+  };
+  const auto gain = settings.find("gain");
+  if (gain != settings.end() && std::stod(gain->second) != FrictionParameters{}.gain) {
+    words += ", g = " + gain->second;
+  }
+  add("alpha", "α = ", " s/m");
+  add("sweeps", words == "conjugate-vector" ? "at most " : "", " sweeps");
+  if (settings.count("memory") && settings.at("memory") == "keep") words += ", kept on slip";
+  if (settings.count("safeguard") && settings.at("safeguard") == "off") words += ", raw";
+  return words;
+}
+
+}  // namespace stiction

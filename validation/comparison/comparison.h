@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/case_run.h"
+
+namespace stiction {
+
+// `./stiction compare` sets iteration rules side by side on the same scenes. A comparison is a case
+// whose variants are the rules; what it measures is shown and decides no verdict. A file in
+// validation/comparison/cases/ returns its cases from `comparisons_<file>()`; the build writes the
+// catalog.
+
+/// All comparisons of the build, sorted by name.
+std::vector<Case> comparison_catalog();
+
+/// A measured figure, which is reported and judged by nobody. `better` says in one sentence what a
+/// small value means. Not finite: it did not get there.
+Check measured(const std::string& quantity, const std::string& unit, const std::string& better,
+               double value);
+
+// Quantities that the findings look up again.
+inline constexpr const char* kStepsTo6 = "steps to 1e-6";
+inline constexpr const char* kStepsTo9 = "steps to 1e-9";
+inline constexpr const char* kCreep = "final creep";
+inline constexpr const char* kSlipped = "slipped";
+inline constexpr const char* kSlippedShare = "slipped ÷ free slide";
+inline constexpr const char* kCpuTime = "CPU time";
+inline constexpr const char* kFriction = "friction of a contact";
+inline constexpr const char* kFrictionRatio = "÷ that of the fixed point";
+
+/// Every rule on the paper's contacts and on the quiet ones (`method`), so that the effect of the
+/// rule and that of the normal forces are not mixed: all rules of the catalog with their default
+/// gains, and those of them that have more than one reading or number of sweeps, in each.
+std::vector<Settings> all_rules();
+
+/// Those that carry an argument: fixed point, secant, stored vector and conjugate directions.
+std::vector<Settings> chief_rules();
+
+/// "secant", "stored-vector, 4 sweeps": what tells a variant from others on the same contacts.
+std::string rule_words(const Settings& settings);
+
+}  // namespace stiction

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/comparison_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/comparison/comparison.h"
+
+namespace stiction {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string number(double value) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return "never";
+  if (value == std::floor(value) && std::abs(value) < 1e6) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.2g}", value);
+}
+
+// Letters on a terminal: bytes of UTF-8 but the continuing ones.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char sign) {
+    return (static_cast<unsigned char>(sign) & 0xC0) != 0x80;
+  }));
+}
+
+std::string drawn(const std::vector<Row>& rows) {
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], letters(row[c]));
+  }
+  const auto is_text = [](std::size_t column) { return column < 2; };
+  std::string text;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const std::string gap(width[c] - letters(rows[r][c]), ' ');
+      text += "| " + (is_text(c) ? rows[r][c] + gap : gap + rows[r][c]) + " ";
+    }
+    text += "|\n";
+    if (r > 0) continue;
+    for (std::size_t c = 0; c < width.size(); ++c) {
+      text += "|" + std::string(width[c] + 1, '-') + (is_text(c) ? "-" : ":");
+    }
+    text += "|\n";
+  }
+  return text;
+}
+
+std::string heading(const Check& check) {
+  return check.unit == "1" ? check.quantity : check.quantity + ", " + check.unit;
+}
+
+}  // namespace
+
+double friction_nanoseconds(const Record& record) {
+  const auto found = record.cost.phase_seconds.find("friction");
+  if (found == record.cost.phase_seconds.end() || record.cost.contact_updates == 0) return 0.0;
+  return 1e9 * found->second / static_cast<double>(record.cost.contact_updates);
+}
+
+double figure(const Record& record, const std::string& quantity) {
+  for (const Check& check : record.checks) {
+    if (check.quantity == quantity) return check.value;
+  }
+  return std::nan("");
+}
+
+std::string comparison_table(const std::vector<const Record*>& records) {
+  Row head{"rule", "contacts"};
+  // An errored record has no figures; the heading is that of the first that has.
+  for (const Record* record : records) {
+    for (const Check& check : record->checks) {
+      if (check.verdict == Verdict::kShown) head.push_back(heading(check));
+    }
+    if (head.size() > 2) break;
+  }
+  head.push_back("friction, ns");
+  std::vector<Row> rows{head};
+  std::string failures;
+  for (const Record* record : records) {
+    Row row{rule_words(record->settings), record->settings.at("method")};
+    for (const Check& check : record->checks) {
+      if (check.verdict == Verdict::kShown) row.push_back(number(check.value));
+    }
+    row.resize(head.size() - 1, "–");
+    row.push_back(number(std::round(friction_nanoseconds(*record))));
+    rows.push_back(row);
+    for (const std::string& note : record->notes) {
+      if (note.rfind("failed: ", 0) == 0) {
+        failures += fmt::format("{}{}, {} contacts: {}", failures.empty() ? "Failed: " : "; ",
+                                row[0], row[1], note.substr(8));
+      }
+    }
+  }
+  return drawn(rows) + (failures.empty() ? "" : "\n" + failures + "\n");
+}
+
+}  // namespace stiction

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/comparison/comparison.h"
+#include "validation/comparison/comparison_table.h"
+
+namespace stiction {
+
+Figures::Figures(const std::vector<Record>& records) : records_(records) {}
+
+RuleOnContacts who_of(const Record& record) {
+  return {rule_words(record.settings), record.settings.at("method")};
+}
+
+const Record* Figures::find(const std::string& case_name, const RuleOnContacts& who) const {
+  for (const Record& record : records_) {
+    if (record.case_name == case_name && who_of(record) == who) return &record;
+  }
+  return nullptr;
+}
+
+double Figures::of(const std::string& case_name, const RuleOnContacts& who,
+                   const std::string& quantity) const {
+  const Record* record = find(case_name, who);
+  return record ? figure(*record, quantity) : std::nan("");
+}
+
+bool Figures::failed(const std::string& case_name, const RuleOnContacts& who) const {
+  const Record* record = find(case_name, who);
+  if (record == nullptr) return false;
+  return record->verdict == Verdict::kError ||
+         std::any_of(record->notes.begin(), record->notes.end(),
+                     [](const std::string& note) { return note.rfind("failed: ", 0) == 0; });
+}
+
+std::vector<std::string> Figures::cases(const std::string& prefix) const {
+  std::vector<std::string> names;
+  for (const Record& record : records_) {
+    if (record.case_name.rfind(prefix, 0) != 0) continue;
+    if (names.empty() || names.back() != record.case_name) names.push_back(record.case_name);
+  }
+  return names;
+}
+
+std::vector<RuleOnContacts> Figures::rules(const std::string& prefix) const {
+  std::set<RuleOnContacts> all;
+  for (const Record& record : records_) {
+    if (record.case_name.rfind(prefix, 0) == 0) all.insert(who_of(record));
+  }
+  const std::vector<std::string> names = cases(prefix);
+  std::erase_if(all, [&](const RuleOnContacts& who) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return find(name, who) == nullptr; });
+  });
+  return {all.begin(), all.end()};
+}
+
+Spread spread_of(std::vector<double> values) {
+  if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
+  std::sort(values.begin(), values.end());
+  return {values.front(), values[values.size() / 2], values.back()};
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
+  }
+  return text;
+}
+
+}  // namespace stiction

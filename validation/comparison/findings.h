@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/record.h"
+#include "validation/comparison/figures.h"
+
+namespace stiction {
+
+/// What the records of a comparison say in plain words, as the notes of a record of its own
+/// ("findings"): computed from them, so that it changes when they do. What was not compared in this
+/// run is not spoken of.
+Record findings(const std::vector<Record>& records);
+
+// The parts; each may have nothing to say.
+using Sentences = std::vector<std::string>;
+Sentences fixed_point_against_secant(const Figures& figures);
+Sentences rules_that_beat_both(const Figures& figures);
+Sentences rules_within_fifty_steps(const Figures& figures);
+Sentences rule_or_contacts(const Figures& figures);
+Sentences hard_conditions(const Figures& figures);
+Sentences gain_sweeps(const Figures& figures);
+Sentences pareto_front(const Figures& figures);
+
+}  // namespace stiction

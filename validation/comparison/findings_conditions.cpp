@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Findings about hard conditions, gains, and work against precision.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "validation/comparison/comparison.h"
+#include "validation/comparison/findings.h"
+
+namespace stiction {
+
+Sentences hard_conditions(const Figures& figures) {
+  Sentences sentences;
+  for (const std::string& scene : figures.cases("hard/")) {
+    const std::vector<RuleOnContacts> rules = figures.rules(scene);
+    std::map<std::string, RuleOnContacts> best, worst;  // by contacts
+    std::size_t failures = 0;
+    for (const RuleOnContacts& who : rules) {
+      if (figures.failed(scene, who)) {
+        ++failures;
+        continue;
+      }
+      const double slipped = figures.of(scene, who, kSlipped);
+      const auto keep = [&](std::map<std::string, RuleOnContacts>& kept, bool least) {
+        const auto [entry, is_first] = kept.try_emplace(who.contacts, who);
+        const double other = figures.of(scene, entry->second, kSlipped);
+        if (!is_first && (least ? slipped < other : slipped > other)) entry->second = who;
+      };
+      keep(best, true);
+      keep(worst, false);
+    }
+    std::string text = scene + ":";
+    for (const auto& [contacts, who] : best) {
+      const RuleOnContacts& last = worst.at(contacts);
+      text += fmt::format(" least slipped on {} contacts by {} ({:.2g} m), most by {} ({:.2g} m);",
+                          contacts, who.rule, figures.of(scene, who, kSlipped), last.rule,
+                          figures.of(scene, last, kSlipped));
+    }
+    text += failures == 0 ? " none fails." : fmt::format(" {} of {} fail.", failures, rules.size());
+    sentences.push_back(text);
+  }
+  return sentences;
+}
+
+Sentences gain_sweeps(const Figures& figures) {
+  Sentences sentences;
+  for (const Record& record : figures.records()) {
+    const bool is_alpha = record.case_name.rfind("alpha/", 0) == 0;
+    if (!is_alpha && record.case_name.rfind("gain/", 0) != 0) continue;
+    for (const Series& series : record.series) {
+      if (series.name != kCreep || series.y.empty()) continue;
+      const auto least = std::min_element(series.y.begin(), series.y.end());
+      const auto most = std::max_element(series.y.begin(), series.y.end());
+      const auto at = [&](auto place) {
+        return series.x[static_cast<std::size_t>(place - series.y.begin())];
+      };
+      sentences.push_back(fmt::format(
+          "{}, {} on {} contacts: creep from {:.2g} m/s ({} = {:.2g}) to {:.2g} m/s ({:.2g}).",
+          record.case_name, record.settings.at("rule"), record.settings.at("method"), *least,
+          series.x_name, at(least), *most, at(most)));
+    }
+  }
+  return sentences;
+}
+
+Sentences pareto_front(const Figures& figures) {
+  struct Point {
+    double seconds, share;
+    std::string words;
+  };
+  std::vector<Point> points;
+  std::size_t failures = 0;
+  for (const std::string& name : figures.cases("work/")) {
+    for (const RuleOnContacts& who : figures.rules(name)) {
+      const Point point{figures.of(name, who, kCpuTime), figures.of(name, who, kSlippedShare),
+                        who.words() + " at " + name.substr(name.find("cells"))};
+      if (std::isfinite(point.share)) {
+        points.push_back(point);
+      } else {
+        ++failures;
+      }
+    }
+  }
+  if (points.empty()) return {};
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.seconds < b.seconds; });
+  std::vector<std::string> front;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point& point : points) {
+    if (point.share >= least) continue;
+    least = point.share;
+    front.push_back(fmt::format("{} ({:.2g} s, {:.2g})", point.words, point.seconds, point.share));
+  }
+  return {
+      fmt::format("Work and precision (CPU time for 0.2 s, way slipped over a free slide), the "
+                  "Pareto front of {} runs: {}. {}",
+                  points.size(), listed(front),
+                  failures == 0 ? "None failed." : fmt::format("{} failed.", failures))};
+}
+
+}  // namespace stiction

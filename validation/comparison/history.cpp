@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/history.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/demand.h"
+#include "solver/friction/catalog.h"
+#include "validation/comparison/comparison.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A body that has left its place by so much of its size did not hold.
+constexpr double kLost = 0.01;
+
+std::vector<Vec3> places(const Engine& engine, std::size_t bodies) {
+  std::vector<Vec3> all;
+  for (std::size_t b = 0; b < bodies; ++b) all.push_back(engine.body(b).position);
+  return all;
+}
+
+double farthest(const Engine& engine, const std::vector<Vec3>& from) {
+  double distance = 0.0;
+  for (std::size_t b = 0; b < from.size(); ++b) {
+    distance = std::max(distance, (engine.body(b).position - from[b]).norm());
+  }
+  return distance;
+}
+
+void look(Engine& engine, const ComparisonScene& scene, const std::vector<Vec3>& settled,
+          RuleHistory& history) {
+  for (std::uint64_t k = 0; k < scene.steps; ++k) {
+    engine.advance(1);
+    history.slips.push_back(slips_of(engine));
+    history.kinetic.push_back(engine.energies().kinetic);
+  }
+  history.moved = farthest(engine, settled);
+  if (history.moved > kLost * scene.size) {
+    history.failure = fmt::format("a body moved by {:.2g} mm", 1e3 * history.moved);
+  }
+}
+
+// A history that plots well: every step at first, then ever fewer.
+Series thinned(const std::string& name, const std::string& unit, const std::vector<double>& y) {
+  Series series{name, unit, "step", "1", {}, {}};
+  double next = 1.0;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const auto step = static_cast<double>(k + 1);
+    if (step < next && k + 1 < y.size()) continue;
+    next = std::max(step + 1.0, 1.03 * step);
+    series.x.push_back(step);
+    series.y.push_back(y[k]);
+  }
+  return series;
+}
+
+}  // namespace
+
+ContactSlips slips_of(const Engine& engine) {
+  ContactSlips slips;
+  for (const ContactSample& contact : engine.contacts()) {
+    if (contact.normal_force == 0.0) continue;  // kept while it is open: nothing rubs
+    const double slip = contact.slip.norm();
+    slips.mean += slip;
+    slips.fastest = std::max(slips.fastest, slip);
+    ++slips.contacts;
+    if (!contact.sticks) ++slips.sliding;
+  }
+  if (slips.contacts > 0) slips.mean /= slips.contacts;
+  return slips;
+}
+
+double RuleHistory::steps_to(double slip) const {
+  if (!failure.empty() || slips.empty() || slips.back().mean > slip) return kInfinity;
+  auto above = slips.size();
+  while (above > 0 && slips[above - 1].mean <= slip) --above;
+  return static_cast<double>(above + 1);
+}
+
+double RuleHistory::creep() const {
+  if (slips.empty()) return kInfinity;
+  const std::size_t last = std::max<std::size_t>(1, slips.size() / 10);
+  double sum = 0.0;
+  for (std::size_t k = slips.size() - last; k < slips.size(); ++k) sum += slips[k].mean;
+  return sum / static_cast<double>(last);
+}
+
+double RuleHistory::path() const {
+  double sum = 0.0;
+  for (const ContactSlips& slip : slips) sum += slip.mean * time_step;
+  return sum;
+}
+
+RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings& extra) {
+  const Snapshot start = settled_without_memory(run.engine(), scene, run.settings().at("method"));
+  RuleHistory history;
+  Settings over = scene.settings;
+  for (const auto& [name, value] : extra) over[name] = value;
+  Settings settings = run.settings();
+  for (const auto& [name, value] : over) settings[name] = value;
+  const auto looked_at = run.engine().make(settings);
+  looked_at->load(scene.problem);
+  looked_at->restore(start);
+  history.time_step = looked_at->time_step();
+  const auto timed = run.simulate(scene.problem, over);
+  timed->engine().restore(start);
+  try {
+    timed->engine().advance(scene.steps);
+  } catch (const InputError& error) {
+    history.failure = error.what();
+  }
+  try {
+    look(*looked_at, scene, places(*looked_at, scene.problem.bodies.size()), history);
+  } catch (const InputError& error) {
+    history.failure = error.what();
+  }
+  history.same_hash = looked_at->state_hash() == timed->engine().state_hash();
+  return history;
+}
+
+void check_same_hash(CaseRun& run, bool same) {
+  run.check({.quantity = "state hash of the timed run ≠ that of the logged one",
+             .unit = "1",
+             .claim = "what is timed is what is looked at",
+             .source = "the same steps from the same state",
+             .kind = ReferenceKind::kExactComputed,
+             .value = same ? 0.0 : 1.0,
+             .expected = 0.0,
+             .tolerance = 0.0,
+             .reason = "yes or no"});
+}
+
+void report_history(CaseRun& run, const RuleHistory& history) {
+  check_same_hash(run, history.same_hash);
+  const bool held = history.failure.empty();
+  run.check(
+      measured(kStepsTo6, "1", "static friction is found again soon", history.steps_to(1e-6)));
+  run.check(
+      measured(kStepsTo9, "1", "static friction is found again soon", history.steps_to(1e-9)));
+  run.check(measured(kCreep, "m/s", "what is held does not creep", history.creep()));
+  run.check(measured(kSlipped, "m", "little is lost before friction is found: sum over the steps",
+                     held ? history.path() : kInfinity));
+  run.check(measured("kinetic energy", "J", "what is held comes to rest: at the end",
+                     history.kinetic.empty() ? kInfinity : history.kinetic.back()));
+  run.check(measured("moved", "m", "what is held stays: farthest body, from the settled state",
+                     history.moved));
+  run.check(measured("memory", "B", "kept of a contact from step to step",
+                     static_cast<double>(friction_memory_bytes(run.settings().at("rule")))));
+  if (!held) run.note("failed: " + history.failure);
+  std::vector<double> mean, fastest;
+  for (const ContactSlips& slips : history.slips) {
+    mean.push_back(slips.mean);
+    fastest.push_back(slips.fastest);
+  }
+  run.add(thinned("mean contact slip", "m/s", mean));
+  run.add(thinned("fastest contact slip", "m/s", fastest));
+  run.add(thinned("kinetic energy", "J", history.kinetic));
+}
+
+}  // namespace stiction

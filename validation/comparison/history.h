@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "validation/case_run.h"
+#include "validation/comparison/scenes.h"
+
+namespace stiction {
+
+/// The contacts that carry a load, at one time.
+struct ContactSlips {
+  double mean = 0.0;     ///< slip, m/s
+  double fastest = 0.0;  ///< m/s
+  int contacts = 0;
+  int sliding = 0;  ///< of which the engine says that they slip
+};
+ContactSlips slips_of(const Engine& engine);
+
+/// What a rule made of a scene, from the step after the friction memory was lost.
+struct RuleHistory {
+  std::vector<ContactSlips> slips;  ///< after each step
+  std::vector<double> kinetic;      ///< J, after each step
+  double time_step = 0.0;           ///< s
+  double moved = 0.0;               ///< farthest body from where it had settled, at the end, m
+  std::string failure;     ///< why it broke off before the end, or did not hold; else empty
+  bool same_hash = false;  ///< the logged pass ended where the timed one did
+
+  /// Steps until the mean slip stays below `slip` (m/s); infinity if it never does.
+  double steps_to(double slip) const;
+  /// Mean slip over the last tenth of the steps, m/s.
+  double creep() const;
+  /// Σ mean slip · Δt: what was lost for good before friction was found again, m.
+  double path() const;
+};
+
+/// Runs the scene twice from the same state with the settings of the run: once timed, without
+/// looking at it, which is what the record's cost and hash belong to; once looking after each step.
+/// `extra` goes over the settings of the run, but not into how the scene settles.
+RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings& extra = {});
+
+/// Adds the check that both passes are the same computation.
+void check_same_hash(CaseRun& run, bool same);
+
+/// Adds what a history says: steps, creep, path, energy, failure, memory; and the check that
+/// both passes are the same computation.
+void report_history(CaseRun& run, const RuleHistory& history);
+
+}  // namespace stiction

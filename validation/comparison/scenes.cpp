@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/scenes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "validation/ball_pyramid_problem.h"
+#include "validation/basket_problem.h"
+#include "validation/clamp_problem.h"
+#include "validation/incline_problem.h"
+#include "validation/incline_run.h"
+#include "validation/membrane_problem.h"
+#include "validation/pyramid_problem.h"
+#include "validation/slab_problem.h"
+
+namespace stiction {
+
+namespace {
+
+ComparisonScene slab() {
+  const SlabSetup setup = comparison_slab();
+  return {.name = "slab",
+          .title = "a box on a deformable slab at 20°",
+          .problem = slab_problem(setup),
+          .settings = {{"cells", fmt::format("{}", setup.cells)}},
+          .settled = 4.0,
+          .steps = 3000,
+          .size = setup.box_size.x(),
+          .quick = true};
+}
+
+// The pose of slab/convergence: one vertex of the slab reaches into the box.
+ComparisonScene both_sides() {
+  SlabSetup setup = comparison_slab();
+  setup.cells = 2;
+  ComparisonScene scene = slab();
+  scene.name = "slab-both-sides";
+  scene.title =
+      "… with vertices of both sides in each other, so that contacts say nearly the same twice";
+  scene.problem = slab_problem(setup);
+  scene.settings = {{"cells", fmt::format("{}", setup.cells)}};
+  return scene;
+}
+
+ComparisonScene clamp() {
+  ClampSetup setup;
+  setup.bar = Vec3(0.04, 0.14, 0.08);
+  setup.bar_cells = {1, 2, 1};
+  setup.offset = 0.04;
+  return {.name = "clamp",
+          .title = "a box between two offset bars",
+          .problem = clamp_problem(setup),
+          .settings = {},
+          .settled = 2.5,
+          .steps = 3000,
+          .size = setup.width};
+}
+
+ComparisonScene pyramid() {
+  const PyramidSetup setup;
+  return {.name = "box-pyramid",
+          .title = "a pyramid of six boxes on a slope, tan θ = 0.2, μ = 0.3",
+          .problem = pyramid_problem(setup),
+          .settings = {{"cells", fmt::format("{}", setup.cells)}},
+          .settled = setup.settled,
+          .steps = 3000,
+          .size = setup.width,
+          .quick = true};
+}
+
+ComparisonScene balls() {
+  BallPyramidSetup setup;
+  setup.frequency = 4;
+  setup.friction = 0.3;
+  setup.elasticity.youngs_modulus = 3e5;
+  setup.elasticity.damping_time = 3e-4;
+  return {.name = "four-balls",
+          .title = "a pyramid of four balls of 162 surface vertices, μ = 0.3",
+          .problem = ball_pyramid_problem(setup),
+          .settings = {{"ball", fmt::format("{}", setup.frequency)}},
+          .settled = 1.2,
+          .steps = 500,
+          .size = setup.radius};
+}
+
+ComparisonScene membrane() {
+  MembraneSetup setup;
+  setup.cells_along = 24;
+  setup.cells_across = 2;
+  return {.name = "membrane",
+          .title = "a box on a taut membrane, tan θ = 0.5, μ = 0.6",
+          .problem = membrane_problem(setup),
+          .settings = {},
+          .settled = kMembraneLoaded,
+          .steps = 1000,  // it tilts 0.8 s later
+          .size = setup.box_size.x()};
+}
+
+ComparisonScene basket() {
+  const BasketSetup setup{.columns = 2, .layers = 2};
+  return {.name = "basket",
+          .title = "eight non-convex objects in a basket",
+          .problem = basket_problem(setup),
+          .settings = {},
+          .settled = 5.0,
+          .steps = 2000,
+          .size = setup.edge};
+}
+
+}  // namespace
+
+SlabSetup comparison_slab() {
+  SlabSetup setup;
+  setup.slope = radians(20.0);
+  setup.yaw = radians(17.0);
+  setup.offset = Vec3(0.013, 0.007, 0.0);
+  setup.slab_cells = 3;
+  setup.elasticity.damping_time = 1e-3;
+  return setup;
+}
+
+std::vector<ComparisonScene> comparison_scenes() {
+  return {slab(), both_sides(), clamp(), pyramid(), balls(), membrane(), basket()};
+}
+
+Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
+                                const std::string& method) {
+  struct Entry {
+    std::once_flag once;
+    Snapshot snapshot;
+  };
+  static std::mutex mutex;
+  static std::map<std::string, Entry> entries;
+  Entry* entry = nullptr;
+  {
+    const std::lock_guard lock(mutex);
+    std::string key = kind.name + '\n' + scene.name + '\n' + method;
+    for (const auto& [name, value] : scene.settings) key += '\n' + name + '=' + value;
+    entry = &entries[key];
+  }
+  std::call_once(entry->once, [&] {
+    const auto engine_with = [&](const char* rule) {
+      Settings settings = scene.settings;
+      settings["method"] = method;
+      settings["rule"] = rule;
+      std::unique_ptr<Engine> engine = kind.make(settings);
+      engine->load(scene.problem);
+      return engine;
+    };
+    const auto settling = engine_with("stored-vector");
+    settling->advance(
+        static_cast<std::uint64_t>(std::llround(scene.settled / settling->time_step())));
+    const auto forgetting = engine_with("none");
+    forgetting->restore(settling->save());
+    forgetting->advance(1);
+    entry->snapshot = forgetting->save();
+  });
+  return entry->snapshot;
+}
+
+}  // namespace stiction
