@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "solver/demand.h"
 #include "solver/elasticity/corotational.h"
@@ -11,6 +10,7 @@
 #include "solver/step.h"
 #include "validation/engine.h"
 #include "validation/settings.h"
+#include "validation/step_cost.h"
 #include "validation/stiction_method.h"
 #include "validation/stiction_scene.h"
 
@@ -18,36 +18,8 @@ namespace stiction {
 
 namespace {
 
-// Phases are timed in one step of so many: reading the clock would otherwise be a tenth of the step
-// of a small scene.
-constexpr std::uint64_t kTimedEvery = 16;
-
 // How often a run looks whether it still consists of numbers, in steps.
 constexpr std::uint64_t kFiniteEvery = 256;
-
-double thread_cpu_seconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-// What an empty PhaseTimer adds, s: the smallest of many, since noise only adds.
-double clock_overhead() {
-  double smallest = 1.0;
-  for (int k = 0; k < 200; ++k) {
-    PhaseSeconds seconds{};
-    { const PhaseTimer timer(&seconds, Phase::kForces); }
-    smallest = std::min(smallest, seconds[0]);
-  }
-  return smallest;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Largest of 1, 2, 5 × 10ⁿ not above `limit`.
 double round_down_125(double limit) {
@@ -81,7 +53,6 @@ class StictionEngine final : public Engine {
     check_options(options_, scene_);
     state_ = initial_state(scene_);
     workspace_ = Workspace{};
-    overhead_ = clock_overhead();
   }
 
   double time_step() const override { return options_.time_step; }
@@ -90,14 +61,12 @@ class StictionEngine final : public Engine {
   void advance(std::uint64_t steps) override {
     const double before = thread_cpu_seconds();
     for (std::uint64_t k = 0; k < steps; ++k) {
-      const bool timed = state_.step % kTimedEvery == 0;
-      workspace_.phase_seconds = timed ? &phase_seconds_ : nullptr;
+      workspace_.phase_seconds = cost_.phases_of(state_.step);
       step(scene_, options_, state_, workspace_);
-      if (timed) note_contact_time();
-      ++steps_;
-      if (steps_ % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
+      cost_.add_step(workspace_);
+      if (cost_.steps() % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
     }
-    cpu_seconds_ += thread_cpu_seconds() - before;
+    cost_.add_cpu(thread_cpu_seconds() - before);
   }
 
   BodyMotion body(std::size_t index) const override {
@@ -170,22 +139,7 @@ class StictionEngine final : public Engine {
     return all;
   }
 
-  Cost cost() const override {
-    Cost cost;
-    cost.cpu_seconds = cpu_seconds_;
-    cost.steps = steps_;
-    cost.contact_updates = workspace_.contact_updates;
-    for (std::size_t p = 0; p < phase_seconds_.size(); ++p) {
-      const double net =
-          std::max(0.0, phase_seconds_[p] - overhead_ * static_cast<double>(timed_steps_));
-      // Scaled up from the timed steps to all steps.
-      cost.phase_seconds[kPhaseNames[p]] =
-          timed_steps_ == 0 ? 0.0
-                            : net * static_cast<double>(steps_) / static_cast<double>(timed_steps_);
-    }
-    cost.ns_per_contact_update = 1e9 * median(seconds_per_contact_);
-    return cost;
-  }
+  Cost cost() const override { return cost_.total(workspace_.contact_updates); }
 
   std::uint64_t state_hash() const override { return hash_of(state_); }
   Snapshot save() const override { return std::make_shared<const State>(state_); }
@@ -229,18 +183,6 @@ class StictionEngine final : public Engine {
             .arm = arm};
   }
 
-  // Normal force and friction of the step just timed, per contact, less what reading the clock
-  // costs.
-  void note_contact_time() {
-    ++timed_steps_;
-    const double seconds = phase_seconds_[static_cast<std::size_t>(Phase::kNormalForce)] +
-                           phase_seconds_[static_cast<std::size_t>(Phase::kFriction)];
-    const double spent = seconds - contact_seconds_ - 2.0 * overhead_;
-    contact_seconds_ = seconds;
-    const std::size_t contacts = workspace_.contacts.size() + workspace_.pairs.size();
-    if (contacts > 0) seconds_per_contact_.push_back(spent / static_cast<double>(contacts));
-  }
-
   void demand_finite() const {
     if (is_finite(state_)) return;
     throw InputError(fmt::format("the simulation diverged before t = {:.4g} s (step {})",
@@ -255,14 +197,7 @@ class StictionEngine final : public Engine {
   std::vector<Mesh> meshes_;
   State state_;
   Workspace workspace_;
-
-  PhaseSeconds phase_seconds_{};
-  double overhead_ = 0.0;
-  double cpu_seconds_ = 0.0;
-  std::uint64_t steps_ = 0;
-  std::uint64_t timed_steps_ = 0;
-  double contact_seconds_ = 0.0;             // of the timed steps so far
-  std::vector<double> seconds_per_contact_;  // of each timed step: its median shrugs off interrupts
+  StepCost cost_;
 };
 
 std::unique_ptr<Engine> make(const Settings& settings) {
