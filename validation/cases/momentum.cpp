@@ -7,6 +7,7 @@
 
 #include "validation/case_run.h"
 #include "validation/methods.h"
+#include "validation/observe.h"
 
 namespace stiction {
 
@@ -128,13 +129,9 @@ Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool ke
     audit.most_given = std::max(audit.most_given, contacts.friction_work);
     before = now;
     if (engine.steps_done() % 3 != 0) continue;
-    double fastest = 0.0;
-    for (const ContactSample& contact : engine.contacts()) {
-      fastest = std::max(fastest, contact.slip.norm());
-    }
     for (Series* series : {&kinetic, &slip, &lost}) series->x.push_back(simulation->time());
     kinetic.y.push_back(engine.energies().kinetic);
-    slip.y.push_back(fastest);
+    slip.y.push_back(fastest_slip(engine));
     lost.y.push_back((now.angular - start.angular).norm());
   }
   audit.drift = (before.angular - start.angular).norm();
