@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "solver/demand.h"
-#include "validation/incline_run.h"
 #include "validation/methods.h"
 #include "validation/paper_figure.h"
 #include "validation/slab_problem.h"
@@ -102,12 +101,7 @@ void run_convergence(CaseRun& run, const SlabSetup& setup, const Settings& extra
 }  // namespace
 
 std::vector<Case> cases_slab_convergence() {
-  SlabSetup setup;
-  setup.slope = radians(20.0);
-  setup.yaw = radians(17.0);
-  setup.offset = Vec3(0.013, 0.007, 0.0);
-  setup.cells = 2;
-  setup.slab_cells = 3;
+  SlabSetup setup = slab_at_20_degrees();
   setup.elasticity.damping_time = 1e-3;
   std::vector<Settings> variants{{{"method", "paper"}},
                                  {{"method", "paper"}, {"rule", "secant"}},

@@ -152,12 +152,7 @@ void run_kappa(CaseRun& run, const SlabSetup& setup) {
 }  // namespace
 
 std::vector<Case> cases_slab_kappa() {
-  SlabSetup setup;
-  setup.slope = radians(20.0);
-  setup.yaw = radians(17.0);
-  setup.offset = Vec3(0.013, 0.007, 0.0);
-  setup.cells = 2;
-  setup.slab_cells = 3;
+  const SlabSetup setup = slab_at_20_degrees();
   return {{.name = "slab/kappa",
            .title = "fraction of the depth closed in a step, measured beside its bound",
            .variants = {{{"method", "paper"}},
