@@ -15,23 +15,28 @@ namespace stiction::reference {
 /// Throws std::invalid_argument if the problem, the question or the options are malformed.
 void check(const LimitProblem& problem, double friction, double load, const LimitOptions& options);
 
-/// Powers of two, so that scaling is exact.
+/// What forces and lengths are divided by: powers of two, so that scaling is exact. "Scaled units"
+/// below and in the other internal headers: forces over `force`, lengths over `length`, moments
+/// over their product, all dimensionless.
 struct LimitScale {
-  double force;
-  double length;
+  double force;   ///< next above the total weight, N
+  double length;  ///< next above the scene's extent, m
 };
 
 LimitScale scale_of(const LimitProblem& problem);
 
+/// Number of equations, that is, of rows.
 int row_count(const LimitProblem& problem);
 
 /// How often contact c is a member of clamp j.
 int membership(const LimitProblem& problem, std::size_t j, std::size_t c);
 
-/// One column a contact, scaled: normal force f_n, then a vector whose part across n is f_t.
+/// 4 × contact count, scaled units, forces on body_a: normal force f_n, then a vector whose part
+/// across n is f_t.
 using ContactForces = Eigen::Matrix4Xd;
 
-/// The column of a contact force on body_a, in scaled units. `Number` is double or an exact type.
+/// The column of a contact force on body_a, in scaled units: `add(row, entry)` for each entry.
+/// `length`: of the scale, m. `Number` is double or an exact type.
 template <class Number, class Add>
 void for_wrench(const LimitProblem& problem, double length, const ContactPoint& contact,
                 const std::array<Number, 3>& force, Add add) {

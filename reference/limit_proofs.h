@@ -6,11 +6,14 @@
 #include "reference/limit_equations.h"
 
 /// Internal to limit analysis: the two certificates, evaluated in rationals without any rounding.
-/// They judge what the program in doubles proposes, and take nothing from it on trust.
+/// They judge what the program in doubles proposes, and take nothing from it on trust. Friction μ
+/// and load factor λ are dimensionless; forces and mechanisms (one entry a row: virtual velocities)
+/// are in the scaled units of limit_equations.h.
 namespace stiction::reference {
 
-/// True if the forces lie in the round cones and leave at most `residual` of the load
-/// gravity + λ live gravity unbalanced. This proves that an equilibrium exists.
+/// True if the forces lie in the round cones and leave at most `residual` (scaled, sum over
+/// all rows) of the load gravity + λ live gravity unbalanced. This proves that an equilibrium
+/// exists.
 bool forces_prove(const LimitProblem& problem, double friction, double load_factor,
                   const ContactForces& forces, double residual);
 

@@ -5,15 +5,17 @@
 #include <vector>
 
 /// Internal to limit analysis: linear programming in doubles. It knows nothing of contacts, and
-/// its answers are worth nothing until limit_proofs.h has confirmed them.
+/// its answers are worth nothing until limit_proofs.h has confirmed them. All numbers are
+/// dimensionless, since the equations come scaled (limit_equations.h).
 namespace stiction::reference {
 
 /// Revised simplex in doubles:  min cᵀx,  A x = b,  x ≥ 0, with the inverse of the basis kept
 /// dense. It only proposes, so it may stop anywhere: the certificates decide.
 class Simplex {
  public:
-  /// Rows are extended by ± slacks, which are the first basis. b is perturbed (deterministically,
-  /// ≤ 1e-11) against cycling: equilibrium of moments makes most of it zero.
+  /// `a`: rows × columns, `b`: one entry a row. Rows are extended by ± slacks, which are the first
+  /// basis. b is perturbed (deterministically, ≤ 1e-11) against cycling: equilibrium of moments
+  /// makes most of it zero.
   Simplex(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
   /// Smallest Σ slacks: how far from feasible, and the mechanism that proves it.
@@ -22,10 +24,11 @@ class Simplex {
   /// Largest x of `column`, from a feasible basis, slacks kept out.
   void maximise(Eigen::Index column);
 
-  /// Basic solution of the unperturbed right side, negative round-off clipped.
+  /// Basic solution of the unperturbed right side, negative round-off clipped; one entry a column.
   [[nodiscard]] Eigen::VectorXd solution() const;
+  /// Dual variables y of the last objective, one entry a row.
   [[nodiscard]] Eigen::VectorXd multipliers() const;
-  [[nodiscard]] int iterations() const { return iterations_; }
+  [[nodiscard]] int iterations() const { return iterations_; }  ///< pivots so far
 
  private:
   [[nodiscard]] Eigen::VectorXd basic_cost() const;

@@ -10,6 +10,11 @@
 namespace stiction::reference {
 namespace {
 
+// Half a dozen roundings: of 1.1e-16 of numbers between 1 and 2.4 for lengths and their ratios; of
+// 2.2e-16 of angles up to π for angles, which are 1.3e-15 rad or 8e-14°.
+constexpr double kLengthRoundOff = 2e-15;  // m, dimensionless
+constexpr double kAngleRoundOff = 1e-13;   // degrees
+
 TetMesh tetrahedron(const Eigen::Matrix<double, 3, 4>& corners) {
   return {corners, Eigen::Vector4i(0, 1, 2, 3)};
 }
@@ -19,10 +24,10 @@ TEST(MeshQuality, OfTheRegularTetrahedronIsKnown) {
   corners << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
   const MeshQuality quality = mesh_quality(tetrahedron(corners));
   const double degree = std::numbers::pi / 180.0;
-  EXPECT_NEAR(quality.min_dihedral_angle, std::acos(1.0 / 3.0) / degree, 1e-13);
-  EXPECT_NEAR(quality.max_dihedral_angle, std::acos(1.0 / 3.0) / degree, 1e-13);
-  EXPECT_NEAR(quality.min_altitude, 4.0 / std::sqrt(3.0), 1e-15 * 10);
-  EXPECT_NEAR(quality.max_aspect_ratio, std::sqrt(1.5), 1e-15 * 10);
+  EXPECT_NEAR(quality.min_dihedral_angle, std::acos(1.0 / 3.0) / degree, kAngleRoundOff);
+  EXPECT_NEAR(quality.max_dihedral_angle, std::acos(1.0 / 3.0) / degree, kAngleRoundOff);
+  EXPECT_NEAR(quality.min_altitude, 4.0 / std::sqrt(3.0), kLengthRoundOff);
+  EXPECT_NEAR(quality.max_aspect_ratio, std::sqrt(1.5), kLengthRoundOff);
 }
 
 TEST(MeshQuality, OfAFlatTetrahedronSaysSo) {
@@ -30,7 +35,7 @@ TEST(MeshQuality, OfAFlatTetrahedronSaysSo) {
   corners << 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0;
   const MeshQuality quality = mesh_quality(tetrahedron(corners));
   EXPECT_EQ(quality.min_dihedral_angle, 0.0);
-  EXPECT_NEAR(quality.max_dihedral_angle, 180.0, 1e-13);
+  EXPECT_NEAR(quality.max_dihedral_angle, 180.0, kAngleRoundOff);
   EXPECT_EQ(quality.min_altitude, 0.0);
   EXPECT_TRUE(std::isinf(quality.max_aspect_ratio));
 }

@@ -10,26 +10,15 @@
 #include <string>
 #include <utility>
 
-#include "solver/demand.h"
 #include "solver/scene.h"
 #include "solver/state.h"
+#include "solver/test_refusal.h"
 
 namespace stiction::test {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-/// The sentence with which `action` refuses its input; empty when it accepts.
-template <class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 /// The corner tetrahedron (0, e₁, e₂, e₃) × edge.
 inline TetMesh corner_tetrahedron(double edge = 1.0) {

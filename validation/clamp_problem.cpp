@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/clamp_problem.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "reference/box_mesh.h"
+#include "validation/observe.h"
 #include "validation/threshold.h"
 
 namespace stiction {
@@ -150,14 +150,6 @@ Pose pose_of(const Engine& engine, std::size_t body) {
   const double angle = 2.0 * std::atan2(motion.rotation.y(), motion.rotation.w());
   const double turn = std::remainder(angle, 2.0 * std::numbers::pi);
   return {motion.position.z(), turn * 180.0 / std::numbers::pi};
-}
-
-double fastest_slip(const Engine& engine) {
-  double fastest = 0.0;
-  for (const ContactSample& contact : engine.contacts()) {
-    fastest = std::max(fastest, contact.slip.norm());
-  }
-  return fastest;
 }
 
 void ClampSeries::sample(const Simulation& simulation) {

@@ -99,7 +99,4 @@ class ClampSeries {
 /// Runs to `end`, sampling `samples` times from the present on.
 void advance_sampled(Simulation& simulation, double end, int samples, ClampSeries& series);
 
-/// Speed of the fastest contact, m/s.
-double fastest_slip(const Engine& engine);
-
 }  // namespace stiction

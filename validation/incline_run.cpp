@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/incline_run.h"
 
-#include <algorithm>
+#include "validation/observe.h"
 
 namespace stiction {
 
@@ -18,13 +18,9 @@ double InclineRun::travel() const {
 double InclineRun::speed() const { return frame_.downhill.dot(engine().body(0).velocity); }
 
 void InclineSeries::sample(const InclineRun& run) {
-  double fastest = 0.0;
-  for (const ContactSample& contact : run.engine().contacts()) {
-    fastest = std::max(fastest, contact.slip.norm());
-  }
   time_.push_back(run.time());
   kinetic_.push_back(run.engine().energies().kinetic);
-  slip_.push_back(fastest);
+  slip_.push_back(fastest_slip(run.engine()));
   speed_.push_back(run.speed());
 }
 

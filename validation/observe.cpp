@@ -31,6 +31,14 @@ Sample sample_of(const Engine& engine, double time, std::size_t body) {
   return sample;
 }
 
+double fastest_slip(const Engine& engine) {
+  double fastest = 0.0;
+  for (const ContactSample& contact : engine.contacts()) {
+    fastest = std::max(fastest, contact.slip.norm());
+  }
+  return fastest;
+}
+
 const std::vector<Observable>& observables() {
   using S = const Sample&;
   using D = const Vec3&;

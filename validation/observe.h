@@ -18,6 +18,9 @@ struct Sample {
 
 Sample sample_of(const Engine& engine, double time, std::size_t body);
 
+/// Slip of the fastest of all contacts, open ones included, m/s; 0 without contacts.
+double fastest_slip(const Engine& engine);
+
 /// A quantity that a check of a person's own problem can ask for.
 struct Observable {
   std::string name;

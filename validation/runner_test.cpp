@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "solver/test_refusal.h"
 #include "validation/case_run.h"
 #include "validation/incline_problem.h"
-#include "validation/test_refusal.h"
 
 namespace stiction {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "validation/test_refusal.h"
+#include "solver/test_refusal.h"
 
 namespace stiction {
 namespace {

@@ -97,6 +97,16 @@ void SlabSeries::add_to(CaseRun& run, const std::string& suffix) const {
   run.add({"mean contact slip" + suffix, "m/s", "time", "s", time, mean});
 }
 
+SlabSetup slab_at_20_degrees() {
+  SlabSetup setup;
+  setup.slope = radians(20.0);
+  setup.yaw = radians(17.0);
+  setup.offset = Vec3(0.013, 0.007, 0.0);
+  setup.cells = 2;
+  setup.slab_cells = 3;
+  return setup;
+}
+
 std::vector<SlabSetup> fixed_slabs() {
   std::vector<SlabSetup> setups;
   // Aligned and centred comes first: every vertex of the box lies on an edge of the slab's mesh.

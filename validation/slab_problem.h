@@ -74,6 +74,10 @@ class SlabSeries {
   std::vector<SlabSample> samples_;
 };
 
+/// 20° steep, the coarse box yawed by 17° and off the middle, so that its mesh and the slab's have
+/// no line in common.
+SlabSetup slab_at_20_degrees();
+
 /// Twelve chosen poses: level to 26°, aligned and yawed, centred and not.
 std::vector<SlabSetup> fixed_slabs();
 

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "validation/test_refusal.h"
+#include "solver/test_refusal.h"
 
 namespace stiction {
 namespace {

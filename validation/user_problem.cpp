@@ -306,12 +306,8 @@ void run_user_problem(CaseRun& run, const UserProblem& user) {
     const Engine& engine = simulation->engine();
     kinetic.x.push_back(simulation->time());
     kinetic.y.push_back(engine.energies().kinetic);
-    double fastest = 0.0;
-    for (const ContactSample& contact : engine.contacts()) {
-      fastest = std::max(fastest, contact.slip.norm());
-    }
     slip.x.push_back(simulation->time());
-    slip.y.push_back(fastest);
+    slip.y.push_back(fastest_slip(engine));
     for (std::size_t k = 0; k < seen.size(); ++k) {
       const UserCheck& one = user.checks[k];
       if (time == one.from) seen[k].first = sample_of(engine, simulation->time(), one.body);

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "solver/test_refusal.h"
 #include "validation/runner.h"
-#include "validation/test_refusal.h"
 
 namespace stiction {
 namespace {

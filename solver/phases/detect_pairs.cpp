@@ -110,26 +110,27 @@ void add_contact(ContactKey key, std::int32_t element, std::int32_t triangle, bo
   pairs.push_back(contact);
 }
 
-// Merges this step's hits with the contacts of the last step that have only just opened. Those are
-// measured in the depth phase, which drops them when the gap is too wide.
-void merge_with_kept(const std::vector<PairSearch::Hit>& hits, const PairMemory* last,
-                     PairContacts& pairs) {
+// Takes over this step's hits, with the triangles of the contacts that persist from the last step.
+// `keep_open` adds those of the last step that are no longer hit: they are measured in the depth
+// phase, which drops them when the gap is too wide.
+void merge_with_last(const std::vector<PairSearch::Hit>& hits, const PairMemory* last,
+                     bool keep_open, PairContacts& pairs) {
+  const auto add_lost = [&](std::size_t lost) {
+    if (!keep_open) return;
+    add_contact(last->body_key[lost], last->element[lost], last->triangle[lost], true, pairs);
+  };
   pairs.clear();
   std::size_t old = 0;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (h > 0 && hits[h].key == hits[h - 1].key) continue;  // the deepest one stands first
     for (; last && old < last->body_key.size() && last->body_key[old] <= hits[h].key; ++old) {
-      if (last->body_key[old] != hits[h].key) {
-        add_contact(last->body_key[old], last->element[old], last->triangle[old], true, pairs);
-      }
+      if (last->body_key[old] != hits[h].key) add_lost(old);
     }
     const bool persists = last && old > 0 && last->body_key[old - 1] == hits[h].key;
     add_contact(hits[h].key, hits[h].element, persists ? last->triangle[old - 1] : -1, false,
                 pairs);
   }
-  for (; last && old < last->body_key.size(); ++old) {
-    add_contact(last->body_key[old], last->element[old], last->triangle[old], true, pairs);
-  }
+  for (; last && old < last->body_key.size(); ++old) add_lost(old);
 }
 
 }  // namespace
@@ -173,8 +174,10 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
               if (a.deepest != b.deepest) return a.deepest > b.deepest;
               return a.element < b.element;
             });
-  const bool keep = options.pairs.hysteresis > 0.0 || options.pairs.tie_margin > 0.0;
-  merge_with_kept(search.hits, keep ? &state.pair_memory : nullptr, workspace.pairs);
+  const bool keep_open = options.pairs.hysteresis > 0.0;
+  const bool keep_triangle = keep_open || options.pairs.tie_margin > 0.0;
+  merge_with_last(search.hits, keep_triangle ? &state.pair_memory : nullptr, keep_open,
+                  workspace.pairs);
 }
 
 }  // namespace stiction

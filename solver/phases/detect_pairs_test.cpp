@@ -144,5 +144,25 @@ TEST(DetectPairs, KeepsAContactThatHasJustOpenedAndDropsItBeyondTheHysteresis) {
   EXPECT_TRUE(lifted(1.1e-5).empty());
 }
 
+TEST(DetectPairs, ForgetsAContactThatHasOpenedWhereOnlyTheTieMarginRemembers) {
+  const double depth = 1e-7;
+  const Scene scene = build_scene(test::stacked_cubes(depth));
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  options.pairs.tie_margin = 1e-3;
+  const test::Found touching(scene, options, initial_state(scene));
+  ASSERT_FALSE(touching.workspace.pairs.empty());
+  State state = touching.state;
+  remember_pairs(touching.workspace.pairs, scene.topology, state.pair_memory);
+  const Body& upper = scene.bodies[1];
+  for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) {
+    state.position[static_cast<std::size_t>(v)].x.z() += 2.0 * depth;
+  }
+  Workspace workspace;
+  workspace.velocity = state.velocity;
+  detect_pairs(scene, options, state, workspace);
+  EXPECT_TRUE(workspace.pairs.empty());
+}
+
 }  // namespace
 }  // namespace stiction

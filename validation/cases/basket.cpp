@@ -109,12 +109,12 @@ const Settings kUnstabilised = {{"method", "paper"}, {"rule", "none"}};
 void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double window) {
   Problem problem = basket_problem(setup);
   problem.duration = duration;
-  Fall fall = drop(run, problem, window, {});
+  const Fall fall = drop(run, problem, window, {});
   Fall before = drop(run, problem, window, kUnstabilised);
   before.kinetic.name += ", ξ = 1";
   before.slip.name += ", ξ = 1";
-  for (const Series* series : {&fall.kinetic, &before.kinetic, &fall.slip, &before.slip}) {
-    run.add(*series);
+  for (const Series& series : {fall.kinetic, before.kinetic, fall.slip, before.slip}) {
+    run.add(series);
   }
   const std::string where = fmt::format("{:.1f} to {:.1f} s", duration - window, duration);
   run.check({.quantity = "farthest way of an object in the window",

@@ -2,13 +2,13 @@
 // A pyramid of boxes on a slope, as in the paper's Fig. 5: μ = 0.3, tan θ = 0.2.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "validation/incline_problem.h"
 #include "validation/methods.h"
+#include "validation/observe.h"
 #include "validation/paper_figure.h"
 #include "validation/pyramid_problem.h"
 #include "validation/threshold.h"
@@ -47,13 +47,9 @@ struct PyramidSeries {
   void sample(const Simulation& simulation, const PyramidSetup& setup,
               const std::vector<Vec3>& start) {
     const Engine& engine = simulation.engine();
-    double fastest = 0.0;
-    for (const ContactSample& contact : engine.contacts()) {
-      fastest = std::max(fastest, contact.slip.norm());
-    }
     time.push_back(simulation.time());
     kinetic.push_back(engine.energies().kinetic);
-    slip.push_back(fastest);
+    slip.push_back(fastest_slip(engine));
     moved.push_back(farthest(start, places(engine, setup)).distance);
   }
   void add_to(CaseRun& run) const {

@@ -7,6 +7,7 @@
 
 #include "validation/clamp_threshold.h"
 #include "validation/methods.h"
+#include "validation/observe.h"
 
 namespace stiction {
 

@@ -8,6 +8,7 @@
 #include "validation/clamp_threshold.h"
 #include "validation/incline_problem.h"
 #include "validation/methods.h"
+#include "validation/observe.h"
 #include "validation/paper_figure.h"
 
 namespace stiction {

@@ -65,15 +65,17 @@ class Pyramid {
     note_settled(settling->engine(), kinetic);
   }
 
-  // Lowers μ to `friction` in the settled state and watches.
-  Outcome continue_with(double friction, const char* series_name) {
+  // Lowers μ to `friction` in the settled state and watches; the record gets the histories on
+  // demand.
+  Outcome continue_with(double friction, bool keep_series) {
     const auto simulation = simulate(friction);
     Engine& engine = simulation->engine();
     engine.restore(start_);
     simulation->record_frames(0.01);
-    Series height{std::string("top ball sunk, ") + series_name, "m", "time", "s", {}, {}};
-    Series slip{std::string("ground slip, ") + series_name, "m/s", "time", "s", {}, {}};
-    Series speed{std::string("lower balls' speed, ") + series_name, "m/s", "time", "s", {}, {}};
+    const std::string at = fmt::format("μ = {:.2f}", friction);
+    Series height{"top ball sunk, " + at, "m", "time", "s", {}, {}};
+    Series slip{"ground slip, " + at, "m/s", "time", "s", {}, {}};
+    Series speed{"lower balls' speed, " + at, "m/s", "time", "s", {}, {}};
     Outcome outcome;
     int breaking = 0;
     for (int k = 1; k <= 60; ++k) {
@@ -104,7 +106,7 @@ class Pyramid {
       outcome.rigid = pyramid_shape(engine).critical_friction();
       outcome.contacts = reference::critical_friction(limit_problem(engine, setup_));
     }
-    if (*series_name != '\0') {
+    if (keep_series) {
       run_.add(height);
       run_.add(slip);
       run_.add(speed);
@@ -159,8 +161,8 @@ double ground_patch(const BallPyramidSetup& setup) {
 }
 
 void check_paper(CaseRun& run, Pyramid& pyramid, const BallPyramidSetup& setup) {
-  const Outcome above = pyramid.continue_with(0.24, "μ = 0.24");
-  const Outcome below = pyramid.continue_with(0.20, "μ = 0.20");
+  const Outcome above = pyramid.continue_with(0.24, true);
+  const Outcome below = pyramid.continue_with(0.20, true);
   run.check({.quantity = "stands at μ = 0.24",
              .unit = "1",
              .claim = "the pyramid is stable for μ = 0.24",
@@ -201,7 +203,7 @@ void check_paper(CaseRun& run, Pyramid& pyramid, const BallPyramidSetup& setup) 
 void check_threshold(CaseRun& run, Pyramid& pyramid, const BallPyramidSetup& setup, double width) {
   Outcome last;
   const Bracket bracket = find_threshold(kSettling, 0.16, width, [&](double friction) {
-    const Outcome outcome = pyramid.continue_with(friction, "");
+    const Outcome outcome = pyramid.continue_with(friction, false);
     if (outcome.stands) last = outcome;
     return outcome.stands;
   });

@@ -51,17 +51,28 @@ InclineSetup sliding_setup(const Shape& shape, double tan_slope) {
   return setup;
 }
 
-void check_point_stop(CaseRun& run, const InclineSetup& setup) {
+// The stop at the case's own time step and what it should be.
+struct Comparison {
+  Stop stop;
+  double distance;                // of a point mass, continuous, m
+  double time;                    // …, s
+  reference::DiscreteStop exact;  // of a point mass in steps of the same length
+};
+
+Comparison compare_stop(CaseRun& run, const InclineSetup& setup) {
   const reference::Incline incline{std::atan(setup.tan_slope), setup.friction, kStandardGravity};
   const double distance = reference::stopping_distance(incline, setup.speed);
   const double time = reference::stopping_time(incline, setup.speed);
-
   InclineSeries series;
   const Stop stop = simulate_stop(run, setup, {}, time, &series);
   series.add_to(run);
+  return {stop, distance, time,
+          reference::discrete_stop(setup.speed, reference::deceleration(incline), stop.time_step)};
+}
+
+void check_point_stop(CaseRun& run, const InclineSetup& setup) {
+  const auto [stop, distance, time, exact] = compare_stop(run, setup);
   const double dt = stop.time_step;
-  const reference::DiscreteStop exact =
-      reference::discrete_stop(setup.speed, reference::deceleration(incline), dt);
   // Each of the steps rounds x and v once: N ulp of the numbers involved.
   const double round_off = 4.0 * static_cast<double>(exact.steps) * 1.1e-16;
 
@@ -131,15 +142,7 @@ void check_point_stop(CaseRun& run, const InclineSetup& setup) {
 }
 
 void check_box_stop(CaseRun& run, const InclineSetup& setup) {
-  const reference::Incline incline{std::atan(setup.tan_slope), setup.friction, kStandardGravity};
-  const double distance = reference::stopping_distance(incline, setup.speed);
-  const double time = reference::stopping_time(incline, setup.speed);
-  InclineSeries series;
-  const Stop stop = simulate_stop(run, setup, {}, time, &series);
-  series.add_to(run);
-  const double dt = stop.time_step;
-  const reference::DiscreteStop exact =
-      reference::discrete_stop(setup.speed, reference::deceleration(incline), dt);
+  const auto [stop, distance, time, exact] = compare_stop(run, setup);
 
   run.check({.quantity = "stopping distance",
              .unit = "m",

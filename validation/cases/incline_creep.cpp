@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "validation/incline_run.h"
+#include "validation/observe.h"
 
 namespace stiction {
 
@@ -21,10 +21,6 @@ void run_creep(CaseRun& run, const InclineSetup& setup) {
   const double drift = incline.travel() - start_up;
   series.add_to(run);
 
-  double fastest = 0.0;
-  for (const ContactSample& contact : incline.engine().contacts()) {
-    fastest = std::max(fastest, contact.slip.norm());
-  }
   const double steps = (kTo - kFrom) / incline.time_step();
   const double ulp = std::numeric_limits<double>::epsilon() * 0.1;  // of a coordinate, m
   run.check({.quantity = "creep",
@@ -54,7 +50,7 @@ void run_creep(CaseRun& run, const InclineSetup& setup) {
              .formula = "u = 0",
              .source = "[Lazarevych2009], (15)",
              .kind = ReferenceKind::kAnalytic,
-             .value = fastest,
+             .value = fastest_slip(incline.engine()),
              .expected = 0.0,
              .tolerance = 1e-15,
              .reason = "round-off of g Δt = 2e-3 m/s: 4e-19, some hundred roundings of the forces "

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "validation/case_run.h"
+#include "validation/free_boxes.h"
 #include "validation/methods.h"
+#include "validation/observe.h"
 
 namespace stiction {
 
@@ -26,29 +27,18 @@ namespace {
 
 constexpr double kDuration = 0.06;  // s; a collision takes some 10 ms
 
-ProblemBody cube(const char* name, const Vec3& position, const Vec3& velocity,
-                 const Eigen::Quaterniond& rotation = Eigen::Quaterniond::Identity()) {
-  return {.name = name,
-          .shape = BoxShape{{0.1, 0.1, 0.1}},
-          .mass = 1.0,
-          .elasticity = {.youngs_modulus = 5e5, .poisson_ratio = 0.3, .damping_time = 1e-3},
-          .position = position,
-          .rotation = rotation,
-          .velocity = velocity};
-}
+constexpr double kDamping = 1e-3;  // β, s
 
-// No gravity, nothing held: all momentum stays in the bodies. The collision is off the centres and
-// 45° off the normal, the upper box turned about a direction that is none of the mesh's.
+// The collision is off the centres and 45° off the normal, the upper box turned about a direction
+// that is none of the mesh's.
 Problem two_boxes() {
   const Eigen::Quaterniond turn(
       Eigen::AngleAxisd(std::numbers::pi / 9.0, Vec3(1.0, 0.6, 0.3).normalized()));
-  return {.name = "two free boxes",
-          .bodies = {cube("lower", {-0.013, 0.009, -0.052}, {-0.5, -0.15, 0.5}),
-                     cube("upper", {0.013, -0.009, 0.075}, {0.5, 0.15, -0.5}, turn)},
-          .obstacles = {},
-          .gravity = {},
-          .friction = 0.5,
-          .duration = kDuration};
+  return free_problem(
+      "two free boxes",
+      {free_cube("lower", {-0.013, 0.009, -0.052}, {-0.5, -0.15, 0.5}, kDamping),
+       free_cube("upper", {0.013, -0.009, 0.075}, {0.5, 0.15, -0.5}, kDamping, turn)},
+      kDuration);
 }
 
 // Friction that never worked proves nothing.
@@ -61,9 +51,9 @@ Problem struck_stack() {
   Problem problem = two_boxes();
   problem.name = "a stack struck by a box";
   const Eigen::Quaterniond turn = problem.bodies[1].rotation;
-  problem.bodies = {cube("lower", {-0.011, 0.006, -0.1}, {-0.2, -0.1, 0.3}),
-                    cube("middle", {0.0, 0.0, 0.0}, {-0.2, -0.1, 0.3}),
-                    cube("striker", {0.021, -0.013, 0.127}, {0.4, 0.2, -0.6}, turn)};
+  problem.bodies = {free_cube("lower", {-0.011, 0.006, -0.1}, {-0.2, -0.1, 0.3}, kDamping),
+                    free_cube("middle", {0.0, 0.0, 0.0}, {-0.2, -0.1, 0.3}, kDamping),
+                    free_cube("striker", {0.021, -0.013, 0.127}, {0.4, 0.2, -0.6}, kDamping, turn)};
   return problem;
 }
 
@@ -98,15 +88,10 @@ struct Audit {
 };
 
 Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool keep_series) {
-  Settings settings = extra;
-  if (!run.settings().contains("cells")) settings["cells"] = "4";
-  const std::unique_ptr<Simulation> simulation = run.simulate(problem, settings);
-  simulation->record_frames(1e-3);
+  const std::unique_ptr<Simulation> simulation = simulate_free(run, problem, extra);
   const Engine& engine = simulation->engine();
   Audit audit;
-  for (const ProblemBody& body : problem.bodies) {
-    audit.linear_scale += body.mass * body.velocity.norm();
-  }
+  audit.linear_scale = momentum_scale(problem);
   const Momenta start = engine.momenta();
   Series kinetic{"kinetic energy", "J", "time", "s", {}, {}};
   Series slip{"fastest contact slip", "m/s", "time", "s", {}, {}};
@@ -128,13 +113,9 @@ Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool ke
     audit.most_given = std::max(audit.most_given, contacts.friction_work);
     before = now;
     if (engine.steps_done() % 3 != 0) continue;
-    double fastest = 0.0;
-    for (const ContactSample& contact : engine.contacts()) {
-      fastest = std::max(fastest, contact.slip.norm());
-    }
     for (Series* series : {&kinetic, &slip, &lost}) series->x.push_back(simulation->time());
     kinetic.y.push_back(engine.energies().kinetic);
-    slip.y.push_back(fastest);
+    slip.y.push_back(fastest_slip(engine));
     lost.y.push_back((now.angular - start.angular).norm());
   }
   audit.drift = (before.angular - start.angular).norm();

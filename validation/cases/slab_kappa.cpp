@@ -4,56 +4,17 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "reference/box_mesh.h"
 #include "solver/step.h"
-#include "validation/incline_run.h"
 #include "validation/methods.h"
 #include "validation/settings.h"
 #include "validation/slab_problem.h"
 #include "validation/stiction_method.h"
+#include "validation/stiction_scene.h"
 
 namespace stiction {
 
 namespace {
-
-// The scene of `slab_problem` for the solver itself: κ needs each contact's partners and weights,
-// which no engine shows.
-Scene slab_scene(const SlabSetup& setup) {
-  const Problem problem = slab_problem(setup);
-  const ProblemBody& box = problem.bodies[0];
-  const ProblemBody& slab = problem.bodies[1];
-  const double density = box.mass / setup.box_size.prod();
-  const Material material{.density = density,
-                          .youngs_modulus = setup.elasticity.youngs_modulus,
-                          .poisson_ratio = setup.elasticity.poisson_ratio,
-                          .damping_time = setup.elasticity.damping_time};
-  SceneDescription scene;
-  scene.bodies.resize(2);
-  scene.bodies[0].name = "box";
-  scene.bodies[0].mesh =
-      reference::box_mesh(setup.box_size, (setup.cells * setup.box_size / setup.box_size.maxCoeff())
-                                              .array()
-                                              .round()
-                                              .cast<int>()
-                                              .max(1)
-                                              .matrix());
-  scene.bodies[0].mesh.vertices =
-      (box.rotation.toRotationMatrix() * scene.bodies[0].mesh.vertices).colwise() + box.position;
-  scene.bodies[1].name = "slab";
-  scene.bodies[1].mesh = std::get<MeshShape>(slab.shape).mesh;
-  for (Eigen::Index v = 0; v < scene.bodies[1].mesh.vertices.cols(); ++v) {
-    if (scene.bodies[1].mesh.vertices(2, v) <= slab.held->point.z() + 1e-12) {
-      scene.bodies[1].pinned.push_back(static_cast<int>(v));
-    }
-  }
-  scene.bodies[1].mesh.vertices.colwise() += slab.position;
-  for (BodyDescription& body : scene.bodies) body.material = material;
-  scene.gravity = problem.gravity;
-  scene.friction = problem.friction;
-  return build_scene(scene);
-}
 
 // Largest eigenvalue of Δt² K^½ W K^½: what fraction of a depth the normal forces close in a step.
 // W is the contacts' inverse mass matrix along their normals, K = fⁿ/d their stiffness.
@@ -96,15 +57,17 @@ double largest_kappa(double dt, const Workspace& workspace) {
 
 void run_kappa(CaseRun& run, const SlabSetup& setup) {
   if (run.engine().name != "stiction") return;
-  // Simulated by the engine too, so that the record shows its settings and cost.
   if (run.settings().at("method") == "paper") {
     run.known_limit(
         "c_i of (5) counts the contacts that a vertex bears, not those it makes, so that it bounds "
         "nothing where both sides' vertices touch");
   }
+  // Simulated by the engine too, so that the record shows its settings and cost.
   SlabRun shown(run, setup);
   shown.advance_to(0.1);
-  const Scene scene = slab_scene(setup);
+  // The engine's scene for the solver itself: κ needs each contact's partners and weights, which no
+  // engine shows.
+  const Scene scene = build_scene(scene_description(slab_problem(setup), {.cells = setup.cells}));
   Options options;
   SettingsReader reader(run.settings());
   read_method(reader, options);
@@ -152,12 +115,7 @@ void run_kappa(CaseRun& run, const SlabSetup& setup) {
 }  // namespace
 
 std::vector<Case> cases_slab_kappa() {
-  SlabSetup setup;
-  setup.slope = radians(20.0);
-  setup.yaw = radians(17.0);
-  setup.offset = Vec3(0.013, 0.007, 0.0);
-  setup.cells = 2;
-  setup.slab_cells = 3;
+  const SlabSetup setup = slab_at_20_degrees();
   return {{.name = "slab/kappa",
            .title = "fraction of the depth closed in a step, measured beside its bound",
            .variants = {{{"method", "paper"}},

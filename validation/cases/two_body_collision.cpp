@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "validation/case_run.h"
+#include "validation/free_boxes.h"
 #include "validation/methods.h"
 
 namespace stiction {
@@ -25,26 +25,15 @@ constexpr double kDuration = 0.1;  // s
 constexpr double kApart = 0.06;    // s; the boxes have left each other long before
 constexpr double kSpeed = 0.5;     // m/s, of either box
 
-ProblemBody cube(const char* name, const Vec3& position, const Vec3& velocity, double damping) {
-  return {.name = name,
-          .shape = BoxShape{{0.1, 0.1, 0.1}},
-          .mass = 1.0,
-          .elasticity = {.youngs_modulus = 5e5, .poisson_ratio = 0.3, .damping_time = damping},
-          .position = position,
-          .velocity = velocity};
-}
-
 // Two cubes meet face on, 2 cm beside each other's centre; the upper one is turned by 17° about the
 // normal and tilted by 3°, so that their meshes have nothing in common.
 Problem collision(double friction, double oblique, double damping) {
   const Vec3 velocity = kSpeed * Vec3(oblique, 0.3 * oblique, 1.0).normalized();
-  Problem problem{.name = "two boxes collide",
-                  .bodies = {cube("lower", {0.0, 0.0, -0.051}, velocity, damping),
-                             cube("upper", {0.02, -0.011, 0.054}, -velocity, damping)},
-                  .obstacles = {},
-                  .gravity = {},
-                  .friction = friction,
-                  .duration = kDuration};
+  Problem problem = free_problem("two boxes collide",
+                                 {free_cube("lower", {0.0, 0.0, -0.051}, velocity, damping),
+                                  free_cube("upper", {0.02, -0.011, 0.054}, -velocity, damping)},
+                                 kDuration);
+  problem.friction = friction;
   problem.bodies[1].rotation = Eigen::AngleAxisd(std::numbers::pi * 17.0 / 180.0, Vec3::UnitZ()) *
                                Eigen::AngleAxisd(std::numbers::pi / 60.0, Vec3::UnitX());
   return problem;
@@ -62,15 +51,10 @@ struct Outcome {
 };
 
 Outcome collide(CaseRun& run, const Problem& problem, const std::string& label) {
-  Settings settings;
-  if (!run.settings().contains("cells")) settings["cells"] = "4";
-  const std::unique_ptr<Simulation> simulation = run.simulate(problem, settings);
-  simulation->record_frames(1e-3);
+  const std::unique_ptr<Simulation> simulation = simulate_free(run, problem);
   const Engine& engine = simulation->engine();
   Outcome outcome;
-  for (const ProblemBody& body : problem.bodies) {
-    outcome.linear_scale += body.mass * body.velocity.norm();
-  }
+  outcome.linear_scale = momentum_scale(problem);
   const Momenta start = engine.momenta();
   Energies now = engine.energies();
   outcome.start = outcome.highest = now.kinetic;

@@ -3,53 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
-#include "reference/ball_mesh.h"
-#include "reference/box_mesh.h"
-#include "reference/mesh_quality.h"
 #include "solver/demand.h"
 #include "solver/elasticity/corotational.h"
 #include "solver/observables.h"
 #include "solver/step.h"
 #include "validation/engine.h"
 #include "validation/settings.h"
+#include "validation/step_cost.h"
 #include "validation/stiction_method.h"
+#include "validation/stiction_scene.h"
 
 namespace stiction {
 
 namespace {
 
-// Phases are timed in one step of so many: reading the clock would otherwise be a tenth of the step
-// of a small scene.
-constexpr std::uint64_t kTimedEvery = 16;
-
 // How often a run looks whether it still consists of numbers, in steps.
 constexpr std::uint64_t kFiniteEvery = 256;
-
-double thread_cpu_seconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-// What an empty PhaseTimer adds, s: the smallest of many, since noise only adds.
-double clock_overhead() {
-  double smallest = 1.0;
-  for (int k = 0; k < 200; ++k) {
-    PhaseSeconds seconds{};
-    { const PhaseTimer timer(&seconds, Phase::kForces); }
-    smallest = std::min(smallest, seconds[0]);
-  }
-  return smallest;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Largest of 1, 2, 5 × 10ⁿ not above `limit`.
 double round_down_125(double limit) {
@@ -60,125 +30,22 @@ double round_down_125(double limit) {
   return decade;
 }
 
-Eigen::Vector3i cells_of(const Vec3& size, int along_longest) {
-  const double cell = size.maxCoeff() / along_longest;
-  return (size / cell).array().round().cast<int>().max(1);
-}
-
-struct Discretisation {
-  int cells;  // along a box's longest edge
-  int ball;   // frequency of a ball's triangulation: 10 n² + 2 surface vertices
-};
-
-struct MeshMaker {
-  const Discretisation& how;
-  TetMesh operator()(const BoxShape& box) const {
-    return reference::box_mesh(box.size, cells_of(box.size, how.cells));
-  }
-  TetMesh operator()(const BallShape& ball) const {
-    return reference::ball_mesh({.radius = ball.radius, .frequency = how.ball});
-  }
-  TetMesh operator()(const MeshShape& shape) const { return shape.mesh; }
-  TetMesh operator()(const PointShape&) const {
-    TetMesh mesh;
-    mesh.vertices = Eigen::Matrix3Xd::Zero(3, 1);
-    return mesh;
-  }
-};
-
-BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
-  if (!(body.mass > 0.0) || !std::isfinite(body.mass)) {
-    throw InputError(fmt::format("body '{}': mass must be positive and finite, not {} kg",
-                                 body.name, body.mass));
-  }
-  BodyDescription description;
-  description.name = body.name;
-  description.mesh = std::visit(MeshMaker{how}, body.shape);
-  double volume = 0.0;
-  // A mesh that names vertices it doesn't have is refused with the scene; it must not be read here.
-  const Eigen::Matrix4Xi& tetrahedra = description.mesh.tetrahedra;
-  const bool readable =
-      tetrahedra.size() == 0 ||
-      (tetrahedra.minCoeff() >= 0 && tetrahedra.maxCoeff() < description.mesh.vertices.cols());
-  for (Eigen::Index e = 0; readable && e < description.mesh.tetrahedra.cols(); ++e) {
-    volume += signed_volume(description.mesh, e);
-  }
-  if (volume > 0.0) {
-    description.material = {.density = body.mass / volume,
-                            .youngs_modulus = body.elasticity.youngs_modulus,
-                            .poisson_ratio = body.elasticity.poisson_ratio,
-                            .damping_time = body.elasticity.damping_time};
-  } else {
-    description.point_mass = body.mass;
-  }
-  Eigen::Matrix3Xd& vertices = description.mesh.vertices;
-  if (body.held) {
-    for (Eigen::Index v = 0; v < vertices.cols(); ++v) {
-      // A face that was meant to be held stays so when its coordinates are rounded.
-      const double above = body.held->normal.normalized().dot(vertices.col(v) - body.held->point);
-      if (above <= 1e-12) description.pinned.push_back(static_cast<int>(v));
-    }
-    if (description.pinned.empty()) {
-      throw InputError(fmt::format("body '{}': its held part holds no vertex", body.name));
-    }
-  }
-  description.motion = body.motion;
-  description.self_collision = body.self_collision;
-  vertices = (body.rotation.toRotationMatrix() * vertices).colwise() + body.position;
-  description.initial_velocity = body.velocity.replicate(1, vertices.cols());
-  return description;
-}
-
-// One entry for all bodies of a mesh, told apart by their counts and shortest altitude.
-void add_mesh(const BodyDescription& body, std::vector<Mesh>& meshes, std::vector<int>& sharing) {
-  if (body.mesh.tetrahedra.cols() == 0) return;
-  const reference::MeshQuality quality = reference::mesh_quality(body.mesh);
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const bool same =
-        meshes[k].vertices == static_cast<std::uint64_t>(body.mesh.vertices.cols()) &&
-        meshes[k].tetrahedra == static_cast<std::uint64_t>(body.mesh.tetrahedra.cols()) &&
-        std::abs(meshes[k].min_altitude / quality.min_altitude - 1.0) < 1e-9;
-    if (!same) continue;
-    ++sharing[k];
-    return;
-  }
-  meshes.push_back({body.name, static_cast<std::uint64_t>(body.mesh.vertices.cols()),
-                    static_cast<std::uint64_t>(body.mesh.tetrahedra.cols()),
-                    quality.min_dihedral_angle, quality.max_dihedral_angle, quality.min_altitude});
-  sharing.push_back(0);
-}
-
 class StictionEngine final : public Engine {
  public:
   explicit StictionEngine(const Settings& given) {
     SettingsReader reader(given);
     read_method(reader, options_);
-    how_.cells = reader.count("cells", 2);
-    how_.ball = reader.count("ball", 8);
+    how_.cells = reader.count("cells", how_.cells);
+    how_.ball = reader.count("ball", how_.ball);
     chosen_time_step_ = reader.has("dt");
     options_.time_step = reader.number("dt", options_.time_step);
     reader.refuse_unknown("stiction");
   }
 
   void load(const Problem& problem) override {
-    SceneDescription description;
-    for (const ProblemBody& body : problem.bodies) {
-      description.bodies.push_back(describe(body, how_));
-    }
-    for (const Obstacle& obstacle : problem.obstacles) {
-      description.half_spaces.push_back(
-          {obstacle.name, obstacle.point, obstacle.normal, obstacle.friction, obstacle.motion});
-    }
-    description.friction = problem.friction;
-    description.gravity = problem.gravity;
-    description.drag = problem.drag;
+    const SceneDescription description = scene_description(problem, how_);
     scene_ = build_scene(description);
-    meshes_.clear();
-    std::vector<int> sharing;
-    for (const BodyDescription& body : description.bodies) add_mesh(body, meshes_, sharing);
-    for (std::size_t k = 0; k < meshes_.size(); ++k) {
-      if (sharing[k] > 0) meshes_[k].bodies += fmt::format(" and {} more", sharing[k]);
-    }
+    meshes_ = distinct_meshes(description);
     if (!chosen_time_step_) {
       options_.time_step =
           std::min(options_.time_step, round_down_125(0.8 * scene_.stable_time_step));
@@ -186,7 +53,6 @@ class StictionEngine final : public Engine {
     check_options(options_, scene_);
     state_ = initial_state(scene_);
     workspace_ = Workspace{};
-    overhead_ = clock_overhead();
   }
 
   double time_step() const override { return options_.time_step; }
@@ -195,14 +61,12 @@ class StictionEngine final : public Engine {
   void advance(std::uint64_t steps) override {
     const double before = thread_cpu_seconds();
     for (std::uint64_t k = 0; k < steps; ++k) {
-      const bool timed = state_.step % kTimedEvery == 0;
-      workspace_.phase_seconds = timed ? &phase_seconds_ : nullptr;
+      workspace_.phase_seconds = cost_.phases_of(state_.step);
       step(scene_, options_, state_, workspace_);
-      if (timed) note_contact_time();
-      ++steps_;
-      if (steps_ % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
+      cost_.add_step(workspace_);
+      if (cost_.steps() % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
     }
-    cpu_seconds_ += thread_cpu_seconds() - before;
+    cost_.add_cpu(thread_cpu_seconds() - before);
   }
 
   BodyMotion body(std::size_t index) const override {
@@ -275,22 +139,7 @@ class StictionEngine final : public Engine {
     return all;
   }
 
-  Cost cost() const override {
-    Cost cost;
-    cost.cpu_seconds = cpu_seconds_;
-    cost.steps = steps_;
-    cost.contact_updates = workspace_.contact_updates;
-    for (std::size_t p = 0; p < phase_seconds_.size(); ++p) {
-      const double net =
-          std::max(0.0, phase_seconds_[p] - overhead_ * static_cast<double>(timed_steps_));
-      // Scaled up from the timed steps to all steps.
-      cost.phase_seconds[kPhaseNames[p]] =
-          timed_steps_ == 0 ? 0.0
-                            : net * static_cast<double>(steps_) / static_cast<double>(timed_steps_);
-    }
-    cost.ns_per_contact_update = 1e9 * median(seconds_per_contact_);
-    return cost;
-  }
+  Cost cost() const override { return cost_.total(workspace_.contact_updates); }
 
   std::uint64_t state_hash() const override { return hash_of(state_); }
   Snapshot save() const override { return std::make_shared<const State>(state_); }
@@ -334,18 +183,6 @@ class StictionEngine final : public Engine {
             .arm = arm};
   }
 
-  // Normal force and friction of the step just timed, per contact, less what reading the clock
-  // costs.
-  void note_contact_time() {
-    ++timed_steps_;
-    const double seconds = phase_seconds_[static_cast<std::size_t>(Phase::kNormalForce)] +
-                           phase_seconds_[static_cast<std::size_t>(Phase::kFriction)];
-    const double spent = seconds - contact_seconds_ - 2.0 * overhead_;
-    contact_seconds_ = seconds;
-    const std::size_t contacts = workspace_.contacts.size() + workspace_.pairs.size();
-    if (contacts > 0) seconds_per_contact_.push_back(spent / static_cast<double>(contacts));
-  }
-
   void demand_finite() const {
     if (is_finite(state_)) return;
     throw InputError(fmt::format("the simulation diverged before t = {:.4g} s (step {})",
@@ -354,20 +191,13 @@ class StictionEngine final : public Engine {
   }
 
   Options options_;
-  Discretisation how_{};
+  Discretisation how_;
   bool chosen_time_step_ = false;
   Scene scene_;
   std::vector<Mesh> meshes_;
   State state_;
   Workspace workspace_;
-
-  PhaseSeconds phase_seconds_{};
-  double overhead_ = 0.0;
-  double cpu_seconds_ = 0.0;
-  std::uint64_t steps_ = 0;
-  std::uint64_t timed_steps_ = 0;
-  double contact_seconds_ = 0.0;             // of the timed steps so far
-  std::vector<double> seconds_per_contact_;  // of each timed step: its median shrugs off interrupts
+  StepCost cost_;
 };
 
 std::unique_ptr<Engine> make(const Settings& settings) {

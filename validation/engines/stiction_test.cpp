@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/test_refusal.h"
 #include "solver/workspace.h"
 #include "validation/engine.h"
 #include "validation/incline_problem.h"
-#include "validation/test_refusal.h"
 
 namespace stiction {
 namespace {

@@ -4,7 +4,7 @@ import { group_by } from "../model/family.js";
 import { margin } from "../model/check_text.js";
 import { row_height } from "../model/overview.js";
 import { name_axis, numbered, tip, tip_number } from "./names.js";
-import { VERDICT_COLOURS, VERDICT_DOMAIN, VERDICT_LABELS, VERDICT_SHAPES } from "./palette.js";
+import { VERDICT_DOMAIN, VERDICT_LABELS, verdict_encoding } from "./palette.js";
 
 const LOWEST = -9; // decades; an exact result stands here
 const HIGHEST = 6;
@@ -87,18 +87,7 @@ export function margin_plot(families) {
               },
               legend: null,
             },
-            color: {
-              field: "verdict",
-              type: "nominal",
-              scale: { domain: VERDICT_DOMAIN, range: VERDICT_COLOURS },
-              legend,
-            },
-            shape: {
-              field: "verdict",
-              type: "nominal",
-              scale: { domain: VERDICT_DOMAIN, range: VERDICT_SHAPES },
-              legend,
-            },
+            ...verdict_encoding(legend),
             tooltip: [
               tip("family", "family"),
               tip("verdict", "verdict"),

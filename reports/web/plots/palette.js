@@ -85,10 +85,9 @@ export const SERIES_SHAPES = [
 /** The name of the i-th body's colour: pale, so that contacts and forces stand out. */
 export const body_colour = (i) => `$b${i % 6}`;
 
-/** Vega-Lite's scale for verdicts, colour and shape. */
 export const VERDICT_DOMAIN = ["pass", "fail", "limit", "error", "shown", "not-applicable"];
-export const VERDICT_COLOURS = ["$pass", "$fail", "$limit", "$error", "$shown", "$na"];
-export const VERDICT_SHAPES = [
+const VERDICT_COLOURS = ["$pass", "$fail", "$limit", "$error", "$shown", "$na"];
+const VERDICT_SHAPES = [
   "circle",
   "triangle-up",
   "triangle-down",
@@ -96,6 +95,17 @@ export const VERDICT_SHAPES = [
   "square",
   "stroke",
 ];
+
+/** Vega-Lite's channels for verdicts: colour and shape say the same. */
+export function verdict_encoding(legend) {
+  const channel = (range) => ({
+    field: "verdict",
+    type: "nominal",
+    scale: { domain: VERDICT_DOMAIN, range },
+    legend,
+  });
+  return { color: channel(VERDICT_COLOURS), shape: channel(VERDICT_SHAPES) };
+}
 
 /** The words of model/verdict.js, in Vega's expressions. */
 export const VERDICT_LABELS = `(${JSON.stringify(VERDICT_WORDS)})[datum.label]`;

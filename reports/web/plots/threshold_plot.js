@@ -5,7 +5,7 @@ import { margin, value_text, expected_text } from "../model/check_text.js";
 import { to_number } from "../model/number.js";
 import { rounded } from "./axes.js";
 import { name_axis, numbered, tip, tip_number } from "./names.js";
-import { VERDICT_COLOURS, VERDICT_DOMAIN, VERDICT_SHAPES } from "./palette.js";
+import { verdict_encoding } from "./palette.js";
 
 const MOST_ROWS = 40;
 // "holds at 0.4999, slides at 0.5001", "stands at tan θ = 0.30, breaks at 0.31", "holds at N = 9.8 N, …"
@@ -126,18 +126,7 @@ export function threshold_plot(entries) {
             x: x("at"),
             y,
             tooltip,
-            color: {
-              field: "verdict",
-              type: "nominal",
-              scale: { domain: VERDICT_DOMAIN, range: VERDICT_COLOURS },
-              legend: null,
-            },
-            shape: {
-              field: "verdict",
-              type: "nominal",
-              scale: { domain: VERDICT_DOMAIN, range: VERDICT_SHAPES },
-              legend: null,
-            },
+            ...verdict_encoding(null),
           },
         },
       ],
@@ -200,18 +189,7 @@ export function prediction_plot(entries) {
           encoding: {
             x: axis("x", `expected ${quantity}`),
             y: axis("y", `measured ${quantity}`),
-            color: {
-              field: "verdict",
-              type: "nominal",
-              scale: { domain: VERDICT_DOMAIN, range: VERDICT_COLOURS },
-              legend: null,
-            },
-            shape: {
-              field: "verdict",
-              type: "nominal",
-              scale: { domain: VERDICT_DOMAIN, range: VERDICT_SHAPES },
-              legend: null,
-            },
+            ...verdict_encoding(null),
             tooltip: [tip("row", "case"), tip_number("x", "expected"), tip_number("y", "measured")],
           },
         },
