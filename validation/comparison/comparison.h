@@ -28,7 +28,14 @@ inline constexpr const char* kCreep = "final creep";
 inline constexpr const char* kSlipped = "slipped";
 inline constexpr const char* kSlippedShare = "slipped ÷ free slide";
 inline constexpr const char* kCpuTime = "CPU time";
-inline constexpr const char* kFriction = "friction of a contact";
+inline constexpr const char* kFrictionTime = "friction of a contact";
+inline constexpr const char* kLearnedSlip = "slip along ũ, learned";
+inline constexpr const char* kRootSlip = "… at the root of (15)";
+inline constexpr const char* kAcrossSlip = "slip across ũ there";
+inline constexpr const char* kBiasSlip = "least slip, 2N scalars";
+inline constexpr const char* kDominance = "diagonal dominance";
+inline constexpr const char* kPredictedRate = "predicted rate";
+inline constexpr const char* kObservedRate = "observed rate";
 inline constexpr const char* kFrictionRatio = "÷ that of the fixed point";
 
 /// Every rule on the paper's contacts and on the quiet ones (`method`), so that the effect of the

@@ -205,7 +205,7 @@ Record findings(const std::vector<Record>& records) {
   found.verdict = combined_verdict(found.checks);
   const Figures figures(records);
   for (const auto part :
-       {fixed_point_against_secant, rules_that_beat_both, rules_within_fifty_steps,
+       {fixed_point_against_secant, rules_that_beat_both, rules_within_fifty_steps, frozen_steps,
         rule_or_contacts, hard_conditions, gain_sweeps, pareto_front}) {
     for (std::string& sentence : part(figures)) found.notes.push_back(std::move(sentence));
   }

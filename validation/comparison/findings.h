@@ -19,6 +19,7 @@ using Sentences = std::vector<std::string>;
 Sentences fixed_point_against_secant(const Figures& figures);
 Sentences rules_that_beat_both(const Figures& figures);
 Sentences rules_within_fifty_steps(const Figures& figures);
+Sentences frozen_steps(const Figures& figures);
 Sentences rule_or_contacts(const Figures& figures);
 Sentences hard_conditions(const Figures& figures);
 Sentences gain_sweeps(const Figures& figures);

@@ -11,7 +11,6 @@
 #include "validation/basket_problem.h"
 #include "validation/clamp_problem.h"
 #include "validation/incline_problem.h"
-#include "validation/incline_run.h"
 #include "validation/membrane_problem.h"
 #include "validation/pyramid_problem.h"
 #include "validation/slab_problem.h"
@@ -113,11 +112,8 @@ ComparisonScene basket() {
 }  // namespace
 
 SlabSetup comparison_slab() {
-  SlabSetup setup;
-  setup.slope = radians(20.0);
-  setup.yaw = radians(17.0);
-  setup.offset = Vec3(0.013, 0.007, 0.0);
-  setup.slab_cells = 3;
+  SlabSetup setup = slab_at_20_degrees();
+  setup.cells = 3;
   setup.elasticity.damping_time = 1e-3;
   return setup;
 }

@@ -62,7 +62,7 @@ void run_cost(CaseRun& run, const ComparisonScene& scene) {
     times.push_back(mine);
     ratios.push_back(mine / advance(*fixed_point));
   }
-  run.check(measured(kFriction, "ns", "median of 15 rounds", median(times)));
+  run.check(measured(kFrictionTime, "ns", "median of 15 rounds", median(times)));
   run.check(measured(kFrictionRatio, "1", "median of the ratios", median(ratios)));
   run.check(measured("contacts", "1", "that were timed",
                      static_cast<double>(own->engine().contacts().size())));
