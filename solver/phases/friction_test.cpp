@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "solver/friction/catalog.h"
 #include "solver/test_scenes.h"
 
 namespace stiction {
@@ -111,10 +113,11 @@ TEST_P(FrictionPhase, CountsContactUpdates) {
   EXPECT_EQ(workspace.contact_updates, 7u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, FrictionPhase, testing::Values("none", "fixed-point"),
+INSTANTIATE_TEST_SUITE_P(Rules, FrictionPhase, testing::ValuesIn(friction_rule_names()),
                          [](const auto& one) {
-                           return one.param == "none" ? std::string("None")
-                                                      : std::string("FixedPoint");
+                           std::string name = one.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
                          });
 
 // ---- friction memory ----------------------------------------------------------------------------

@@ -79,18 +79,29 @@ Sentences fixed_point_against_secant(const Figures& figures) {
     std::size_t fixed_point_wins = 0;
     double least_fixed = std::numeric_limits<double>::infinity(), least_secant = least_fixed;
     std::vector<std::string> failures;
+    const auto note_failures = [&](const std::string& scene,
+                                   const std::vector<RuleOnContacts>& rules) {
+      std::vector<std::string> names;
+      for (const RuleOnContacts& who : rules) {
+        if (figures.failed(scene, who)) names.push_back(who.rule);
+      }
+      if (names.empty()) return;
+      failures.push_back(
+          (names.size() == rules.size() ? "every " + rules.front().rule : listed(names)) + " on " +
+          scene);
+    };
     for (const std::string& scene : scenes) {
       const double a = best_creep(figures, scene, fixed_point);
       const double b = best_creep(figures, scene, secant);
+      note_failures(scene, fixed_point);
+      note_failures(scene, secant);
       ratios.push_back(b / a);
       fixed_point_wins += a < b;
       for (const RuleOnContacts& who : fixed_point) {
         least_fixed = std::min(least_fixed, figures.of(scene, who, kStepsTo6));
-        if (figures.failed(scene, who)) failures.push_back(who.rule + " on " + scene);
       }
       for (const RuleOnContacts& who : secant) {
         least_secant = std::min(least_secant, figures.of(scene, who, kStepsTo6));
-        if (figures.failed(scene, who)) failures.push_back(who.rule + " on " + scene);
       }
     }
     const Spread spread = spread_of(ratios);

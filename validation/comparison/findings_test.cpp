@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/findings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "validation/comparison/comparison.h"
+#include "validation/comparison/comparison_table.h"
+
+namespace stiction {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+Record record(const std::string& name, const std::string& rule, double steps, double creep) {
+  Record one;
+  one.case_name = name;
+  one.engine = "stiction";
+  one.settings = {{"method", "quiet"}, {"rule", rule}};
+  one.checks = {measured(kStepsTo6, "1", "", steps), measured(kStepsTo9, "1", "", steps),
+                measured(kCreep, "m/s", "", creep), measured(kSlipped, "m", "", creep)};
+  return one;
+}
+
+Record cost(const std::string& rule, double ratio) {
+  Record one;
+  one.case_name = "cost/plate";
+  one.settings = {{"method", "quiet"}, {"rule", rule}};
+  one.checks = {measured(kFrictionRatio, "1", "", ratio)};
+  return one;
+}
+
+std::vector<Record> two_scenes(double ratio) {
+  return {cost("fixed-point", 1.0),
+          cost("secant", 1.1),
+          cost("stored-vector", ratio),
+          record("rules/slab", "fixed-point", kNever, 1e-5),
+          record("rules/slab", "secant", kNever, 2e-5),
+          record("rules/slab", "stored-vector", 7, 1e-10),
+          record("rules/box", "fixed-point", 90, 1e-8),
+          record("rules/box", "secant", 80, 3e-8),
+          record("rules/box", "stored-vector", 70, 1e-12)};
+}
+
+TEST(Findings, NameTheRuleThatBeatsBothAndItsCost) {
+  const Record found = findings(two_scenes(0.9));
+  EXPECT_THAT(found.notes,
+              Contains(testing::AllOf(
+                  HasSubstr("these beat every reading"),
+                  HasSubstr("stored-vector on quiet contacts, 0.9 × the friction cost"))));
+}
+
+TEST(Findings, SaySoWhenItCostsTooMuch) {
+  const Record found = findings(two_scenes(1.3));
+  EXPECT_THAT(found.notes, Contains(HasSubstr("No rule at up to 1.2 ×")));
+  EXPECT_THAT(found.notes, Contains(HasSubstr("At a higher cost, or one not measured here: "
+                                              "stored-vector")));
+}
+
+TEST(Findings, DoNotNameARuleThatLosesOneScene) {
+  std::vector<Record> records = two_scenes(0.9);
+  records.back().checks[0].value = 85;  // steps; the secant needs 80
+  EXPECT_THAT(findings(records).notes, Contains(HasSubstr("No rule at up to")));
+}
+
+TEST(Findings, CompareFixedPointAndSecantByTheirCreep) {
+  EXPECT_THAT(findings(two_scenes(1.0)).notes,
+              Contains(testing::AllOf(HasSubstr("median of 2 scenes; 2 to 3"),
+                                      HasSubstr("fixed point 90 steps, secant 80 steps"),
+                                      HasSubstr("comparable: confirmed"))));
+  std::vector<Record> records = two_scenes(1.0);
+  records[4].checks[2].value = 1e-3;
+  EXPECT_THAT(findings(records).notes, Contains(HasSubstr("comparable: not confirmed")));
+}
+
+TEST(Findings, CountFailuresAndLeaveThemOutOfTheBest) {
+  std::vector<Record> records = {record("hard/noise", "none", kNever, 1e-5),
+                                 record("hard/noise", "secant", kNever, 1e-9)};
+  records[1].notes = {"failed: a body moved by 9 mm"};
+  EXPECT_THAT(findings(records).notes,
+              Contains(testing::AllOf(HasSubstr("least slipped on quiet contacts by none"),
+                                      HasSubstr("1 of 2 fail"))));
+}
+
+TEST(Findings, AreSilentOnWhatWasNotCompared) {
+  EXPECT_TRUE(findings({cost("none", 1.0)}).notes.empty());
+}
+
+TEST(ComparisonTable, HasARowARuleAndSaysNever) {
+  const std::vector<Record> records = two_scenes(1.0);
+  const std::string table = comparison_table({&records[3], &records[5]});
+  EXPECT_THAT(table, HasSubstr("| fixed-point   | quiet    |"));
+  EXPECT_THAT(table, HasSubstr("never"));
+  EXPECT_THAT(table, HasSubstr("1e-10"));
+  EXPECT_THAT(table, Not(HasSubstr("Failed")));
+}
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/history.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stiction {
+namespace {
+
+RuleHistory history_of(const std::vector<double>& mean_slip) {
+  RuleHistory history;
+  history.time_step = 0.5;
+  for (const double slip : mean_slip) history.slips.push_back({.mean = slip});
+  return history;
+}
+
+TEST(RuleHistory, CountsStepsUntilTheSlipStaysBelow) {
+  const RuleHistory history = history_of({1e-3, 1e-7, 1e-5, 1e-7, 1e-10});
+  EXPECT_EQ(history.steps_to(1e-6), 4.0) << "the third step was above again";
+  EXPECT_EQ(history.steps_to(1e-9), 5.0);
+  EXPECT_TRUE(std::isinf(history.steps_to(1e-11)));
+  EXPECT_EQ(history.steps_to(1.0), 1.0);
+}
+
+TEST(RuleHistory, NeverGetsThereWhenItFailed) {
+  RuleHistory history = history_of({1e-10, 1e-10});
+  history.failure = "a body moved";
+  EXPECT_TRUE(std::isinf(history.steps_to(1e-6)));
+}
+
+TEST(RuleHistory, CreepIsOfTheLastTenth) {
+  std::vector<double> slips(20, 1.0);
+  slips[18] = 2.0;
+  slips[19] = 4.0;
+  EXPECT_EQ(history_of(slips).creep(), 3.0);
+  EXPECT_TRUE(std::isinf(history_of({}).creep()));
+}
+
+TEST(RuleHistory, PathIsSlipOverTime) { EXPECT_EQ(history_of({1.0, 2.0, 3.0}).path(), 3.0); }
+
+}  // namespace
+}  // namespace stiction
