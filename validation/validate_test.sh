@@ -7,42 +7,13 @@ set -uo pipefail
 build=$(cd "${1:?usage: validate_test.sh BUILD_DIR}" && pwd)
 validate=$build/validate
 example=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/examples/ramp.toml
+checks=$(dirname "$example")/../end_to_end.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
-passed() { printf 'ok    %s\n' "$1"; }
-failed() {
-  printf 'FAIL  %s\n      %s\n' "$1" "$2"
-  printf '      --- its output\n'
-  tail -n 20 out err | sed 's/^/      /'
-  exit 1
-}
-
-# exits CODE WHAT COMMAND …: runs the command, keeps its output in the files out and err.
-exits() {
-  local code=$1 what=$2 got
-  shift 2
-  "$@" >out 2>err
-  got=$?
-  [ "$got" -eq "$code" ] || failed "$what" "exit code $got, not $code, of: $*"
-}
-
-holds() { # holds CODE WHAT COMMAND …
-  exits "$@"
-  passed "$2"
-}
-
-# refuses WHAT SENTENCE COMMAND …: exit code 2, nothing but this sentence (a part of it) on one line
-# of stderr.
-refuses() {
-  local what=$1 sentence=$2
-  shift 2
-  exits 2 "$what" "$@"
-  [ "$(wc -l <err)" -eq 1 ] || failed "$what" "stderr is not one line"
-  grep -qF -- "$sentence" err || failed "$what" "stderr lacks: $sentence"
-  passed "$what: $(cut -c1-110 err)"
-}
+# shellcheck source=validation/end_to_end.sh
+source "$checks"
 
 # ---- exit codes 0 and 1 -----------------------------------------------------------------------
 holds 0 "the quick set passes" "$validate" --quick --out quick

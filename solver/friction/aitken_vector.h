@@ -8,7 +8,7 @@
 namespace stiction {
 
 /// The bias vector with a gain of its own for each contact, by Aitken's Δ² for vectors
-/// [IronsTreharne1971]:
+/// [IronsTuck1969]:
 ///
 ///   ωᵏ = −ωᵏ⁻¹ rᵏ⁻¹·(rᵏ − rᵏ⁻¹)/|rᵏ − rᵏ⁻¹|²,   c ← c + ωᵏ rᵏ,   r = u, ω⁰ = g
 ///

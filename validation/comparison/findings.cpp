@@ -55,14 +55,12 @@ double best_creep(const Figures& figures, const std::string& scene,
   return best;
 }
 
-// Whether a rule needs fewer steps and creeps less than another on a scene; two that never get
-// there are told apart by their creep.
+// Whether a rule creeps less than another on a scene and needs no more steps; of two that never get
+// there the creep alone decides.
 bool beats(const Figures& figures, const std::string& scene, const RuleOnContacts& who,
            const RuleOnContacts& other) {
-  if (figures.failed(scene, who)) return false;
-  const double steps = figures.of(scene, who, kStepsTo6);
-  return (steps < figures.of(scene, other, kStepsTo6) || std::isfinite(steps)) &&
-         steps <= figures.of(scene, other, kStepsTo6) &&
+  return !figures.failed(scene, who) &&
+         figures.of(scene, who, kStepsTo6) <= figures.of(scene, other, kStepsTo6) &&
          figures.of(scene, who, kCreep) < figures.of(scene, other, kCreep);
 }
 

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# End-to-end test of the program compare: compare_test.sh BUILD_DIR
+# Prints one line a check; ends with exit code 1 at the first that fails.
+set -uo pipefail
+
+build=$(cd "${1:?usage: compare_test.sh BUILD_DIR}" && pwd)
+compare=$build/compare
+checks=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/end_to_end.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+# shellcheck source=validation/end_to_end.sh
+source "$checks"
+
+# hash_of RUN CASE RULE METHOD: the state hash in a run's records.
+hash_of() {
+  grep -F "\"case\":\"$2\"" "$1/latest/records.jsonl" | grep -F "\"rule\":\"$3\"" |
+    grep -F "\"method\":\"$4\"" | grep -vF '"sweeps"' | grep -o '"state_hash":"[0-9a-f]*"'
+}
+
+holds 0 "a scene is compared" "$compare" --scene rules/slab --out whole --jobs 2
+for words in '## rules/slab' '| stored-vector, 8 sweeps' '## Findings' 'Fixed point against secant' \
+  'comparison.md'; do
+  grep -qF -- "$words" out || failed "a scene is compared" "stdout lacks $words"
+done
+for file in comparison.md report.md records.csv records.jsonl; do
+  [ -s "whole/latest/$file" ] || failed "a scene is compared" "$file is missing"
+done
+passed "its tables, findings and files are there"
+
+holds 0 "one rule alone" "$compare" --scene rules/slab --rule secant --contacts quiet --out alone
+[ -n "$(hash_of alone rules/slab secant quiet)" ] || failed "one rule alone" "no hash"
+[ "$(hash_of alone rules/slab secant quiet | head -1)" = "$(hash_of whole rules/slab secant quiet | head -1)" ] ||
+  failed "one rule alone" "its state hash differs from that of the whole scene"
+passed "a scene rerun in isolation gives the same hash"
+
+holds 0 "--list" "$compare" --list
+for scene in rules/slab rules/clamp rules/box-pyramid rules/four-balls rules/membrane rules/basket hard/noise; do
+  grep -q "^$scene " out || failed "--list" "it lacks $scene"
+done
+holds 0 "--help" "$compare" --help
+for word in --quick --scene --rule stored-vector conjugate-vector 'Exit code'; do
+  grep -qF -- "$word" out || failed "--help" "it lacks $word"
+done
+
+refuses "an unknown rule" "unknown friction rule 'magic'; there are:" "$compare" --rule magic
+refuses "an unknown scene" "no case matches 'rules/mars'" "$compare" --scene rules/mars
+refuses "a rule that a scene does not compare" "no comparison has such a rule" \
+  "$compare" --scene 'alpha/*' --rule none
+refuses "a folder that cannot be made" "Cannot create folder" "$compare" --scene rules/slab --rule none --out /proc/none
