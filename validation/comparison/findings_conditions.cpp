@@ -76,22 +76,37 @@ Sentences frozen_steps(const Figures& figures) {
 }
 
 Sentences gain_sweeps(const Figures& figures) {
-  Sentences sentences;
+  struct Sweep {
+    std::string parameter, rule;
+    double from = 0.0, to = 0.0;      // of the parameter
+    std::vector<double> best, least;  // a sweep each: the best parameter, its creep, m/s
+    double most = 0.0;                // m/s, of all
+  };
+  std::map<std::string, Sweep> sweeps;
   for (const Record& record : figures.records()) {
-    const bool is_alpha = record.case_name.rfind("alpha/", 0) == 0;
-    if (!is_alpha && record.case_name.rfind("gain/", 0) != 0) continue;
+    const std::string parameter = record.case_name.substr(0, record.case_name.find('/'));
     for (const Series& series : record.series) {
-      if (series.name != kCreep || series.y.empty()) continue;
+      if (series.name != kCreep || series.x_name != parameter || series.y.empty()) continue;
       const auto least = std::min_element(series.y.begin(), series.y.end());
-      const auto most = std::max_element(series.y.begin(), series.y.end());
-      const auto at = [&](auto place) {
-        return series.x[static_cast<std::size_t>(place - series.y.begin())];
-      };
-      sentences.push_back(fmt::format(
-          "{}, {} on {} contacts: creep from {:.2g} m/s ({} = {:.2g}) to {:.2g} m/s ({:.2g}).",
-          record.case_name, record.settings.at("rule"), record.settings.at("method"), *least,
-          series.x_name, at(least), *most, at(most)));
+      Sweep& sweep = sweeps[parameter + record.settings.at("rule")];
+      sweep.parameter = parameter;
+      sweep.rule = record.settings.at("rule");
+      sweep.from = series.x.front();
+      sweep.to = series.x.back();
+      sweep.best.push_back(series.x[static_cast<std::size_t>(least - series.y.begin())]);
+      sweep.least.push_back(*least);
+      sweep.most = std::max(sweep.most, *std::max_element(series.y.begin(), series.y.end()));
     }
+  }
+  Sentences sentences;
+  for (const auto& [key, sweep] : sweeps) {
+    const Spread best = spread_of(sweep.best), least = spread_of(sweep.least);
+    sentences.push_back(
+        fmt::format("{} over [{:.2g}, {:.2g}], {}, {} scenes and contacts: least creep {:.2g} to "
+                    "{:.2g} m/s at {:.2g} "
+                    "to {:.2g}; at worst {:.2g} m/s.",
+                    sweep.parameter, sweep.from, sweep.to, sweep.rule, sweep.best.size(),
+                    least.least, least.most, best.least, best.most, sweep.most));
   }
   return sentences;
 }

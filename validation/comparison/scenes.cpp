@@ -127,6 +127,19 @@ SlabSetup comparison_slab() {
   return setup;
 }
 
+ComparisonScene comparison_plate() {
+  SlabSetup setup = comparison_slab();
+  setup.box_size = Vec3(0.1, 0.1, 0.01);
+  setup.cells = 12;
+  setup.elasticity.damping_time = 2e-4;
+  return {.name = "plate",
+          .title = "a plate of 169 contacts on a slab",
+          .problem = slab_problem(setup),
+          .settings = {{"cells", fmt::format("{}", setup.cells)}, {"dt", "1e-4"}},
+          .settled = 0.8,
+          .size = setup.box_size.x()};
+}
+
 std::vector<ComparisonScene> comparison_scenes() {
   return {slab(), both_sides(), clamp(), pyramid(), balls(), membrane(), basket()};
 }

@@ -30,6 +30,9 @@ SlabSetup comparison_slab();
 /// four balls, membrane, a piece of the basket.
 std::vector<ComparisonScene> comparison_scenes();
 
+/// A flat plate of 169 vertices on a slab, whose contacts' data stay in the cache.
+ComparisonScene comparison_plate();
+
 /// The scene settled on the contacts of `method` and then left without friction memory, the same
 /// for each rule: it settles with the stored vector, and then does one step without any rule's
 /// memory, which leaves every contact as if it were new. Computed once a program run for each scene

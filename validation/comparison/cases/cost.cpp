@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a rule costs per contact, against the fixed point in the same run: both advance in turn, so
 // that a noisy machine disturbs both.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "validation/comparison/comparison.h"
@@ -14,20 +12,6 @@ namespace stiction {
 namespace {
 
 constexpr int kRounds = 15, kStepsARound = 64;
-
-// A flat plate on a slab: 169 contacts, whose data stay in the cache.
-ComparisonScene plate() {
-  SlabSetup setup = comparison_slab();
-  setup.box_size = Vec3(0.1, 0.1, 0.01);
-  setup.cells = 12;
-  setup.elasticity.damping_time = 2e-4;
-  return {.name = "plate",
-          .title = "a plate of 169 contacts on a slab",
-          .problem = slab_problem(setup),
-          .settings = {{"cells", fmt::format("{}", setup.cells)}, {"dt", "1e-4"}},
-          .settled = 0.8,
-          .size = setup.box_size.x()};
-}
 
 double friction_seconds(const Cost& cost) { return cost.phase_seconds.at("friction"); }
 
@@ -71,7 +55,7 @@ void run_cost(CaseRun& run, const ComparisonScene& scene) {
 }  // namespace
 
 std::vector<Case> comparisons_cost() {
-  const ComparisonScene scene = plate();
+  const ComparisonScene scene = comparison_plate();
   return {{.name = "cost/plate",
            .title = scene.title,
            .variants = all_rules(),

@@ -90,8 +90,10 @@ void run_frozen(CaseRun& run, const ComparisonScene& scene) {
 }  // namespace
 
 std::vector<Case> comparisons_frozen() {
+  std::vector<ComparisonScene> scenes = comparison_scenes();
+  scenes.push_back(comparison_plate());
   std::vector<Case> cases;
-  for (const ComparisonScene& scene : comparison_scenes()) {
+  for (const ComparisonScene& scene : scenes) {
     cases.push_back({.name = "frozen/" + scene.name,
                      .title = "(15) on a frozen step: " + scene.title,
                      .set = scene.quick ? CaseSet::kQuick : CaseSet::kDefault,
