@@ -66,6 +66,11 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
   const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
   workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()), 0.0);
   accumulate(workspace, harmonic, !harmonic || options.pairs.count_hysteresis, workspace.load);
+  if (harmonic) {
+    for (const std::int32_t v : workspace.contacts.vertex) {
+      workspace.load[static_cast<std::size_t>(v)] += 1.0;
+    }
+  }
   for (PairContact& contact : workspace.pairs) {
     if (contact.depth == 0.0) {
       contact.normal_force = 0.0;

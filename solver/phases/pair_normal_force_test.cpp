@@ -66,6 +66,25 @@ TEST(PairNormalForce, HarmonicGainClosesAtMostKappaOfAnyCombinationOfDepths) {
 
 // An isolated vertex on a triangle of equal masses, h = ⅓: c_i = 1, c_j = 1/(1 + ⅓) = ¾, M = ¾ m,
 // γ = ¾/(1 + ¾) = 3/7; transmitted ½ · 3/7 m d/Δt², closing κ = 3/14 (1 + ⅓) = 2/7.
+TEST(PairNormalForce, HarmonicGainCountsTheVertexsContactsWithObstacles) {
+  const Scene scene = build_scene(test::stacked_cubes(0.02));
+  const Options options;
+  test::Found found(scene, options, initial_state(scene));
+  PairContact& first = found.workspace.pairs.front();
+  first.depth = 1e-3;
+  pair_normal_forces(scene, options, found.workspace);
+  const double alone = found.workspace.pairs.front().normal_force;
+  const auto v = static_cast<std::size_t>(first.vertex);
+  found.workspace.contacts.add(contact_key(0, static_cast<std::uint32_t>(v)), first.vertex, 0,
+                               1e-3);
+  pair_normal_forces(scene, options, found.workspace);
+  // 1/fⁿ is a sum over the vertices of N/m: one more contact adds 1/m.
+  const double dt = options.time_step;
+  EXPECT_NEAR(
+      first.depth / (dt * dt) * (1.0 / found.workspace.pairs.front().normal_force - 1.0 / alone),
+      1.0 / scene.mass[v], 1e-12 / scene.mass[v]);
+}
+
 TEST(PairNormalForce, OfAnIsolatedPairOfEqualMassesIsThePapersWithTwoSeventhsClosed) {
   Scene scene;
   scene.mass = {1, 1, 1, 1};
