@@ -28,7 +28,8 @@ Setup make(int contacts) {
                     .damping_time = 2e-4};
   Setup setup;
   for (int row = 0; row < kRows; ++row) {
-    for (int column = 0; column < columns; ++column) {
+    // Odd rows stand in the gaps, so no brick overhangs: one at the end would tip over.
+    for (int column = 0; column < columns - row % 2; ++column) {
       BodyDescription body = brick;
       body.name = "brick " + std::to_string(row) + "/" + std::to_string(column);
       body.mesh.vertices.colwise() += kHeight * Vec3(2.1 * (column + 0.5 * (row % 2)) + 0.031 * row,
@@ -39,9 +40,9 @@ Setup make(int contacts) {
   setup.description.half_spaces = {{"ground", Vec3::Zero(), Vec3::UnitZ(), 0.5}};
   setup.description.friction = 0.5;
   setup.description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
-  // A column of height H held below: quarter-wave π/2 √(E/ρ)/H; 0.2 of that, because bricks rest
-  // on a third of their faces' vertices, and shear towards the gaps.
-  setup.bounce = 0.1 * M_PI * std::sqrt(kYoungsModulus / kDensity) / (kRows * kHeight);
+  // A column of height H held below: quarter-wave π/2 √(E/ρ)/H; half of that, because bricks rest
+  // on half of their faces' vertices.
+  setup.bounce = 0.25 * M_PI * std::sqrt(kYoungsModulus / kDensity) / (kRows * kHeight);
   return setup;
 }
 
