@@ -29,27 +29,6 @@ Projection project_on(const Topology& topology, const std::vector<Vec3>& x, cons
           t};
 }
 
-// Balls around the surface triangles of the bodies that can meet another, so that the search for
-// the nearest triangle looks closely at few.
-void bound_triangles(const Topology& topology, PairSearch& search) {
-  search.ball.resize(topology.triangle.size());
-  const std::vector<Vec3>& x = search.predicted;
-  for (std::size_t b = 0; b < search.overlap.size(); ++b) {
-    if (search.overlap[b].isEmpty()) continue;
-    const auto end = static_cast<std::size_t>(topology.body_triangle_begin[b + 1]);
-    for (auto t = static_cast<std::size_t>(topology.body_triangle_begin[b]); t < end; ++t) {
-      const auto& v = topology.triangle[t].vertex;
-      const Vec3& p = x[static_cast<std::size_t>(v[0])];
-      const Vec3& q = x[static_cast<std::size_t>(v[1])];
-      const Vec3& r = x[static_cast<std::size_t>(v[2])];
-      const Vec3 centre = (p + q + r) / 3.0;
-      const double radius2 = std::max(
-          {(p - centre).squaredNorm(), (q - centre).squaredNorm(), (r - centre).squaredNorm()});
-      search.ball[t] = {centre, std::sqrt(radius2)};
-    }
-  }
-}
-
 // Nearest surface triangle of the penetrated body, of equals that of the lowest number. The search
 // begins with the triangle of the last step, if there was one, so that most others are out of
 // reach.
@@ -136,7 +115,6 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   const double dt = options.time_step;
   const double widest = options.pairs.hysteresis * dt * dt *
                         scene.gravity.at(static_cast<double>(state.step) * dt).norm();
-  if (!workspace.pairs.empty()) bound_triangles(scene.topology, workspace.search);
   std::size_t kept = 0;
   for (PairContact contact : workspace.pairs) {
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
