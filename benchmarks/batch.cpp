@@ -55,6 +55,7 @@ std::vector<Timed> timed_parts() {
     const std::string name = without_spaces(kPhaseNames[p]);
     if (phase != Phase::kFriction) {
       parts.push_back({name, phase, false, usual});
+      if (phase == Phase::kDetect) parts.push_back({name + ":afresh", phase, false, usual, true});
       continue;
     }
     for (const std::string& rule : friction_rules()) {
@@ -95,8 +96,10 @@ void Batch::restore() {
   switch (timed_.phase) {
     case Phase::kForces:
     case Phase::kPredict:
-    case Phase::kDetect:
       return;  // these read the state and write the workspace afresh
+    case Phase::kDetect:
+      if (timed_.afresh) workspace.search.scene = 0;
+      return;
     case Phase::kDepth:
       workspace.pairs = pairs_;
       return;

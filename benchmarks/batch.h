@@ -14,10 +14,12 @@ struct Timed {
   std::string name;  ///< "detect", "friction:fixed-point", "step": without spaces
   Phase phase{};     ///< unused by `whole_step`
   bool whole_step = false;
-  std::string rule;  ///< friction rule that the state was warmed with
+  std::string rule;     ///< friction rule that the state was warmed with
+  bool afresh = false;  ///< the search for pairs makes its lists anew
 };
 
-/// Every phase, friction once a rule of the catalog, and the whole step.
+/// Every phase, detection also with its lists made anew (in a scene at rest they last), friction
+/// once a rule of the catalog, and the whole step.
 std::vector<Timed> timed_parts();
 
 /// "friction:fixed-point/slab/contacts:1000"

@@ -40,7 +40,7 @@ Record workload_record(const Measure::Settled& settled, const std::vector<Result
         chosen.timed.name, 1e9 * result.seconds / result.contacts,
         result.cost.bytes / result.contacts, result.cost.flops / result.contacts,
         result.hash & 0xffffffffu));
-    const bool usual = chosen.timed.rule == settled.options.rule;
+    const bool usual = chosen.timed.rule == settled.options.rule && !chosen.timed.afresh;
     if (chosen.timed.whole_step || !usual) continue;
     // Of a step, times the steps done: the cost table shows shares.
     record.cost.phase_seconds[kPhaseNames[static_cast<std::size_t>(chosen.timed.phase)]] =

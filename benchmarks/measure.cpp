@@ -32,7 +32,7 @@ std::vector<Chosen> choose(const std::string& filter, bool full) {
     if (full) sizes.insert(sizes.end(), family.full_sizes.begin(), family.full_sizes.end());
     for (const int size : sizes) {
       for (const Timed& timed : timed_parts()) {
-        if (timed.phase == Phase::kDepth && !family.two_sided) continue;
+        if (!family.two_sided && (timed.phase == Phase::kDepth || timed.afresh)) continue;
         const std::string name = benchmark_name(timed, family.name, size);
         if (!filter.empty() && std::regex_search(name, wanted) == without) continue;
         chosen.push_back({timed, family, size, name});
