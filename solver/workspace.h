@@ -58,6 +58,15 @@ struct PairSearch {
     std::int32_t element;
   };
   std::vector<Candidate> candidate;  ///< by key, then element
+  /// The candidates of one key and, once it is in contact, the triangles that may be nearest.
+  struct Group {
+    ContactKey key;
+    std::int32_t candidate_begin, candidate_end;
+    std::int32_t near_begin, near_end;  ///< in `near`
+    std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
+  };
+  std::vector<Group> group;        ///< by key
+  std::vector<std::int32_t> near;  ///< triangles
   /// Per surface triangle: a ball around it; infinite where the body can meet no other.
   struct Ball {
     Vec3 centre;    ///< m

@@ -31,12 +31,12 @@ void add_contact(ContactKey key, std::int32_t element, std::int32_t triangle, bo
 // What of the candidates of one key holds the vertex: the tetrahedron that it is deepest in, the
 // lower number winning a tie; −1 for none. `last`, where it was in the last step or −1, is tried
 // first.
-std::int32_t find_element(const Scene& scene, const PairSearch& search, std::size_t begin,
-                          std::size_t end, std::int32_t last) {
+std::int32_t find_element(const Scene& scene, const PairSearch& search,
+                          const PairSearch::Group& group, std::int32_t last) {
   const auto x = [&](std::int32_t v) -> const Vec3& {
     return search.predicted[static_cast<std::size_t>(v)];
   };
-  const Vec3& point = x(static_cast<std::int32_t>(search.candidate[begin].key >> 32));
+  const Vec3& point = x(static_cast<std::int32_t>(group.key >> 32));
   const auto smallest_weight = [&](std::int32_t e) {
     const auto& corner = scene.elements[static_cast<std::size_t>(e)].vertex;
     return barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3])).minCoeff();
@@ -51,11 +51,12 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search, std::siz
   if (last >= 0 && smallest_weight(last) > kInside) return last;
   std::int32_t found = -1;
   double deepest = kOnBoundary;
-  for (std::size_t k = begin; k < end; ++k) {
-    const double weight = smallest_weight(search.candidate[k].element);
+  for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
+    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)].element;
+    const double weight = smallest_weight(element);
     if (!(found < 0 ? weight >= deepest : weight > deepest)) continue;
-    if (in_box(search.candidate[k].element)) {
-      found = search.candidate[k].element;
+    if (in_box(element)) {
+      found = element;
       deepest = weight;
     }
   }
@@ -71,14 +72,12 @@ void merge_with_kept(const Scene& scene, const PairSearch& search, const PairMem
     if (keep) add_contact(last.body_key[old], last.element[old], last.triangle[old], true, pairs);
   };
   std::size_t old = 0;
-  for (std::size_t begin = 0, end; begin < search.candidate.size(); begin = end) {
-    const ContactKey key = search.candidate[begin].key;
-    end = begin + 1;
-    while (end < search.candidate.size() && search.candidate[end].key == key) ++end;
+  for (const PairSearch::Group& group : search.group) {
+    const ContactKey key = group.key;
     for (; old < last.body_key.size() && last.body_key[old] < key; ++old) keep_open(old);
     const bool persists = old < last.body_key.size() && last.body_key[old] == key;
     const std::int32_t element =
-        find_element(scene, search, begin, end, persists ? last.element[old] : -1);
+        find_element(scene, search, group, persists ? last.element[old] : -1);
     if (element >= 0) {
       add_contact(key, element, persists && keep ? last.triangle[old] : -1, false, pairs);
     } else if (persists) {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "solver/feature.h"
+#include "solver/phases/nearest.h"
 
 namespace stiction {
 
@@ -145,6 +146,23 @@ void bound_triangles(const Topology& topology, PairSearch& search) {
   }
 }
 
+void group_candidates(PairSearch& search) {
+  std::sort(search.candidate.begin(), search.candidate.end(),
+            [](const PairSearch::Candidate& a, const PairSearch::Candidate& b) {
+              return a.key != b.key ? a.key < b.key : a.element < b.element;
+            });
+  search.group.clear();
+  search.near.clear();
+  const std::size_t count = search.candidate.size();
+  for (std::size_t begin = 0, end; begin < count; begin = end) {
+    const ContactKey key = search.candidate[begin].key;
+    end = begin + 1;
+    while (end < count && search.candidate[end].key == key) ++end;
+    search.group.push_back(
+        {key, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), 0, 0, -1});
+  }
+}
+
 }  // namespace
 
 void update_candidates(const Scene& scene, PairSearch& search) {
@@ -163,11 +181,39 @@ void update_candidates(const Scene& scene, PairSearch& search) {
       find_candidates(scene, e, search);
     }
   }
-  std::sort(search.candidate.begin(), search.candidate.end(),
-            [](const PairSearch::Candidate& a, const PairSearch::Candidate& b) {
-              return a.key != b.key ? a.key < b.key : a.element < b.element;
-            });
   bound_triangles(scene.topology, search);
+  group_candidates(search);
+}
+
+void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
+                  PairSearch& search) {
+  const double moves = std::sqrt(3.0) * search.skin;
+  const Vec3& x = search.reference[static_cast<std::size_t>(group.key >> 32)];
+  const auto e = static_cast<std::size_t>(element);
+  const auto begin = topology.near.begin() + topology.near_begin[e];
+  const auto end = topology.near.begin() + topology.near_begin[e + 1];
+  const auto ball = [&](std::int32_t t) -> const PairSearch::Ball& {
+    return search.ball[static_cast<std::size_t>(t)];
+  };
+  // D is at most the distance of any triangle; that with the nearest centre is a good one.
+  const auto by_centre = [&](std::int32_t s, std::int32_t t) {
+    return (x - ball(s).centre).squaredNorm() < (x - ball(t).centre).squaredNorm();
+  };
+  const auto& v =
+      topology.triangle[static_cast<std::size_t>(*std::min_element(begin, end, by_centre))].vertex;
+  const auto corner = [&](int k) -> const Vec3& {
+    return search.reference[static_cast<std::size_t>(v[k])];
+  };
+  const double distance =
+      std::sqrt(nearest_on_triangle(x, corner(0), corner(1), corner(2)).distance2);
+  group.near_element = element;
+  group.near_begin = static_cast<std::int32_t>(search.near.size());
+  for (auto t = begin; t != end; ++t) {
+    // The ball is wider than the triangle at the reference by √3 s.
+    const double reach = distance + ball(*t).radius + 3.0 * moves;
+    if ((x - ball(*t).centre).squaredNorm() <= reach * reach) search.near.push_back(*t);
+  }
+  group.near_end = static_cast<std::int32_t>(search.near.size());
 }
 
 }  // namespace stiction

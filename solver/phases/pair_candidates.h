@@ -19,4 +19,15 @@ namespace stiction {
 /// primitives there; bodies that are apart are not looked at.
 void update_candidates(const Scene& scene, PairSearch& search);
 
+/// Lists the triangles near an element to which the group's vertex may be nearest while the lists
+/// hold, as it is in that element:
+///
+///   |x − c| − r ≤ D + 4√3 s
+///
+/// with the ball (c, r) of the triangle and D the distance of the nearest one, all at the
+/// reference; vertex and triangles each move by at most √3 s. Precondition: some triangle is near
+/// the element.
+void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
+                  PairSearch& search);
+
 }  // namespace stiction
