@@ -68,7 +68,7 @@ void register_all(const std::vector<Chosen>& chosen, Measure& measure, bool give
     auto* const registered = benchmark::RegisterBenchmark(
         one.name.c_str(), [&measure, one](benchmark::State& state) { measure.run(state, one); });
     registered->UseManualTime();
-    if (!given_min_time) registered->MinTime(0.05);
+    if (!given_min_time) registered->MinTime(0.02);
   }
 }
 
