@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -195,7 +196,9 @@ double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
 
 Scene build_scene(const SceneDescription& description) {
   check_description(description);
+  static std::atomic<std::uint64_t> scenes{0};
   Scene scene;
+  scene.serial = ++scenes;
   scene.half_spaces = description.half_spaces;
   scene.gravity = description.gravity;
   scene.drag = description.drag;

@@ -78,6 +78,7 @@ struct Body {
 /// Constant data of a simulation. Vertices of a body are renumbered at load: along a space-filling
 /// curve, those on the surface first; elements follow their vertices.
 struct Scene {
+  std::uint64_t serial = 0;  ///< tells scenes of one process apart; 0 is none
   std::vector<Body> bodies;
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;

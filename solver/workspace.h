@@ -41,25 +41,39 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// Scratch memory of the search for pair contacts.
+/// Scratch memory of the search for pair contacts, and its lists of candidates, which outlive a
+/// step (pair_candidates.h).
 struct PairSearch {
-  struct Hit {
-    ContactKey key;  ///< (vertex, penetrated body)
-    std::int32_t element;
-    double deepest;  ///< smallest barycentric weight
-  };
-  std::vector<Vec3> predicted;               ///< x*, per vertex, m
+  std::vector<Vec3> predicted;  ///< x*, per vertex, m
+
+  std::uint64_t scene = 0;                   ///< serial number of the scene that the lists are of
+  double skin = 0.0;                         ///< m
+  std::vector<Vec3> reference;               ///< x* that they were made at, per vertex, m
   std::vector<Eigen::AlignedBox3d> box;      ///< per body
   std::vector<Eigen::AlignedBox3d> overlap;  ///< per body: where it can meet another
   std::vector<int> order;                    ///< bodies along x
   SpatialHash hash;
-  std::vector<Hit> hits;
-  /// Per surface triangle of the bodies that can meet another: a ball around it.
+  struct Candidate {
+    ContactKey key;  ///< (vertex, body that it may be in)
+    std::int32_t element;
+  };
+  std::vector<Candidate> candidate;  ///< by key, then element
+  /// The candidates of one key and, once it is in contact, the triangles that may be nearest.
+  struct Group {
+    ContactKey key;
+    std::int32_t candidate_begin, candidate_end;
+    std::int32_t near_begin, near_end;  ///< in `near`
+    std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
+  };
+  std::vector<Group> group;        ///< by key
+  std::vector<std::int32_t> near;  ///< triangles
+  /// Per surface triangle: a ball around it; infinite where the body can meet no other.
   struct Ball {
     Vec3 centre;    ///< m
     double radius;  ///< m
   };
   std::vector<Ball> ball;
+
   std::vector<int> level;  ///< per contact: of the breadth-first depth propagation
 };
 

@@ -21,7 +21,7 @@ Mat3 inverse_rest_edges(const Element& element) {
 }
 
 // V (2μ E + λ tr(E) I)
-Mat3 hooke(const Element& element, const Mat3& strain) {
+[[gnu::always_inline]] inline Mat3 hooke(const Element& element, const Mat3& strain) {
   Mat3 stress = 2.0 * element.mu_volume * strain;
   stress.diagonal().array() += element.lambda_volume * strain.trace();
   return stress;

@@ -13,7 +13,7 @@ namespace stiction {
 /// Rotation of the polar decomposition F = R S by singular values; works for every F, inverted ones
 /// included (the smallest singular value takes the sign of det F). The slow twin of
 /// `polar_rotation`.
-inline Mat3 polar_rotation_by_svd(const Mat3& f) {
+[[gnu::noinline]] inline Mat3 polar_rotation_by_svd(const Mat3& f) {
   const Eigen::JacobiSVD<Mat3> svd(f, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Mat3 u = svd.matrixU();
   if ((u * svd.matrixV().transpose()).determinant() < 0.0) u.col(2) = -u.col(2);
@@ -28,7 +28,7 @@ inline Mat3 polar_rotation_by_svd(const Mat3& f) {
 /// I₁, I₂ the first two invariants of FᵀF and J = det F. Newton from √(3I₁) ≥ φ falls
 /// monotonically. Accurate to round-off for moderate stretches; a nearly flat or inverted element
 /// (J below 1 % of the undeformed one) goes to the singular values.
-inline Mat3 polar_rotation(const Mat3& f) {
+[[gnu::always_inline]] inline Mat3 polar_rotation(const Mat3& f) {
   const Mat3 c = f.transpose() * f;
   const double i1 = c.trace();
   const double i2 = c(0, 0) * c(1, 1) + c(1, 1) * c(2, 2) + c(2, 2) * c(0, 0) - c(0, 1) * c(0, 1) -

@@ -9,6 +9,7 @@
 #include "solver/phases/consistent_depth.h"
 #include "solver/phases/detect_pairs.h"
 #include "solver/phases/nearest.h"
+#include "solver/phases/pair_candidates.h"
 
 namespace stiction {
 
@@ -30,32 +31,11 @@ Projection project_on(const Topology& topology, const std::vector<Vec3>& x, cons
           t};
 }
 
-// Balls around the surface triangles of the bodies that can meet another, so that the search for
-// the nearest triangle looks closely at few.
-void bound_triangles(const Topology& topology, PairSearch& search) {
-  search.ball.resize(topology.triangle.size());
-  const std::vector<Vec3>& x = search.predicted;
-  for (std::size_t b = 0; b < search.overlap.size(); ++b) {
-    if (search.overlap[b].isEmpty()) continue;
-    const auto end = static_cast<std::size_t>(topology.body_triangle_begin[b + 1]);
-    for (auto t = static_cast<std::size_t>(topology.body_triangle_begin[b]); t < end; ++t) {
-      const auto& v = topology.triangle[t].vertex;
-      const Vec3& p = x[static_cast<std::size_t>(v[0])];
-      const Vec3& q = x[static_cast<std::size_t>(v[1])];
-      const Vec3& r = x[static_cast<std::size_t>(v[2])];
-      const Vec3 centre = (p + q + r) / 3.0;
-      const double radius2 = std::max(
-          {(p - centre).squaredNorm(), (q - centre).squaredNorm(), (r - centre).squaredNorm()});
-      search.ball[t] = {centre, std::sqrt(radius2)};
-    }
-  }
-}
-
 // Nearest surface triangle of the penetrated body, of equals that of the lowest number. The search
 // begins with the triangle of the last step, if there was one, so that most others are out of
 // reach.
-Projection project(const Topology& topology, const PairSearch& search, const Vec3& point,
-                   const PairContact& contact) {
+Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
+                   const Vec3& point, const PairContact& contact) {
   constexpr double kRounding = 1.0 + 1e-12;
   const std::vector<Vec3>& x = search.predicted;
   Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
@@ -72,16 +52,28 @@ Projection project(const Topology& topology, const PairSearch& search, const Vec
     }
   };
   if (contact.triangle >= 0) consider(contact.triangle);
-  const auto e = static_cast<std::size_t>(contact.element);
-  if (topology.near_begin[e] < topology.near_begin[e + 1]) {
-    for (std::int32_t k = topology.near_begin[e]; k < topology.near_begin[e + 1]; ++k) {
-      consider(topology.near[static_cast<std::size_t>(k)]);
+  const std::int32_t first = best.triangle;
+  const auto consider_all = [&](const std::vector<std::int32_t>& list, std::int32_t begin,
+                                std::int32_t end) {
+    for (std::int32_t k = begin; k < end; ++k) {
+      const std::int32_t t = list[static_cast<std::size_t>(k)];
+      if (t != first) consider(t);
     }
+  };
+  const auto e = static_cast<std::size_t>(contact.element);
+  const bool any_near = topology.near_begin[e] < topology.near_begin[e + 1];
+  if (any_near && group != nullptr && group->near_element < 0) {
+    list_nearest(topology, contact.element, *group, search);
+  }
+  if (group != nullptr && group->near_element == contact.element) {
+    consider_all(search.near, group->near_begin, group->near_end);
+  } else if (any_near) {
+    consider_all(topology.near, topology.near_begin[e], topology.near_begin[e + 1]);
   } else {
     const auto body = static_cast<std::size_t>(topology.element_body[e]);
     for (std::int32_t t = topology.body_triangle_begin[body];
          t < topology.body_triangle_begin[body + 1]; ++t) {
-      consider(t);
+      if (t != first) consider(t);
     }
   }
   return best;
@@ -89,9 +81,9 @@ Projection project(const Topology& topology, const PairSearch& search, const Vec
 
 // As `project`, but keeps the last step's triangle while its distance is within (1 + margin) of the
 // nearest one's.
-Projection project_again(const Topology& topology, const PairSearch& search, const Vec3& point,
-                         const PairContact& contact, double margin) {
-  const Projection best = project(topology, search, point, contact);
+Projection project_again(const Topology& topology, PairSearch& search, PairSearch::Group* group,
+                         const Vec3& point, const PairContact& contact, double margin) {
+  const Projection best = project(topology, search, group, point, contact);
   if (margin == 0.0 || contact.triangle < 0 || contact.triangle == best.triangle) return best;
   const Projection last = project_on(topology, search.predicted, point, contact.triangle);
   const double farthest2 = (1.0 + margin) * (1.0 + margin) * best.nearest.distance2;
@@ -137,13 +129,18 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   const double dt = options.time_step;
   const double widest = options.pairs.hysteresis * dt * dt *
                         scene.gravity.at(static_cast<double>(state.step) * dt).norm();
-  if (!workspace.pairs.empty()) bound_triangles(scene.topology, workspace.search);
   std::size_t kept = 0;
+  // Contacts and groups are both in the order of their keys.
+  auto group = workspace.search.group.begin();
+  const auto last_group = workspace.search.group.end();
   for (PairContact contact : workspace.pairs) {
+    while (group != last_group && group->key < contact.key) ++group;
+    const bool known = group != last_group && group->key == contact.key;
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
     const bool open = contact.open;
-    const Projection projection = project_again(scene.topology, workspace.search, point, contact,
-                                                open ? 0.0 : options.pairs.tie_margin);
+    const Projection projection =
+        project_again(scene.topology, workspace.search, known ? &*group : nullptr, point, contact,
+                      open ? 0.0 : options.pairs.tie_margin);
     contact.triangle = projection.triangle;
     const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
     const double distance = std::sqrt(projection.nearest.distance2);

@@ -2,8 +2,8 @@
 #include "solver/phases/detect_pairs.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <numeric>
+
+#include "solver/phases/pair_candidates.h"
 
 namespace stiction {
 
@@ -13,91 +13,9 @@ namespace {
 // elements.
 constexpr double kOnBoundary = -1e-12;
 
-void bound_bodies(const Scene& scene, PairSearch& search) {
-  search.box.resize(scene.bodies.size());
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Body& body = scene.bodies[b];
-    Eigen::AlignedBox3d box;
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-      box.extend(search.predicted[static_cast<std::size_t>(v)]);
-    }
-    search.box[b] = box;
-  }
-}
-
-// The part of each body's box in which it can meet another body; empty boxes meet nothing. Sweep
-// and prune along x.
-void find_overlaps(const Scene& scene, PairSearch& search) {
-  const std::size_t count = scene.bodies.size();
-  search.overlap.assign(count, Eigen::AlignedBox3d());
-  search.order.resize(count);
-  std::iota(search.order.begin(), search.order.end(), 0);
-  std::sort(search.order.begin(), search.order.end(), [&](int a, int b) {
-    const double xa = search.box[static_cast<std::size_t>(a)].min().x();
-    const double xb = search.box[static_cast<std::size_t>(b)].min().x();
-    return xa != xb ? xa < xb : a < b;
-  });
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto a = static_cast<std::size_t>(search.order[i]);
-    if (scene.bodies[a].self_collision && !scene.bodies[a].fixed) {
-      search.overlap[a].extend(search.box[a]);
-    }
-    for (std::size_t j = i + 1; j < count; ++j) {
-      const auto b = static_cast<std::size_t>(search.order[j]);
-      if (search.box[b].min().x() > search.box[a].max().x()) break;
-      if (scene.bodies[a].fixed && scene.bodies[b].fixed) continue;
-      const Eigen::AlignedBox3d common = search.box[a].intersection(search.box[b]);
-      if (common.isEmpty()) continue;
-      search.overlap[a].extend(common);
-      search.overlap[b].extend(common);
-    }
-  }
-}
-
-void hash_vertices(const Scene& scene, PairSearch& search) {
-  search.hash.clear(scene.topology.mean_edge);
-  for (const int vertex : scene.surface_vertex) {
-    const auto v = static_cast<std::size_t>(vertex);
-    const auto body = static_cast<std::size_t>(scene.topology.vertex_body[v]);
-    if (search.overlap[body].isEmpty()) continue;
-    if (search.overlap[body].contains(search.predicted[v])) {
-      search.hash.add(vertex, search.predicted[v]);
-    }
-  }
-  search.hash.build();
-}
-
-void test_element(const Scene& scene, std::int32_t e, PairSearch& search) {
-  const Element& element = scene.elements[static_cast<std::size_t>(e)];
-  const std::int32_t body = scene.topology.element_body[static_cast<std::size_t>(e)];
-  const bool self = scene.bodies[static_cast<std::size_t>(body)].self_collision;
-  const bool fixed = scene.bodies[static_cast<std::size_t>(body)].fixed;
-  Eigen::AlignedBox3d box;
-  const Vec3* corner[4];
-  for (int k = 0; k < 4; ++k) {
-    corner[k] = &search.predicted[static_cast<std::size_t>(element.vertex[k])];
-    box.extend(*corner[k]);
-  }
-  if (!box.intersects(search.overlap[static_cast<std::size_t>(body)])) return;
-  search.hash.for_each_in(
-      search.hash.cell(box.min()), search.hash.cell(box.max()), [&](std::int32_t vertex) {
-        const auto v = static_cast<std::size_t>(vertex);
-        const std::int32_t other = scene.topology.vertex_body[v];
-        if (other == body && (!self || std::count(element.vertex, element.vertex + 4, vertex))) {
-          return;
-        }
-        if (fixed && scene.bodies[static_cast<std::size_t>(other)].fixed) return;
-        if (!box.contains(search.predicted[v])) return;
-        const double deepest =
-            barycentric(search.predicted[v], *corner[0], *corner[1], *corner[2], *corner[3])
-                .minCoeff();
-        if (deepest >= kOnBoundary) {
-          search.hits.push_back(
-              {contact_key(static_cast<std::uint32_t>(vertex), static_cast<std::uint32_t>(body)), e,
-               deepest});
-        }
-      });
-}
+// With weights above this the point is inside this tetrahedron and no other of an unfolded body:
+// far above round-off, far below any depth.
+constexpr double kInside = 1e-9;
 
 void add_contact(ContactKey key, std::int32_t element, std::int32_t triangle, bool open,
                  PairContacts& pairs) {
@@ -110,27 +28,65 @@ void add_contact(ContactKey key, std::int32_t element, std::int32_t triangle, bo
   pairs.push_back(contact);
 }
 
-// Takes over this step's hits, with the triangles of the contacts that persist from the last step.
-// `keep_open` adds those of the last step that are no longer hit: they are measured in the depth
-// phase, which drops them when the gap is too wide.
-void merge_with_last(const std::vector<PairSearch::Hit>& hits, const PairMemory* last,
-                     bool keep_open, PairContacts& pairs) {
-  const auto add_lost = [&](std::size_t lost) {
-    if (!keep_open) return;
-    add_contact(last->body_key[lost], last->element[lost], last->triangle[lost], true, pairs);
+// What of the candidates of one key holds the vertex: the tetrahedron that it is deepest in, the
+// lower number winning a tie; −1 for none. `last`, where it was in the last step or −1, is tried
+// first.
+std::int32_t find_element(const Scene& scene, const PairSearch& search,
+                          const PairSearch::Group& group, std::int32_t last) {
+  const auto x = [&](std::int32_t v) -> const Vec3& {
+    return search.predicted[static_cast<std::size_t>(v)];
   };
-  pairs.clear();
-  std::size_t old = 0;
-  for (std::size_t h = 0; h < hits.size(); ++h) {
-    if (h > 0 && hits[h].key == hits[h - 1].key) continue;  // the deepest one stands first
-    for (; last && old < last->body_key.size() && last->body_key[old] <= hits[h].key; ++old) {
-      if (last->body_key[old] != hits[h].key) add_lost(old);
+  const Vec3& point = x(static_cast<std::int32_t>(group.key >> 32));
+  const auto smallest_weight = [&](std::int32_t e) {
+    const auto& corner = scene.elements[static_cast<std::size_t>(e)].vertex;
+    return barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3])).minCoeff();
+  };
+  // What the round-off of the weights lets in must not be beyond the outermost corner.
+  const auto in_box = [&](std::int32_t e) {
+    Eigen::AlignedBox3d box;
+    for (const std::int32_t v : scene.elements[static_cast<std::size_t>(e)].vertex)
+      box.extend(x(v));
+    return box.contains(point);
+  };
+  if (last >= 0 && smallest_weight(last) > kInside) return last;
+  std::int32_t found = -1;
+  double deepest = kOnBoundary;
+  for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
+    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)].element;
+    const double weight = smallest_weight(element);
+    if (!(found < 0 ? weight >= deepest : weight > deepest)) continue;
+    if (in_box(element)) {
+      found = element;
+      deepest = weight;
     }
-    const bool persists = last && old > 0 && last->body_key[old - 1] == hits[h].key;
-    add_contact(hits[h].key, hits[h].element, persists ? last->triangle[old - 1] : -1, false,
-                pairs);
   }
-  for (; last && old < last->body_key.size(); ++old) add_lost(old);
+  return found;
+}
+
+// Tests the candidates, and merges what is found with the contacts of the last step that have only
+// just opened. Those are measured in the depth phase, which drops them when the gap is too wide.
+void merge_with_kept(const Scene& scene, const PairSearch& search, const PairMemory& last,
+                     bool keep_triangle, bool keep_open_ones, PairContacts& pairs) {
+  pairs.clear();
+  const auto keep_open = [&](std::size_t old) {
+    if (keep_open_ones)
+      add_contact(last.body_key[old], last.element[old], last.triangle[old], true, pairs);
+  };
+  std::size_t old = 0;
+  for (const PairSearch::Group& group : search.group) {
+    const ContactKey key = group.key;
+    for (; old < last.body_key.size() && last.body_key[old] < key; ++old) keep_open(old);
+    const bool persists = old < last.body_key.size() && last.body_key[old] == key;
+    const std::int32_t element =
+        find_element(scene, search, group, persists ? last.element[old] : -1);
+    if (element >= 0) {
+      add_contact(key, element, persists && keep_triangle ? last.triangle[old] : -1, false, pairs);
+    } else if (persists) {
+      keep_open(old);
+    }
+    if (persists) ++old;
+  }
+  for (; old < last.body_key.size(); ++old) keep_open(old);
 }
 
 }  // namespace
@@ -155,29 +111,10 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   for (std::size_t k = 0; k < state.position.size(); ++k) {
     search.predicted[k] = state.position[k].x + options.time_step * workspace.velocity[k].v;
   }
-  bound_bodies(scene, search);
-  find_overlaps(scene, search);
-  hash_vertices(scene, search);
-  search.hits.clear();
-  if (!search.hash.empty()) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      if (search.overlap[b].isEmpty()) continue;
-      const Body& body = scene.bodies[b];
-      for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
-        test_element(scene, e, search);
-      }
-    }
-  }
-  std::sort(search.hits.begin(), search.hits.end(),
-            [](const PairSearch::Hit& a, const PairSearch::Hit& b) {
-              if (a.key != b.key) return a.key < b.key;
-              if (a.deepest != b.deepest) return a.deepest > b.deepest;
-              return a.element < b.element;
-            });
+  update_candidates(scene, search);
   const bool keep_open = options.pairs.hysteresis > 0.0;
   const bool keep_triangle = keep_open || options.pairs.tie_margin > 0.0;
-  merge_with_last(search.hits, keep_triangle ? &state.pair_memory : nullptr, keep_open,
-                  workspace.pairs);
+  merge_with_kept(scene, search, state.pair_memory, keep_triangle, keep_open, workspace.pairs);
 }
 
 }  // namespace stiction

@@ -9,14 +9,14 @@
 namespace stiction {
 
 /// Finds the surface vertices whose predicted position x* = x_t0 + Δt v* lies in a tetrahedron of
-/// another body (of its own, where the body asks for it), by spatial hashing; fills in key (vertex,
-/// body), vertex and element of `workspace.pairs`, one contact a vertex and penetrated body, in the
-/// order of their keys. With hysteresis the contacts of the last step that have opened by less than
-/// the allowed gap are kept.
+/// another body (of its own, where the body asks for it), among the candidates of
+/// pair_candidates.h; fills in key (vertex, body), vertex and element of `workspace.pairs`, one
+/// contact a vertex and penetrated body, in the order of their keys. With hysteresis the contacts
+/// of the last step that have opened by less than the allowed gap are kept.
 ///
-/// Only bodies whose bounding boxes overlap are looked at, and of them only what lies in the
-/// overlap: linear in those primitives. A vertex on the face between tetrahedra belongs to the one
-/// that it is deepest in, the lower number winning a tie.
+/// A vertex well inside the tetrahedron of the last step is still in it, and no other is tested.
+/// Else a vertex on the face between tetrahedra belongs to the one that it is deepest in, the lower
+/// number winning a tie.
 void detect_pairs(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace);
 

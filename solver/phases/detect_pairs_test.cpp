@@ -73,6 +73,53 @@ TEST(DetectPairs, FindsWhatBruteForceFindsInTumbledDeformedBodies) {
   EXPECT_GT(contacts, 100u) << "the configurations do touch";
 }
 
+// One body passes through another while the lists of candidates go stale and are renewed; each time
+// what is found is what fresh lists find.
+TEST(DetectPairs, FindsTheSameWhenItsListsWereMadeForEarlierPositions) {
+  const Scene scene = build_scene(test::stacked_cubes(0.2));
+  const Body& upper = scene.bodies[1];
+  Workspace kept;
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  std::size_t renewed = 0, contacts = 0;
+  for (int k = 0; k < 200; ++k) {
+    Eigen::Matrix3Xd position = scene.rest_position + test::noise(scene.vertex_count(), 0.004,
+                                                                  300 + static_cast<unsigned>(k));
+    position.middleCols(upper.first_vertex, upper.vertex_count).colwise() +=
+        0.004 * k * Vec3(0.3, -0.2, -1.0);
+    const State state =
+        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    kept.velocity = state.velocity;
+    const std::vector<Vec3> before = kept.search.reference;
+    detect_pairs(scene, options, state, kept);
+    if (before != kept.search.reference) ++renewed;
+    Workspace fresh;
+    fresh.velocity = state.velocity;
+    detect_pairs(scene, options, state, fresh);
+    ASSERT_EQ(kept.pairs.size(), fresh.pairs.size()) << "step " << k;
+    for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
+      EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].element, fresh.pairs[c].element) << "step " << k;
+    }
+    contacts += kept.pairs.size();
+  }
+  EXPECT_GT(contacts, 200u * 10u) << "the bodies touch all the time";
+  EXPECT_GT(renewed, 10u) << "the lists were renewed";
+  EXPECT_LT(renewed, 100u) << "and served several steps";
+}
+
+TEST(DetectPairs, MakesNewListsForAnotherScene) {
+  const Scene apart = build_scene(test::stacked_cubes(-0.5));
+  const Scene touching = build_scene(test::stacked_cubes(0.1));
+  Workspace workspace;
+  for (const Scene* scene : {&apart, &touching}) {
+    const State state = initial_state(*scene);
+    workspace.velocity = state.velocity;
+    detect_pairs(*scene, {}, state, workspace);
+  }
+  EXPECT_FALSE(workspace.pairs.empty());
+}
+
 TEST(DetectPairs, LooksAtThePredictedPositions) {
   const Scene scene = build_scene(test::stacked_cubes(-0.1));
   State state = initial_state(scene);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/scene.h"
+#include "solver/workspace.h"
+
+namespace stiction {
+
+/// Brings the candidates up to date with `search.predicted`: the pairs of a surface vertex and a
+/// body whose tetrahedra it may be in, with those tetrahedra, and balls around the surface
+/// triangles [Verlet1967's neighbour lists].
+///
+///   x in tetrahedron, each coordinate of each vertex within s of the reference  ⇒
+///   x_reference in the tetrahedron's reference box widened by 2s
+///
+/// So the lists hold until some vertex has moved by more than the skin s along an axis since they
+/// were made; until then a step only tests what they name. What is found never depends on when they
+/// were made. They are made from the overlap of bodies' boxes by spatial hashing, linear in the
+/// primitives there; bodies that are apart are not looked at.
+void update_candidates(const Scene& scene, PairSearch& search);
+
+/// Lists the triangles near an element to which the group's vertex may be nearest while the lists
+/// hold, as it is in that element:
+///
+///   |x − c| − r ≤ D + 4√3 s
+///
+/// with the ball (c, r) of the triangle and D the distance of the nearest one, all at the
+/// reference; vertex and triangles each move by at most √3 s. Precondition: some triangle is near
+/// the element.
+void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
+                  PairSearch& search);
+
+}  // namespace stiction
