@@ -12,6 +12,7 @@ export async function write_svg_files(folder, data) {
   make_folder(folder);
   const plots = [
     ...(data.index.overview ? [data.index.overview] : []),
+    ...(data.index.compared?.scores ?? []).flatMap(({ plots: list }) => list),
     ...data.families.flatMap(({ plots: list }) => list),
     ...(data.comparison?.plots ?? []),
   ];

@@ -98,7 +98,7 @@ export function plot_figure(plot, { heading = "h3", on_click } = {}) {
   };
   return h(
     "figure",
-    { class: `plot plot-${plot.kind}`, "data-plot": plot.id },
+    { class: `plot plot-${plot.kind}${plot.wide ? " plot-wide" : ""}`, "data-plot": plot.id },
     plot.title && h(heading, { class: "plot-title" }, plot.title),
     canvas,
     plot.caption && h("figcaption", {}, plot.caption),
