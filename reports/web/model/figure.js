@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a run of `./stiction compare` measured: figures that stand side by side and are judged by nobody.
-import { format_error, to_number } from "./number.js";
+import { format_value, to_number } from "./number.js";
 
 const FAILED = "failed: ";
 
@@ -36,11 +36,13 @@ export function figure_of(record, quantity) {
   return found ? to_number(found.value) : NaN;
 }
 
-/** Two digits; what is not finite was never reached. */
+/** Three digits; what is not finite was never reached. */
 export function figure_text(value) {
   if (Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return "never";
-  return Number.isInteger(value) && Math.abs(value) < 1e6 ? String(value) : format_error(value);
+  return Number.isInteger(value) && Math.abs(value) < 1e6
+    ? String(value)
+    : format_value(Number(value.toPrecision(3)));
 }
 
 const failed_notes = (record) =>

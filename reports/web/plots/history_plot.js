@@ -3,7 +3,7 @@
 // contacts with the same axes, every curve named at its end.
 import { failure_of, figure_text } from "../model/figure.js";
 import { to_number } from "../model/number.js";
-import { log_domain, quantity_axis, wants_log } from "./axes.js";
+import { log_domain, quantity_axis } from "./axes.js";
 import { end_labels, height_for } from "./end_labels.js";
 import { tip, tip_number } from "./names.js";
 import { on_contacts, rule_channels } from "./rule_channels.js";
@@ -11,9 +11,9 @@ import { on_contacts, rule_channels } from "./rule_channels.js";
 const HEIGHT = 300; // px
 const short = (value) => (Number.isFinite(value) ? Number(value.toPrecision(4)) : null);
 
-/** Whether series are histories: their x are counts, over decades. */
-export const is_history = (series) =>
-  series.x_unit === "1" && wants_log(series.x.map(to_number)) && to_number(series.x[0]) > 0;
+/** Whether series are histories: their x count from 1 or later. */
+export const is_history = ({ x, x_unit }) =>
+  x_unit === "1" && x.every((value) => Number.isInteger(value) && value > 0);
 
 function panel(curves, contacts, { channels, x, y_domain, quantity }) {
   const height = height_for(curves.length, HEIGHT);
