@@ -98,7 +98,7 @@ export function figures_table(entries) {
         "th",
         { scope: "row" },
         variant.words,
-        failure && h("span", { class: "failed-why" }, `✕ ${failure}`),
+        failure && [" ", h("span", { class: "failed-why" }, `✕ ${failure}`)],
       ),
       h("td", {}, variant.contacts),
       values.map((value, place) => cell(value, ranges[place], failure !== "")),
