@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A comparison in short, for the summary: how much was compared, and of each case who is best.
-import { chief_quantity, failure_of, figure_of, is_figure } from "../model/figure.js";
+import {
+  chief_quantity,
+  failed_in_part,
+  failure_of,
+  figure_of,
+  is_figure,
+} from "../model/figure.js";
 import { group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
 import { comparison_scores, variants_of } from "../plots/plots.js";
@@ -26,6 +32,7 @@ function case_line([name, group]) {
     worst: held.at(-1) ?? null,
     records: records.length,
     failed: records.length - group.filter(({ record }) => failure_of(record) === "").length,
+    in_part: records.filter(failed_in_part).length,
     seconds: records.reduce((sum, { cost }) => sum + to_number(cost.cpu_seconds), 0),
   };
 }

@@ -14,6 +14,7 @@ import { comparison_plots } from "../plots/comparison_plot.js";
 import { margin_plot } from "../plots/margin_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { compared_of } from "./compared.mjs";
+import { run_heads } from "./run_heads.mjs";
 
 const RECORDS_A_PART = 200;
 const MOST_CHANGES = 5000;
@@ -30,39 +31,6 @@ class Texts {
     }
     return place;
   }
-}
-
-// What runs are called beside their records: "this run" and "earlier" where one is compared with one,
-// else their names without the date that all share, numbered where they are the same.
-function short_names(runs, against) {
-  if (runs.length === 1 && against.length === 1) return ["this run", "earlier"];
-  const names = [...runs, ...against].map(({ name }) => name);
-  const starts = names.map((name) => name.slice(0, name.indexOf("T") + 1));
-  const short = names.map((name) =>
-    starts.every((start) => start === starts[0]) ? name.slice(starts[0].length) : name,
-  );
-  return short.map((name, i) => {
-    const place = short.slice(0, i + 1).filter((other) => other === name).length;
-    return place > 1 ? `${name} (${place})` : name;
-  });
-}
-
-function run_heads(runs, against) {
-  const short = short_names(runs, against);
-  const head = (run, role, place) => {
-    const environment = run.records[0].environment;
-    return {
-      name: run.name,
-      short: short[place],
-      role,
-      records: run.records.length,
-      ...environment,
-    };
-  };
-  return [
-    ...runs.map((run, i) => head(run, "shown", i)),
-    ...against.map((run, i) => head(run, "against", runs.length + i)),
-  ];
 }
 
 const short_number = (value) =>

@@ -57,6 +57,10 @@ export function failure_of(record) {
   return failed_notes(record).find((text) => !PARAMETER_VALUES.test(text)) ?? "";
 }
 
+/** Whether it failed at some values of a parameter, but not as a whole. */
+export const failed_in_part = (record) =>
+  failure_of(record) === "" && failed_notes(record).length > 0;
+
 /** The values of a parameter at which a sweep over it failed. */
 export function failed_values(record, parameter) {
   return failed_notes(record)

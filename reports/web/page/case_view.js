@@ -100,7 +100,11 @@ function plots_beside(entries, notes, with_player) {
 
 /** Fills `element` with the case; `list` are the rows among which previous and next are meant. */
 export async function show_case(element, name, { index, rows }, list) {
-  const records = await records_of_case(name, rows);
+  const all = await records_of_case(name, rows);
+  const shown = all.filter((record) => index.runs[record.run].role === "shown");
+  const compared = is_comparison(all);
+  // A comparison is told of the runs shown; the view that compares runs has the earlier ones.
+  const records = compared && shown.length > 0 ? shown : all;
   if (records.length === 0) {
     replace(
       element,
@@ -119,7 +123,6 @@ export async function show_case(element, name, { index, rows }, list) {
   }
   const several_runs = new Set(records.map((record) => record.run)).size > 1;
   const run_of = (i) => (several_runs ? index.runs[records[i].run].short : "");
-  const compared = is_comparison(records);
   const variants = compared ? rules_on_contacts(records, run_of) : [];
   const labels = compared
     ? variants.map(({ label }) => label)
@@ -130,8 +133,7 @@ export async function show_case(element, name, { index, rows }, list) {
     run: run_of(i),
     variant: variants[i],
   }));
-  const current = records.filter((record) => index.runs[record.run].role === "shown");
-  const worst = (current.length > 0 ? current : records).reduce((a, b) =>
+  const worst = (shown.length > 0 ? shown : records).reduce((a, b) =>
     rank(b.verdict) < rank(a.verdict) ? b : a,
   ).verdict;
   const family = rows.find((row) => row.case === name).family;
@@ -169,7 +171,7 @@ export async function show_case(element, name, { index, rows }, list) {
       h(
         "p",
         { class: "case-title" },
-        compared && !is_bad(worst) ? compared_mark(current) : verdict_mark(worst, 20),
+        compared && !is_bad(worst) ? compared_mark(records) : verdict_mark(worst, 20),
         records[0].title,
       ),
     ),

@@ -55,6 +55,11 @@ function work_part(index) {
   return place;
 }
 
+function failed_words({ failed, in_part, records }) {
+  if (failed === 0 && in_part > 0) return `✕ ${in_part} of ${records} in part`;
+  return failed > 0 ? `✕ ${failed} of ${records}` : `0 of ${records}`;
+}
+
 function case_row(line) {
   const told = (one) =>
     one ? [figure_text(one.value), " ", h("span", { class: "who" }, one.label)] : "–";
@@ -72,8 +77,8 @@ function case_row(line) {
     h("td", {}, told(line.worst)),
     h(
       "td",
-      { class: line.failed > 0 ? "number failed-count" : "number" },
-      line.failed > 0 ? `✕ ${line.failed} of ${line.records}` : `0 of ${line.records}`,
+      { class: line.failed + line.in_part > 0 ? "number failed-count" : "number" },
+      failed_words(line),
     ),
     h("td", { class: "number" }, format_seconds_short(line.seconds)),
   );

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case of a comparison: the figures side by side, the pictures in pairs, then what had to hold.
-import { failure_of, is_figure } from "../model/figure.js";
+import { failed_in_part, failure_of, is_figure } from "../model/figure.js";
 import { is_bad } from "../model/verdict.js";
 import { checks_section } from "./checks_section.js";
 import { h } from "./dom.js";
@@ -39,15 +39,24 @@ function notes_part(entries) {
   return notes.length > 0 && h("div", { class: "notes" }, h("h2", {}, "Notes"), h("ul", {}, notes));
 }
 
+function fail_words(failed, in_part) {
+  const words = [
+    failed > 0 && `✕ ${failed} fail${failed === 1 ? "s" : ""}`,
+    in_part > 0 && `✕ ${in_part} fail${in_part === 1 ? "s" : ""} at some values`,
+  ].filter(Boolean);
+  return words.join(", ") || "none fails";
+}
+
 /** How many were compared and how many failed: in a comparison no verdict says so. */
 export function compared_mark(records) {
   const failed = records.filter((record) => failure_of(record) !== "").length;
+  const in_part = records.filter(failed_in_part).length;
   return h(
     "span",
-    { class: `verdict verdict-${failed > 0 ? "fail" : "shown"}` },
+    { class: `verdict verdict-${failed + in_part > 0 ? "fail" : "shown"}` },
     failed === records.length
       ? `✕ all ${failed} fail`
-      : `${records.length} side by side, ${failed > 0 ? `✕ ${failed} fail` : "none fails"}`,
+      : `${records.length} side by side, ${fail_words(failed, in_part)}`,
   );
 }
 

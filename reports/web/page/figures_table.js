@@ -53,15 +53,16 @@ function cell(value, range, failed) {
   );
 }
 
-// What failed comes last; NaN after what was never reached.
+// What failed comes last; what was not measured after what was never reached.
 function ordered(rows, place, places) {
-  const size = (value) => (Number.isNaN(value) ? Number.MAX_VALUE : value);
+  const kind = (value) => (Number.isNaN(value) ? 2 : Number.isFinite(value) ? 0 : 1);
   const by = [place, ...places.filter((other) => other !== place)];
   return [...rows].sort((a, b) => {
     if (!a.failure !== !b.failure) return a.failure ? 1 : -1;
     for (const column of by) {
-      const [left, right] = [size(a.values[column]), size(b.values[column])];
-      if (left !== right) return left < right ? -1 : 1;
+      const [left, right] = [a.values[column], b.values[column]];
+      if (kind(left) !== kind(right)) return kind(left) - kind(right);
+      if (kind(left) === 0 && left !== right) return left - right;
     }
     return 0;
   });

@@ -89,11 +89,15 @@ export function plot_figure(plot, { heading = "h3", on_click } = {}) {
     h("summary", {}, "Data"),
   );
   const save_svg = async () => {
-    const { svg_of } = await code_of("code/plot", "stiction_plot");
+    const { svg_of, svg_width } = await code_of("code/plot", "stiction_plot");
     save(
       "plot.svg",
       "image/svg+xml",
-      await svg_of({ ...(plot.title && { title: plot.title }), ...plot.spec }),
+      await svg_of(
+        { ...(plot.title && { title: plot.title }), ...plot.spec },
+        "light",
+        svg_width(plot),
+      ),
     );
   };
   return h(

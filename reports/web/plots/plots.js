@@ -30,6 +30,12 @@ export function variants_of(entries, runs) {
   );
 }
 
+// Earlier runs stand in the view that compares runs; here 28 curves are enough.
+const shown_of = (entries, runs) => {
+  const shown = entries.filter(({ run }) => runs[run].role === "shown");
+  return shown.length > 0 ? shown : entries;
+};
+
 function comparison_case_plots(entries, runs) {
   const variants = variants_of(entries, runs);
   const curves = entries
@@ -58,7 +64,7 @@ const axes_key = (series) =>
  */
 export function case_plots(case_name, entries, runs) {
   if (is_comparison(entries.map(({ record }) => record)))
-    return with_id(comparison_case_plots(entries, runs), case_name);
+    return with_id(comparison_case_plots(shown_of(entries, runs), runs), case_name);
   const labels = variant_labels(
     entries.map(({ record, run }) => attributes_of(record, runs[run].short)),
   );

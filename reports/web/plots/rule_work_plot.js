@@ -168,7 +168,7 @@ function overall(rows, channels, axes, precision, at) {
     title: `Work and precision: ${precision.quantity} over CPU time`,
     wide: true,
     caption:
-      `Lower left is better. Black: the Pareto front of ${rows.length} runs, named where the next is ` +
+      `Lower left is better. Stepped: the Pareto front of ${rows.length} runs, named where the next is ` +
       `better by a factor of ${TELLING}. Thin lines join the values of ${at}. ` +
       marks_words(channels.contacts, failed),
     description:

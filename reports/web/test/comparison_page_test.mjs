@@ -83,6 +83,18 @@ test("a case: one table, the least of each column marked, 'never' for what was n
   assert.deepEqual(page.faults, []);
 });
 
+test("a sweep that fails at some values says so; earlier runs stay in their own view", async () => {
+  const both = make_page(run, "--against", make_run(lines_of(compared_records()), "before"));
+  const page = await browser.open(both, { hash: "#case=gain/slab" });
+  await page.locator("table.compared").waitFor();
+  assert.match(
+    await page.locator(".case-title").innerText(),
+    /2 side by side, ✕ 1 fails at some values/,
+  );
+  assert.equal(await page.locator("table.compared tbody tr").count(), 2);
+  assert.deepEqual(page.faults, []);
+});
+
 test("every view draws its plots and stays within 400 px", async () => {
   for (const width of [1280, 400]) {
     const page = await browser.open(file, { width });
