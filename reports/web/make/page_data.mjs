@@ -3,6 +3,8 @@
 import { margin } from "../model/check_text.js";
 import { compare } from "../model/compare.js";
 import { family_name, group_by } from "../model/family.js";
+import { is_comparison } from "../model/figure.js";
+import { is_findings } from "../model/finding.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
 import { overview_rows } from "../model/overview.js";
@@ -11,6 +13,8 @@ import { attributes_of, variant_key, variant_labels } from "../model/variant.js"
 import { comparison_plots } from "../plots/comparison_plot.js";
 import { margin_plot } from "../plots/margin_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
+import { compared_of } from "./compared.mjs";
+import { run_heads } from "./run_heads.mjs";
 
 const RECORDS_A_PART = 200;
 const MOST_CHANGES = 5000;
@@ -27,39 +31,6 @@ class Texts {
     }
     return place;
   }
-}
-
-// What runs are called beside their records: "this run" and "earlier" where one is compared with one,
-// else their names without the date that all share, numbered where they are the same.
-function short_names(runs, against) {
-  if (runs.length === 1 && against.length === 1) return ["this run", "earlier"];
-  const names = [...runs, ...against].map(({ name }) => name);
-  const starts = names.map((name) => name.slice(0, name.indexOf("T") + 1));
-  const short = names.map((name) =>
-    starts.every((start) => start === starts[0]) ? name.slice(starts[0].length) : name,
-  );
-  return short.map((name, i) => {
-    const place = short.slice(0, i + 1).filter((other) => other === name).length;
-    return place > 1 ? `${name} (${place})` : name;
-  });
-}
-
-function run_heads(runs, against) {
-  const short = short_names(runs, against);
-  const head = (run, role, place) => {
-    const environment = run.records[0].environment;
-    return {
-      name: run.name,
-      short: short[place],
-      role,
-      records: run.records.length,
-      ...environment,
-    };
-  };
-  return [
-    ...runs.map((run, i) => head(run, "shown", i)),
-    ...against.map((run, i) => head(run, "against", runs.length + i)),
-  ];
 }
 
 const short_number = (value) =>
@@ -126,9 +97,14 @@ function parts_of(by_case) {
  */
 export function page_data({ runs, against, title, warnings }) {
   const heads = run_heads(runs, against);
-  const entries = [...runs, ...against].flatMap((run, place) =>
+  const all = [...runs, ...against].flatMap((run, place) =>
     run.records.map((record) => ({ record, run: place })),
   );
+  // Findings stand on the summary; they are no case.
+  const entries = all.filter(({ record }) => !is_findings(record));
+  const findings = all
+    .filter(({ record, run }) => is_findings(record) && heads[run].role === "shown")
+    .map(({ record, run }) => ({ run, notes: record.notes }));
   const names = natural_sort(
     [...new Set(entries.map(({ record }) => record.case))],
     (name) => name,
@@ -176,13 +152,20 @@ export function page_data({ runs, against, title, warnings }) {
   const counts = Object.fromEntries(VERDICTS.map((verdict) => [verdict, 0]));
   for (const { record } of current) for (const { verdict } of record.checks) ++counts[verdict];
 
-  const overview = margin_plot(shown_families);
+  // Where rules stand side by side, margins say nothing: all that is judged is yes or no.
+  const in_order = natural_sort([...current], ({ record }) => record.case);
+  const compared = is_comparison(current.map(({ record }) => record))
+    ? compared_of(in_order, heads)
+    : null;
+  const overview = compared ? null : margin_plot(shown_families);
   return {
     index: {
       title,
       runs: heads,
       warnings,
       check_counts: counts,
+      compared,
+      findings,
       overview: overview && { id: "overview", kind: "overview", ...overview },
       families: families.map(({ name, plots }) => ({
         name,

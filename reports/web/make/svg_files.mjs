@@ -2,7 +2,7 @@
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { make_folder } from "./files.mjs";
-import { svg_of } from "../plots/draw.js";
+import { svg_of, svg_width } from "../plots/draw.js";
 
 // A plot's id as a file name: letters that every file system takes, and short.
 const file_name = (id) => `${id.replace(/[^\w.=-]+/g, "_").slice(0, 120)}.svg`;
@@ -12,6 +12,7 @@ export async function write_svg_files(folder, data) {
   make_folder(folder);
   const plots = [
     ...(data.index.overview ? [data.index.overview] : []),
+    ...(data.index.compared?.scores ?? []).flatMap(({ plots: list }) => list),
     ...data.families.flatMap(({ plots: list }) => list),
     ...(data.comparison?.plots ?? []),
   ];
@@ -22,7 +23,10 @@ export async function write_svg_files(folder, data) {
     for (let i = 2; taken.has(name.toLowerCase()); ++i)
       name = file_name(plot.id).replace(/\.svg$/, `-${i}.svg`);
     taken.add(name.toLowerCase());
-    writeFileSync(join(folder, name), await svg_of({ title: plot.title, ...plot.spec }));
+    writeFileSync(
+      join(folder, name),
+      await svg_of({ title: plot.title, ...plot.spec }, "light", svg_width(plot)),
+    );
   }
   return plots.length;
 }

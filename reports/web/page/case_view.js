@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One case: what it claims, what was measured, how it went, what it cost.
+import { is_comparison } from "../model/figure.js";
 import { format_count, format_value, to_number } from "../model/number.js";
+import { rules_on_contacts } from "../model/rule.js";
 import { attributes_of, variant_labels } from "../model/variant.js";
-import { rank } from "../model/verdict.js";
+import { is_bad, rank } from "../model/verdict.js";
 import { checks_height, checks_section } from "./checks_section.js";
+import { compared_mark, comparison_part } from "./comparison_part.js";
 import { cost_table } from "./cost_table.js";
 import { breakable, h, replace } from "./dom.js";
 import { verdict_mark } from "./glyph.js";
@@ -97,7 +100,11 @@ function plots_beside(entries, notes, with_player) {
 
 /** Fills `element` with the case; `list` are the rows among which previous and next are meant. */
 export async function show_case(element, name, { index, rows }, list) {
-  const records = await records_of_case(name, rows);
+  const all = await records_of_case(name, rows);
+  const shown = all.filter((record) => index.runs[record.run].role === "shown");
+  const compared = is_comparison(all);
+  // A comparison is told of the runs shown; the view that compares runs has the earlier ones.
+  const records = compared && shown.length > 0 ? shown : all;
   if (records.length === 0) {
     replace(
       element,
@@ -114,17 +121,19 @@ export async function show_case(element, name, { index, rows }, list) {
     );
     return;
   }
-  const labels = variant_labels(
-    records.map((record) => attributes_of(record, index.runs[record.run].short)),
-  );
   const several_runs = new Set(records.map((record) => record.run)).size > 1;
+  const run_of = (i) => (several_runs ? index.runs[records[i].run].short : "");
+  const variants = compared ? rules_on_contacts(records, run_of) : [];
+  const labels = compared
+    ? variants.map(({ label }) => label)
+    : variant_labels(records.map((record) => attributes_of(record, index.runs[record.run].short)));
   const entries = records.map((record, i) => ({
     record,
     label: labels[i],
-    run: several_runs ? index.runs[record.run].short : "",
+    run: run_of(i),
+    variant: variants[i],
   }));
-  const current = records.filter((record) => index.runs[record.run].role === "shown");
-  const worst = (current.length > 0 ? current : records).reduce((a, b) =>
+  const worst = (shown.length > 0 ? shown : records).reduce((a, b) =>
     rank(b.verdict) < rank(a.verdict) ? b : a,
   ).verdict;
   const family = rows.find((row) => row.case === name).family;
@@ -159,42 +168,51 @@ export async function show_case(element, name, { index, rows }, list) {
       ),
       neighbours(name, list),
       h("h1", { id: "case-title" }, breakable(name)),
-      h("p", { class: "case-title" }, verdict_mark(worst, 20), records[0].title),
+      h(
+        "p",
+        { class: "case-title" },
+        compared && !is_bad(worst) ? compared_mark(records) : verdict_mark(worst, 20),
+        records[0].title,
+      ),
     ),
-    h(
-      "div",
-      { class: recorded.length > 0 ? "case-columns with-player" : "case-columns" },
+    compared && comparison_part(entries, figures),
+    !compared &&
       h(
         "div",
-        { class: "case-claims" },
-        h("h2", {}, "What must hold"),
-        entries.some(({ record }) => record.checks.length > 0)
-          ? checks_section(entries)
-          : h("p", {}, "Nothing was checked."),
-        notes.length > 0 &&
-          h(
-            "div",
-            { class: "notes" },
-            h("h2", {}, "Notes"),
+        { class: recorded.length > 0 ? "case-columns with-player" : "case-columns" },
+        h(
+          "div",
+          { class: "case-claims" },
+          h("h2", {}, "What must hold"),
+          entries.some(({ record }) => record.checks.length > 0)
+            ? checks_section(entries)
+            : h("p", {}, "Nothing was checked."),
+          notes.length > 0 &&
             h(
-              "ul",
-              {},
-              notes.map(([note, who]) => h("li", {}, who && h("strong", {}, `${who}: `), note)),
+              "div",
+              { class: "notes" },
+              h("h2", {}, "Notes"),
+              h(
+                "ul",
+                {},
+                notes.map(([note, who]) => h("li", {}, who && h("strong", {}, `${who}: `), note)),
+              ),
             ),
-          ),
+        ),
+        h(
+          "div",
+          { class: "case-pictures" },
+          recorded.length > 0
+            ? player_figure(recorded, first_and_last(recorded, index.runs))
+            : sketch(name),
+          figures.slice(0, beside),
+        ),
       ),
-      h(
-        "div",
-        { class: "case-pictures" },
-        recorded.length > 0
-          ? player_figure(recorded, first_and_last(recorded, index.runs))
-          : sketch(name),
-        figures.slice(0, beside),
-      ),
-    ),
-    figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
+    !compared && figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
     h("h2", {}, "Cost"),
-    cost_table(entries),
+    compared && entries.length > 4
+      ? h("details", {}, h("summary", {}, "Engine, settings and cost of each"), cost_table(entries))
+      : cost_table(entries),
     meshes_of(records),
     environment_of(records, index.runs),
   );

@@ -89,16 +89,20 @@ export function plot_figure(plot, { heading = "h3", on_click } = {}) {
     h("summary", {}, "Data"),
   );
   const save_svg = async () => {
-    const { svg_of } = await code_of("code/plot", "stiction_plot");
+    const { svg_of, svg_width } = await code_of("code/plot", "stiction_plot");
     save(
       "plot.svg",
       "image/svg+xml",
-      await svg_of({ ...(plot.title && { title: plot.title }), ...plot.spec }),
+      await svg_of(
+        { ...(plot.title && { title: plot.title }), ...plot.spec },
+        "light",
+        svg_width(plot),
+      ),
     );
   };
   return h(
     "figure",
-    { class: `plot plot-${plot.kind}`, "data-plot": plot.id },
+    { class: `plot plot-${plot.kind}${plot.wide ? " plot-wide" : ""}`, "data-plot": plot.id },
     plot.title && h(heading, { class: "plot-title" }, plot.title),
     canvas,
     plot.caption && h("figcaption", {}, plot.caption),

@@ -6,6 +6,7 @@ import { plots_of_family } from "./records.js";
 import { hash_of } from "./route.js";
 
 const KINDS = {
+  scores: "Rules by case",
   "work-precision": "Work and precision",
   threshold: "Thresholds",
   prediction: "Measured against expected",
@@ -13,9 +14,26 @@ const KINDS = {
 };
 const MOST_FAMILIES = 12;
 
+// Pictures over all cases of a folder stand in the index, those of families in parts of their own.
+const scores_sections = (scores) =>
+  scores.map(({ folder, plots }) =>
+    h(
+      "section",
+      {},
+      h("h2", {}, `${folder}/…`),
+      h(
+        "div",
+        { class: "plot-pairs" },
+        plots.map((plot) => plot_figure(plot)),
+      ),
+    ),
+  );
+
 export async function show_plots(element, kind, { index }) {
-  const present = Object.keys(KINDS).filter((name) =>
-    index.families.some(({ plots }) => plots.some((plot) => plot.kind === name)),
+  const present = Object.keys(KINDS).filter(
+    (name) =>
+      index.families.some(({ plots }) => plots.some((plot) => plot.kind === name)) ||
+      (name === "scores" && index.compared?.scores.length > 0),
   );
   const chosen = present.includes(kind) ? kind : present[0];
   const families = index.families.filter(({ plots }) => plots.some((plot) => plot.kind === chosen));
@@ -49,7 +67,9 @@ export async function show_plots(element, kind, { index }) {
             ),
           ),
         ),
-    h("div", { class: "plot-grid" }, sections),
+    chosen === "scores"
+      ? scores_sections(index.compared.scores)
+      : h("div", { class: "plot-grid" }, sections),
     families.length > MOST_FAMILIES &&
       h("p", {}, `${families.length - MOST_FAMILIES} more families: see each family's own page.`),
   );

@@ -3,6 +3,7 @@
 import { margin } from "../model/check_text.js";
 import { family_name, group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
+import { rules_on_contacts } from "../model/rule.js";
 import { variant_labels } from "../model/variant.js";
 
 function check_of(values, texts) {
@@ -22,7 +23,7 @@ function check_of(values, texts) {
 }
 
 // What tells a record from the others of its case and run: [label], "" where it is the only one.
-function labels_of(rows, texts) {
+function labels_of(rows, texts, compared) {
   const attributes = (row) =>
     Object.fromEntries(
       texts[row[5]].split(" ").map((word) => {
@@ -32,20 +33,26 @@ function labels_of(rows, texts) {
     );
   const labels = new Map();
   for (const group of group_by(rows, (row) => `${row[0]} ${row[2]}`).values()) {
-    if (group.length > 1)
-      variant_labels(group.map(attributes)).forEach((label, i) => labels.set(group[i], label));
+    if (group.length < 2) continue;
+    const all = group.map(attributes);
+    const told = compared
+      ? rules_on_contacts(
+          all.map((settings) => ({ case: "", engine: settings.engine, settings })),
+        ).map(({ label }) => label)
+      : variant_labels(all);
+    told.forEach((label, i) => labels.set(group[i], label));
   }
   return (row) => labels.get(row) ?? "";
 }
 
 /** One object a record, in natural order of the case names. */
-export function rows_of({ rows, texts }) {
+export function rows_of({ rows, texts, compared }) {
   const families = new Map();
   const family_of = (name) => {
     if (!families.has(name)) families.set(name, family_name(texts[name]));
     return families.get(name);
   };
-  const label_of = labels_of(rows, texts);
+  const label_of = labels_of(rows, texts, compared);
   return rows.map((row, index) => {
     const [
       run,

@@ -10,6 +10,7 @@ import {
   format_value,
 } from "../model/number.js";
 import { counted, rank, VERDICTS } from "../model/verdict.js";
+import { compared_headline, compared_parts } from "./compared_part.js";
 import { h } from "./dom.js";
 import { failures_list } from "./failures.js";
 import { family_table } from "./family_table.js";
@@ -153,10 +154,29 @@ function provenance(runs) {
     .join(" · ");
 }
 
+const overview_part = (index, current) =>
+  h(
+    "div",
+    { class: "overview" },
+    h("div", { class: "overview-table" }, h("h2", {}, "By family"), family_table(current)),
+    index.overview &&
+      h(
+        "div",
+        { class: "overview-plot" },
+        plot_figure(index.overview, {
+          heading: "h2",
+          on_click: (datum) => datum.family && (location.hash = hash_of("family", datum.family)),
+        }),
+      ),
+  );
+
 export function summary_view({ index, rows, comparison }) {
   const current = rows.filter((row) => index.runs[row.run].role === "shown");
   const tally = tally_of(current);
-  const [verdict, sentence] = headline(tally);
+  const [verdict, sentence] =
+    index.compared && tally.bad === 0
+      ? ["shown", compared_headline(index.compared)]
+      : headline(tally);
   const families = new Set(current.map((row) => row.case)).size;
   return h(
     "section",
@@ -187,21 +207,8 @@ export function summary_view({ index, rows, comparison }) {
         change_line(comparison),
       ),
     ),
-    facts(tally, index),
-    failures_list(current),
-    h(
-      "div",
-      { class: "overview" },
-      h("div", { class: "overview-table" }, h("h2", {}, "By family"), family_table(current)),
-      index.overview &&
-        h(
-          "div",
-          { class: "overview-plot" },
-          plot_figure(index.overview, {
-            heading: "h2",
-            on_click: (datum) => datum.family && (location.hash = hash_of("family", datum.family)),
-          }),
-        ),
-    ),
+    index.compared
+      ? [failures_list(current), compared_parts(index, current)]
+      : [facts(tally, index), failures_list(current), overview_part(index, current)],
   );
 }

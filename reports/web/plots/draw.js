@@ -115,6 +115,9 @@ export function view_of(spec, theme, width, options = {}) {
   });
 }
 
+/** Width of a plot's SVG file, px. */
+export const svg_width = ({ wide }) => (wide ? 1000 : 640);
+
 /** The SVG text of a specification. */
 export async function svg_of(spec, theme = "light", width = 640) {
   const view = view_of(spec, theme, width, { renderer: "none" });

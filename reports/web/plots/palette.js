@@ -19,6 +19,10 @@ export const PALETTES = {
     $error: "#8b1a8b",
     $shown: "#5b6b7b",
     $na: "#8d969f",
+    $score_least: "#a9dfc4",
+    $score_middle: "#f4efd2",
+    $score_most: "#f3b49a",
+    $score_none: "#e3e6ea",
     $s0: "#0072b2",
     $s1: "#d55e00",
     $s2: "#009e73",
@@ -46,6 +50,10 @@ export const PALETTES = {
     $error: "#e58ae5",
     $shown: "#9fb0c0",
     $na: "#7b858f",
+    $score_least: "#12583d",
+    $score_middle: "#45421f",
+    $score_most: "#7d3416",
+    $score_none: "#2c333b",
     $s0: "#58b4f0",
     $s1: "#ff9a52",
     $s2: "#3fd0a4",
@@ -87,14 +95,7 @@ export const body_colour = (i) => `$b${i % 6}`;
 
 export const VERDICT_DOMAIN = ["pass", "fail", "limit", "error", "shown", "not-applicable"];
 const VERDICT_COLOURS = ["$pass", "$fail", "$limit", "$error", "$shown", "$na"];
-const VERDICT_SHAPES = [
-  "circle",
-  "triangle-up",
-  "triangle-down",
-  "diamond",
-  "square",
-  "stroke",
-];
+const VERDICT_SHAPES = ["circle", "triangle-up", "triangle-down", "diamond", "square", "stroke"];
 
 /** Vega-Lite's channels for verdicts: colour and shape say the same. */
 export function verdict_encoding(legend) {

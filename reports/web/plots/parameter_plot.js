@@ -6,7 +6,7 @@ import { quantity_axis, rounded } from "./axes.js";
 import { power_law } from "./fit.js";
 import { numbered, tip, tip_number } from "./names.js";
 import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
-import { MOST_VARIANTS, variant_channel } from "./series_plot.js";
+import { cut_words, MOST_VARIANTS, variant_channel } from "./series_plot.js";
 
 const STEP = /step|size|spacing|width|Δ|^h$|^dt$/i;
 const ERROR = /error|deviation|difference|residual/i;
@@ -94,7 +94,12 @@ export function parameter_plot(curves) {
   return {
     kind,
     title: `${WORDS[kind].title}${name} over ${x_name}`,
-    caption: exponents.length > 0 ? `Dashed: fitted power law; ${exponents.join("; ")}.` : "",
+    caption: [
+      cut_words(curves.length),
+      exponents.length > 0 && `Dashed: fitted power law; ${exponents.join("; ")}.`,
+    ]
+      .filter(Boolean)
+      .join(" "),
     description: `${y_name} over ${name_with_unit(x_name, x_unit)}. ${exponents.join("; ")}`,
     spec: {
       height: 220,

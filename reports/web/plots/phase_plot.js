@@ -4,7 +4,7 @@ import { to_number } from "../model/number.js";
 import { rounded } from "./axes.js";
 import { name_axis, numbered, tip, tip_number } from "./names.js";
 import { SERIES_COLOURS } from "./palette.js";
-import { MOST_VARIANTS, variant_channel } from "./series_plot.js";
+import { cut_words, MOST_VARIANTS, variant_channel } from "./series_plot.js";
 
 // In the order of a time step; phases of other engines come after, by name.
 const ORDER = [
@@ -42,7 +42,7 @@ export function phase_plot(entries) {
   const single = variants.keys.length === 1;
   return {
     title: "CPU time by phase",
-    caption: "",
+    caption: cut_words(entries.length),
     description: `CPU seconds of ${phases.join(", ")}.`,
     spec: {
       height: { step: single ? 20 : 9 },

@@ -2,10 +2,16 @@
 // Records → plots, for the page and for SVG files. A plot is
 // {id, kind, title, caption, description, spec}; `spec` is Vega-Lite without colours and width.
 import { group_by, short_name } from "../model/family.js";
+import { is_comparison } from "../model/figure.js";
+import { rules_on_contacts } from "../model/rule.js";
 import { attributes_of, variant_labels } from "../model/variant.js";
+import { history_plots, is_history } from "./history_plot.js";
 import { parameter_plot } from "./parameter_plot.js";
 import { phase_plot } from "./phase_plot.js";
+import { is_rule_work, rule_work_plots } from "./rule_work_plot.js";
+import { score_plots } from "./score_plot.js";
 import { series_plot } from "./series_plot.js";
+import { sweep_plots } from "./sweep_plot.js";
 import { prediction_plot, threshold_plot } from "./threshold_plot.js";
 import { trend_plots } from "./trend_plot.js";
 import { work_precision_plot } from "./work_precision_plot.js";
@@ -15,11 +21,50 @@ const is_over_time = (series) => series.x_name === "time";
 const with_id = (plots, prefix) =>
   plots.filter(Boolean).map((plot, i) => ({ ...plot, id: `${prefix}/${plot.kind}-${i + 1}` }));
 
+/** Entries as rules on contacts; the run is named where several are mixed. */
+export function variants_of(entries, runs) {
+  const several = new Set(entries.map(({ run }) => run)).size > 1;
+  return rules_on_contacts(
+    entries.map(({ record }) => record),
+    (i) => (several ? runs[entries[i].run].short : ""),
+  );
+}
+
+// Earlier runs stand in the view that compares runs; here 28 curves are enough.
+const shown_of = (entries, runs) => {
+  const shown = entries.filter(({ run }) => runs[run].role === "shown");
+  return shown.length > 0 ? shown : entries;
+};
+
+function comparison_case_plots(entries, runs) {
+  const variants = variants_of(entries, runs);
+  const curves = entries
+    .flatMap(({ record }, i) =>
+      record.series.map((series) => ({ variant: variants[i], series, record })),
+    )
+    .filter(({ series }) => series.x.length > 0);
+  const same_axes = group_by(curves, ({ series }) => axes_key(series));
+  return [...same_axes.values()].flatMap((group) =>
+    is_history(group[0].series) ? history_plots(group) : sweep_plots(group),
+  );
+}
+
+/** The pictures over all cases of a comparison: [{folder, plots}]. */
+export function comparison_scores(entries, runs) {
+  const variants = variants_of(entries, runs);
+  return score_plots(entries.map(({ record }, i) => ({ record, variant: variants[i] })));
+}
+
+const axes_key = (series) =>
+  JSON.stringify([series.name, series.unit, series.x_name, series.x_unit]);
+
 /**
  * The plots of one case. `entries`: [{record, run}] with `run` an index into `runs`; a run's name is
  * told only where runs are mixed.
  */
 export function case_plots(case_name, entries, runs) {
+  if (is_comparison(entries.map(({ record }) => record)))
+    return with_id(comparison_case_plots(shown_of(entries, runs), runs), case_name);
   const labels = variant_labels(
     entries.map(({ record, run }) => attributes_of(record, runs[run].short)),
   );
@@ -27,9 +72,7 @@ export function case_plots(case_name, entries, runs) {
   const curves = labelled
     .flatMap(({ record, label }) => record.series.map((series) => ({ label, series })))
     .filter(({ series }) => series.x.length > 0);
-  const same_axes = group_by(curves, ({ series }) =>
-    JSON.stringify([series.name, series.unit, series.x_name, series.x_unit]),
-  );
+  const same_axes = group_by(curves, ({ series }) => axes_key(series));
   const series_plots = [...same_axes.values()].map((group) =>
     is_over_time(group[0].series)
       ? { kind: "series", ...series_plot(group) }
@@ -42,6 +85,17 @@ export function case_plots(case_name, entries, runs) {
 /** The plots of one family, over all its cases. */
 export function family_plots(family, entries, runs) {
   const current = entries.filter(({ run }) => runs[run].role === "shown");
+  const records = current.map(({ record }) => record);
+  if (is_comparison(records)) {
+    const variants = variants_of(current, runs);
+    const work = is_rule_work(records)
+      ? rule_work_plots(records.map((record, i) => ({ record, variant: variants[i] })))
+      : [];
+    return with_id(
+      [...work.map((plot) => ({ kind: "work-precision", ...plot })), ...trend_plots(entries, runs)],
+      family,
+    );
+  }
   const variants = variant_labels(
     current.map(({ record, run }) => attributes_of(record, runs[run].short)),
     (i) => current[i].record.case,

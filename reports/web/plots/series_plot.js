@@ -7,6 +7,10 @@ import { SERIES_COLOURS, SERIES_DASHES } from "./palette.js";
 
 export const MOST_VARIANTS = 7;
 
+/** What a caption says where not all variants are drawn. */
+export const cut_words = (variants) =>
+  variants > MOST_VARIANTS ? `The first ${MOST_VARIANTS} of ${variants} variants.` : "";
+
 const STROKES = { symbolType: "stroke", symbolSize: 400 };
 
 /** One of the variants' channels (colour, dash, shape) over data's `variant_key`. `variants`: numbered(). */
@@ -39,7 +43,12 @@ export function series_plot(curves) {
   const with_zero = log && curves.some(({ series }) => series.y.includes(0));
   return {
     title: `${name} over ${x_name}`,
-    caption: with_zero ? "Zeros stand at the lower edge of the logarithmic axis." : "",
+    caption: [
+      cut_words(curves.length),
+      with_zero && "Zeros stand at the lower edge of the logarithmic axis.",
+    ]
+      .filter(Boolean)
+      .join(" "),
     description: `${name} over ${x_name}: ${shown.length} curve${shown.length > 1 ? "s" : ""}.`,
     spec: {
       height: 200,

@@ -7,7 +7,7 @@ import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { pareto_front } from "./fit.js";
 import { numbered, tip, tip_number } from "./names.js";
 import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
-import { MOST_VARIANTS, variant_channel } from "./series_plot.js";
+import { cut_words, MOST_VARIANTS, variant_channel } from "./series_plot.js";
 
 const MOST_POINTS = 1500;
 const TELLING = 2;
@@ -108,7 +108,8 @@ export function work_precision_plot(entries) {
       `Lower left is better. Dashed: Pareto front, ${on_front}${front.length > 4 ? ", …" : ""}.` +
       (sums.length > 0
         ? ` Large marks: each variant over the ${shared.length} case${shared.length > 1 ? "s" : ""} that all variants ran (sum of times, worst error).`
-        : ""),
+        : "") +
+      (cut_words(variants.length) && ` Named: ${cut_words(variants.length).toLowerCase()}`),
     description: `Relative error over CPU time of ${points.length} records.`,
     spec: {
       height: 260,

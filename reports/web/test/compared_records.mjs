@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small comparison, as `./stiction compare` writes it.
+import { check, record } from "./records.mjs";
+
+export const figure = (quantity, unit, value) =>
+  check({
+    quantity,
+    unit,
+    claim: "little is better",
+    formula: "",
+    source: "measured in this comparison",
+    value,
+    expected: 0,
+    error: value,
+    relative: false,
+    scale: 1,
+    tolerance: 0,
+    reason: "none: rules are set side by side, not judged",
+    digits: 0,
+    verdict: "shown",
+  });
+
+const hash_check = () =>
+  check({
+    quantity: "state hash differs",
+    unit: "1",
+    claim: "both are one",
+    value: 0,
+    expected: 0,
+    error: 0,
+    tolerance: 0,
+  });
+
+export const RULES = ["aitken-vector", "conjugate-vector", "fixed-point", "none", "secant"];
+const CONTACTS = ["paper", "quiet"];
+const READINGS = [
+  ...RULES.map((rule) => ({
+    rule,
+    ...(rule === "fixed-point" && { gain: "0.7", memory: "reset" }),
+  })),
+  { rule: "fixed-point", alpha: "-0.1", memory: "reset" },
+  { rule: "fixed-point", gain: "0.7", memory: "keep" },
+];
+const STEPS = [1, 2, 5, 10, 100, 1000];
+
+const on_contacts = (make) =>
+  CONTACTS.flatMap((method, on) =>
+    READINGS.map((reading, i) => make({ method, ...reading }, i, on)),
+  );
+
+function history(scene, fails) {
+  return on_contacts((settings, i, on) => {
+    const creep = 10 ** -(3 + i + 5 * on);
+    const failed = fails(settings);
+    return record({
+      case: `rules/${scene}`,
+      title: `a scene called ${scene}`,
+      settings,
+      checks: [
+        hash_check(),
+        figure("steps to 1e-6", "1", creep < 1e-6 && !failed ? 10 + i : "inf"),
+        figure("final creep", "m/s", creep),
+      ],
+      notes: failed ? ["failed: a body moved by 7.6 mm"] : [],
+      series: [
+        {
+          name: "mean contact slip",
+          unit: "m/s",
+          x_name: "step",
+          x_unit: "1",
+          x: STEPS,
+          y: STEPS.map((step) => (creep * 1000) / step),
+        },
+      ],
+    });
+  });
+}
+
+const sweep = () =>
+  ["fixed-point", "secant"].map((rule, i) =>
+    record({
+      case: "gain/slab",
+      settings: { method: "paper", rule, memory: "keep" },
+      checks: [hash_check(), figure("least final creep", "m/s", 1e-5 * (i + 1))],
+      notes: i === 1 ? ["failed: gain = -0.5, 2.5"] : [],
+      series: [
+        {
+          name: "final creep",
+          unit: "m/s",
+          x_name: "gain",
+          x_unit: "1",
+          x: i === 1 ? [0, 1] : [-0.5, 0, 1, 2.5],
+          y: i === 1 ? [2e-5, 3e-5] : [1e-3, 1e-5, 1e-5, 1e-3],
+        },
+      ],
+    }),
+  );
+
+// Each rule a hundredfold more precise than the one before; "none" fails at the largest step.
+const work = () =>
+  ["2e-4", "1e-4"].flatMap((dt, finer) =>
+    [2, 3].flatMap((cells) =>
+      on_contacts((settings, i, on) => {
+        const failed = settings.rule === "none" && finer === 0;
+        const seconds = 0.01 * cells * (1 + finer) * (1 + 0.1 * i);
+        return record({
+          case: `work/slab/cells=${cells}/dt=${dt}`,
+          settings: { ...settings, dt },
+          checks: [
+            figure("slipped ÷ free slide", "1", failed ? "inf" : 10 ** -(2 + 2 * i + on)),
+            figure("CPU time", "s", seconds),
+          ],
+          notes: failed ? ["failed: the box slid off"] : [],
+          cost: { ...record().cost, cpu_seconds: seconds },
+        });
+      }),
+    ),
+  );
+
+export const FINDINGS = [
+  "Fixed point against secant on paper contacts: comparable.",
+  "No rule beats both.",
+  "rules/slab: 1e-9 m/s within 50 steps by none.",
+];
+
+export const compared_records = () => [
+  ...["slab", "clamp", "membrane"].flatMap((scene) =>
+    history(scene, ({ rule }) => scene === "membrane" && rule === "secant"),
+  ),
+  ...history("ball", () => true),
+  ...sweep(),
+  ...work(),
+  record({
+    case: "findings",
+    settings: {},
+    verdict: "not-applicable",
+    checks: [],
+    notes: FINDINGS,
+  }),
+];
