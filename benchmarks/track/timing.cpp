@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/track/timing.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+
+#include "benchmarks/track/child.h"
+#include "benchmarks/track/google_json.h"
+#include "reference/two_samples.h"
+
+namespace stiction::track {
+
+namespace {
+
+std::string exactly_these(const std::vector<std::string>& names) {
+  std::string pattern;
+  for (const std::string& name : names) {
+    pattern += pattern.empty() ? "^(" : "|";
+    for (const char sign : name) {
+      if (std::string(".[]{}()*+?^$|\\").find(sign) != std::string::npos) pattern += '\\';
+      pattern += sign;
+    }
+  }
+  return pattern + ")$";
+}
+
+double noise(const Measurements& measured, const std::vector<std::string>& names) {
+  double largest = 0.0;
+  for (const std::string& name : names) {
+    const Measurement* const one = measured.find(Metric{name, "time", "s", Kind::kTime}.name());
+    largest = std::max(largest, reference::split_half_noise(one->samples, 0.95, 1));
+  }
+  return largest;
+}
+
+}  // namespace
+
+void time_once(const Tree& tree, const std::vector<std::string>& names, const TimingPlan& plan,
+               Measurements& measured) {
+  const std::string what = fmt::format("{} cannot be timed", tree.label);
+  const std::string text = demand_run(
+      what, {tree.program("bench").string(), "--benchmark_filter=" + exactly_these(names),
+             "--benchmark_format=json", fmt::format("--benchmark_min_time={}", plan.seconds),
+             fmt::format("--benchmark_repetitions={}", plan.repetitions)});
+  std::map<std::string, double> fastest;
+  for (const GoogleResult& result : read_google_results(text, what)) {
+    const auto [place, is_new] = fastest.emplace(result.name, result.seconds);
+    if (!is_new) place->second = std::min(place->second, result.seconds);
+  }
+  for (const std::string& name : names) {
+    const auto found = fastest.find(name);
+    if (found == fastest.end()) throw TrackError(fmt::format("{}: it has no {}", what, name));
+    measured.add({name, "time", "s", Kind::kTime}, found->second);
+  }
+}
+
+void time_in_turn(const Tree& a, const Tree& b, const std::vector<std::string>& names,
+                  const TimingPlan& plan, Measurements& of_a, Measurements& of_b) {
+  if (names.empty()) return;
+  const bool shows = isatty(2) != 0;
+  for (int round = 0; round < plan.most_rounds; ++round) {
+    if (round >= plan.least_rounds &&
+        std::max(noise(of_a, names), noise(of_b, names)) <= plan.wanted_floor) {
+      break;
+    }
+    if (shows) fmt::print(stderr, "\r\033[K[round {}] {} benchmarks …", round + 1, names.size());
+    const bool a_first = round % 2 == 0;
+    time_once(a_first ? a : b, names, plan, a_first ? of_a : of_b);
+    time_once(a_first ? b : a, names, plan, a_first ? of_b : of_a);
+  }
+  if (shows) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace stiction::track
