@@ -4,65 +4,87 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
+#include <functional>
 
-#include "benchmarks/track/campaign.h"
-#include "benchmarks/track/child.h"
-#include "benchmarks/track/output.h"
-#include "benchmarks/track/tree.h"
+#include "benchmarks/track/commands.h"
 
 namespace stiction::track {
 
 namespace {
 
-namespace fs = std::filesystem;
+constexpr const char* kFooter =
+    "Exit code: 0 nothing is worse, 1 something is, 2 could not measure (bad input, a revision "
+    "that "
+    "cannot be built), 3 something is better (with --report-improvement).";
 
-enum ExitCode { kNothingWorse = 0, kRegressed = 1, kCouldNotMeasure = 2, kImproved = 3 };
-
-struct Arguments {
-  std::string against;
-  std::string root;
-  std::string build;
-  std::string history;
-  bool quick = false;
-  bool full = false;
-  bool json = false;
-  bool markdown = false;
-  bool all = false;
-  bool report_improvement = false;
-  bool no_record = false;
-  Scope scope;
-};
-
-Project project_of(const Arguments& arguments) {
-  Project project;
-  project.root = arguments.root.empty()
-                     ? last_line(demand_run("this is no clone of stiction",
-                                            {"git", "rev-parse", "--show-toplevel"}))
-                     : arguments.root;
-  project.build =
-      arguments.build.empty() ? project.root / "build/release" : fs::absolute(arguments.build);
-  project.work = project.root / "build/track";
-  return project;
+void define_scope(CLI::App& app, Arguments& arguments) {
+  app.add_option("--benchmark", arguments.scope.benchmarks,
+                 "Only these of `bench --list-fixed`; repeatable")
+      ->type_name("GLOB");
+  app.add_flag("--quick", arguments.quick, "Of the benchmarks only friction and the whole step");
+  app.add_flag("--full", arguments.full, "All cases of a validation, not one of each kind");
+  app.add_option("--rounds", arguments.scope.timing.least_rounds,
+                 "How often each program is timed, at least")
+      ->check(CLI::Range(9, 200))
+      ->capture_default_str();
+  app.add_flag("--fresh", arguments.scope.fresh,
+               "Count and compute anew what is remembered of a program");
+  app.add_flag("!--no-times", arguments.scope.times, "Leave the times out");
+  app.add_flag("!--no-counts", arguments.scope.counts, "Leave the counts out");
+  app.add_flag("!--no-accuracy", arguments.scope.accuracy, "Leave the cases out");
 }
 
-int track_against(const Arguments& arguments) {
-  const Project project = project_of(arguments);
-  const Tree after = present_tree(project);
-  const Tree before = build_tree(project, arguments.against);
-  const Outcome outcome = compare_trees(project, before, after, arguments.scope);
-  if (!arguments.no_record) {
-    History history(arguments.history.empty() ? project.work / "history.sqlite"
-                                              : fs::path(arguments.history));
-    history.add(outcome.before);
-    history.add(outcome.after);
-  }
-  fmt::print("{}", arguments.json       ? json_text(outcome)
-                   : arguments.markdown ? markdown(outcome, arguments.all)
-                                        : table(outcome, arguments.all));
-  if (any(outcome.comparisons, Change::kWorse)) return kRegressed;
-  const bool improved = any(outcome.comparisons, Change::kBetter);
-  return improved && arguments.report_improvement ? kImproved : kNothingWorse;
+void define_output(CLI::App& app, Arguments& arguments) {
+  CLI::Option* const json = app.add_flag("--json", arguments.json, "Everything, as JSON");
+  app.add_flag("--markdown", arguments.markdown, "A table for a pull request")->excludes(json);
+  app.add_flag("--all", arguments.all, "Show metrics that did not change too");
+  app.add_flag("--report-improvement", arguments.report_improvement,
+               "Exit code 3 when something is better and nothing worse");
+  app.add_flag("--any-machine", arguments.scope.any_machine,
+               "Compare different processors, compilers or flags too");
+}
+
+// A subcommand that runs `function`.
+CLI::App& command(CLI::App& app, const char* name, const char* help,
+                  int (*function)(const Arguments&), std::function<int(const Arguments&)>& chosen) {
+  CLI::App* const sub = app.add_subcommand(name, help);
+  sub->callback([&chosen, function] { chosen = function; });
+  sub->fallthrough();  // options like --history may stand behind it
+  return *sub;
+}
+
+void define_commands(CLI::App& app, Arguments& arguments,
+                     std::function<int(const Arguments&)>& chosen) {
+  CLI::App& record =
+      command(app, "record", "Measure the present tree and keep it", track_record, chosen);
+  define_scope(record, arguments);
+  CLI::App& history =
+      command(app, "history", "Show the runs, and metrics over them", track_history, chosen);
+  history.add_option("--metric", arguments.metric, "Metrics whose name matches, e.g. '*#time'")
+      ->type_name("GLOB");
+  history.add_flag("--all", arguments.all, "Show every metric");
+  history.add_flag("--any-machine", arguments.scope.any_machine, "Runs of other machines too");
+  history
+      .add_option("--out", arguments.out,
+                  "Write trends as records, for the report page and SVG files")
+      ->type_name("DIR");
+  CLI::App& compare =
+      command(app, "compare", "Compare two runs of the history", track_compare, chosen);
+  compare.add_option("before", arguments.other, "Id of a run")->required();
+  compare.add_option("after", arguments.run, "Id of a run; without it the last");
+  define_output(compare, arguments);
+  CLI::App& import = command(app, "import", "Add a file of Google Benchmark's JSON as a run",
+                             track_import, chosen);
+  import.add_option("file", arguments.file, "'-' is stdin")->required();
+  CLI::App& exported =
+      command(app, "export", "Write a run as Google Benchmark's JSON", track_export, chosen);
+  exported.add_option("file", arguments.file, "'-' is stdout")->required();
+  exported.add_option("--run", arguments.run, "Id of the run; without it the last");
+  CLI::App& bisect =
+      command(app, "bisect", "Find the revision that moved a metric", track_bisect, chosen);
+  bisect.add_option("--metric", arguments.metric, "Its name, SUBJECT#WHAT")->required();
+  bisect.add_option("--good", arguments.good, "A revision before it moved")->required();
+  bisect.add_option("--bad", arguments.bad, "A revision after it moved")->capture_default_str();
 }
 
 }  // namespace
@@ -73,13 +95,32 @@ int main(int argc, char** argv) {
   using namespace stiction::track;
   CLI::App app("Tells whether a change made something slower, or less accurate.", "stiction track");
   Arguments arguments;
-  app.add_option("--against", arguments.against, "The revision to compare with");
-  app.add_option("--root", arguments.root);
-  app.add_option("--build", arguments.build);
+  std::function<int(const Arguments&)> chosen;
+  app.add_option("--against", arguments.against,
+                 "Build this revision beside the present tree, measure both in turn, and decide")
+      ->type_name("REF");
+  define_scope(app, arguments);
+  define_output(app, arguments);
+  app.add_flag("--no-record", arguments.no_record, "Leave the history as it is");
+  app.add_option("--history", arguments.history,
+                 "The history's SQLite file; without it build/track/history.sqlite")
+      ->type_name("FILE");
+  app.add_option("--build", arguments.build,
+                 "Folder with the present tree's programs; without it build/release")
+      ->type_name("DIR");
+  app.add_option("--root", arguments.root)->group("");  // set by ./stiction
+  app.require_subcommand(0, 1);
+  app.footer(kFooter);
+  define_commands(app, arguments, chosen);
   try {
     app.parse(argc, argv);
-    if (arguments.scope.cases.empty()) arguments.scope.cases = {"--quick"};
-    return track_against(arguments);
+    if (!chosen) {
+      if (arguments.against.empty()) {
+        throw CLI::RequiredError("--against REF, or a subcommand,");
+      }
+      chosen = track_against;
+    }
+    return chosen(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kNothingWorse : kCouldNotMeasure;
   } catch (const std::exception& error) {

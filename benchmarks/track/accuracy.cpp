@@ -2,24 +2,21 @@
 #include "benchmarks/track/accuracy.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <sstream>
 
 #include "benchmarks/track/child.h"
 #include "benchmarks/track/remembered.h"
+#include "benchmarks/track/scratch.h"
 #include "reports/record_json.h"
 
 namespace stiction::track {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kCouldNotRun = 2;  // exit code of validate
 
@@ -99,18 +96,18 @@ Machine machine_of(const Environment& environment) {
   return machine;
 }
 
-// Runs validate in a folder of its own, and gives its records.jsonl.
-std::string run_validate(const Tree& tree, const CaseOptions& options, const Project& project) {
-  const fs::path out = project.work / fmt::format("validate-{}", getpid());
-  std::vector<std::string> words = {
-      tree.program("validate").string(), "--out", out.string(), "--no-page", "--jobs", "1"};
+// Runs validate, and gives its records.jsonl.
+std::string run_validate(const Tree& tree, const CaseOptions& options) {
+  const Scratch scratch;
+  std::vector<std::string> words = {tree.program("validate").string(),
+                                    "--out",
+                                    scratch.folder().string(),
+                                    "--no-page",
+                                    "--jobs",
+                                    "1"};
   words.insert(words.end(), options.begin(), options.end());
   const Ended ended = run(words);
-  std::ifstream stream(out / "latest" / "records.jsonl");
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  stream.close();
-  std::error_code ignored;  // what is left over is in build/
-  fs::remove_all(out, ignored);
+  const std::string text = content_of(scratch.folder() / "latest" / "records.jsonl");
   // Without records it could not run at all; with them, code 2 is a case that broke off.
   if (ended.code > kCouldNotRun || text.empty()) {
     throw TrackError(
@@ -148,7 +145,7 @@ Accuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Pr
   std::string key = content_hash(tree.program("validate"));
   for (const std::string& option : options) key += " " + option;
   const std::string text = remembered(project.work / "accuracy", key, fresh,
-                                      [&] { return run_validate(tree, options, project); });
+                                      [&] { return run_validate(tree, options); });
   std::istringstream stream(text);
   return accuracy_of(read_records(stream, "records of " + tree.label).records);
 }

@@ -23,13 +23,13 @@ Names in_both(const Names& a, const Names& b) {
   return both;
 }
 
-Run run_of(const Tree& tree) {
+StoredRun run_of(const Tree& tree) {
   return {.date = current_environment().date, .revision = tree.revision, .label = tree.label};
 }
 
 // Everything but times.
 Accuracy measure_counts(const Project& project, const Tree& tree, const Names& names,
-                        const Scope& scope, Run& run) {
+                        const Scope& scope, StoredRun& run) {
   Accuracy accuracy;
   if (scope.accuracy) {
     fmt::print(stderr, "stiction track: cases of {}\n", tree.label);
@@ -56,7 +56,7 @@ Names of_changed_times(const std::vector<Comparison>& comparisons) {
   return names;
 }
 
-void demand_same_machine(const Run& before, const Run& after) {
+void demand_same_machine(const StoredRun& before, const StoredRun& after) {
   const std::string what = difference(before.machine, after.machine);
   if (what.empty()) return;
   throw TrackError(
@@ -103,8 +103,8 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
   return outcome;
 }
 
-Run measure(const Project& project, const Tree& tree, const Scope& scope) {
-  Run run = run_of(tree);
+StoredRun measure(const Project& project, const Tree& tree, const Scope& scope) {
+  StoredRun run = run_of(tree);
   const Names names = fixed_benchmarks(tree, scope.benchmarks);
   measure_counts(project, tree, names, scope, run);
   if (scope.times && !names.empty()) {

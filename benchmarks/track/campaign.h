@@ -27,7 +27,7 @@ struct Scope {
 
 /// Two revisions, measured side by side.
 struct Outcome {
-  Run before, after;                       ///< what was measured, for the history
+  StoredRun before, after;                 ///< what was measured, for the history
   std::vector<Comparison> comparisons{};   ///< worst first
   std::vector<std::string> appeared{};     ///< metrics that only `after` has
   std::vector<std::string> disappeared{};  ///< metrics that only `before` has
@@ -43,6 +43,6 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
                       const Scope& scope);
 
 /// Measures one revision alone, for the history.
-Run measure(const Project& project, const Tree& tree, const Scope& scope);
+StoredRun measure(const Project& project, const Tree& tree, const Scope& scope);
 
 }  // namespace stiction::track

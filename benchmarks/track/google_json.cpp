@@ -67,14 +67,14 @@ std::vector<GoogleResult> read_google_results(const std::string& text, const std
   }
 }
 
-Run run_from_google_json(const std::string& text, const std::string& what) {
+StoredRun run_from_google_json(const std::string& text, const std::string& what) {
   try {
     const json file = parsed(text, what);
     const json context = file.value("context", json::object());
-    Run run{.date = context.value("date", ""),
-            .revision = context.value("revision", ""),
-            .label = what,
-            .machine = machine_of(context)};
+    StoredRun run{.date = context.value("date", ""),
+                  .revision = context.value("revision", ""),
+                  .label = what,
+                  .machine = machine_of(context)};
     for (const json& entry : file["benchmarks"]) {
       if (entry.value("run_type", "iteration") != "iteration") continue;
       const GoogleResult result = result_of(entry, what);
@@ -95,7 +95,7 @@ Run run_from_google_json(const std::string& text, const std::string& what) {
   }
 }
 
-std::string to_google_json(const Run& run) {
+std::string to_google_json(const StoredRun& run) {
   std::map<std::string, std::vector<const Measurement*>> by_subject;
   for (const auto& [name, measurement] : run.measurements.all()) {
     by_subject[measurement.metric.subject].push_back(&measurement);

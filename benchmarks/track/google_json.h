@@ -21,9 +21,9 @@ struct GoogleResult {
 std::vector<GoogleResult> read_google_results(const std::string& text, const std::string& what);
 
 /// A run of the history from such a file of any program: machine and date from its context.
-Run run_from_google_json(const std::string& text, const std::string& what);
+StoredRun run_from_google_json(const std::string& text, const std::string& what);
 
 /// The same way back: times as repetitions in seconds, everything else as counters of its subject.
-std::string to_google_json(const Run& run);
+std::string to_google_json(const StoredRun& run);
 
 }  // namespace stiction::track

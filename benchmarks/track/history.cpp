@@ -44,7 +44,7 @@ std::int64_t version_of(Database& database) {
   return statement.integer(0);
 }
 
-Run run_of(const Statement& row) {
+StoredRun run_of(const Statement& row) {
   return {.id = row.integer(0),
           .date = row.text(1),
           .revision = row.text(2),
@@ -120,7 +120,7 @@ std::int64_t History::id_of(const Metric& metric) {
   return select.integer(0);
 }
 
-std::int64_t History::add(const Run& run) {
+std::int64_t History::add(const StoredRun& run) {
   Transaction transaction(database_);
   const std::int64_t machine = id_of(run.machine);
   Statement insert(database_,
@@ -139,17 +139,17 @@ std::int64_t History::add(const Run& run) {
   return id;
 }
 
-std::vector<Run> History::runs(const std::optional<Machine>& machine) const {
-  std::vector<Run> runs;
+std::vector<StoredRun> History::runs(const std::optional<Machine>& machine) const {
+  std::vector<StoredRun> runs;
   for (Statement row(database_, kRuns); row.step();) {
-    Run run = run_of(row);
+    StoredRun run = run_of(row);
     if (!machine || run.machine == *machine) runs.push_back(std::move(run));
   }
   return runs;
 }
 
-Run History::run(std::int64_t id) const {
-  for (Run& run : runs(std::nullopt)) {
+StoredRun History::run(std::int64_t id) const {
+  for (StoredRun& run : runs(std::nullopt)) {
     if (run.id != id) continue;
     Statement row(database_,
                   "SELECT subject, what, unit, kind, value FROM sample JOIN metric "

@@ -27,7 +27,7 @@ struct Machine {
 std::string difference(const Machine& a, const Machine& b);
 
 /// All that was measured of one revision on one machine, at one time.
-struct Run {
+struct StoredRun {
   std::int64_t id = 0;     ///< given by the history
   std::string date{};      ///< UTC, ISO 8601
   std::string revision{};  ///< 12 hex digits, "+" behind it when files were changed
@@ -52,13 +52,13 @@ class History {
   /// Opens the file, and makes it where it is missing. Refuses a file of a newer version.
   explicit History(const std::filesystem::path& file);
 
-  std::int64_t add(const Run& run);  ///< gives its id
+  std::int64_t add(const StoredRun& run);  ///< gives its id
 
   /// Runs without their measurements, oldest first; of one machine, or of all.
-  std::vector<Run> runs(const std::optional<Machine>& machine) const;
+  std::vector<StoredRun> runs(const std::optional<Machine>& machine) const;
 
   /// One run with its measurements. Throws TrackError when there is none of this id.
-  Run run(std::int64_t id) const;
+  StoredRun run(std::int64_t id) const;
 
   /// Metrics whose name matches the glob (all when it is empty), by name.
   std::vector<Trend> trends(const std::string& glob, const std::optional<Machine>& machine) const;

@@ -156,7 +156,7 @@ std::string markdown(const Outcome& outcome, bool all) {
 }
 
 std::string json_text(const Outcome& outcome) {
-  const auto side = [](const Run& run) {
+  const auto side = [](const StoredRun& run) {
     return json{{"label", run.label},
                 {"revision", run.revision},
                 {"date", run.date},

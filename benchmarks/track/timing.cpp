@@ -9,11 +9,14 @@
 
 #include "benchmarks/track/child.h"
 #include "benchmarks/track/google_json.h"
+#include "benchmarks/track/scratch.h"
 #include "reference/two_samples.h"
 
 namespace stiction::track {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string exactly_these(const std::vector<std::string>& names) {
   std::string pattern;
@@ -41,10 +44,16 @@ double noise(const Measurements& measured, const std::vector<std::string>& names
 void time_once(const Tree& tree, const std::vector<std::string>& names, const TimingPlan& plan,
                Measurements& measured) {
   const std::string what = fmt::format("{} cannot be timed", tree.label);
-  const std::string text = demand_run(
-      what, {tree.program("bench").string(), "--benchmark_filter=" + exactly_these(names),
-             "--benchmark_format=json", fmt::format("--benchmark_min_time={}", plan.seconds),
-             fmt::format("--benchmark_repetitions={}", plan.repetitions)});
+  const Scratch scratch;
+  const fs::path out = scratch.folder() / "times.json";
+  const Ended ended =
+      run({tree.program("bench").string(), "--benchmark_filter=" + exactly_these(names),
+           "--benchmark_out=" + out.string(), "--benchmark_out_format=json",
+           fmt::format("--benchmark_min_time={}", plan.seconds),
+           fmt::format("--benchmark_repetitions={}", plan.repetitions)},
+          scratch.folder());
+  const std::string text = content_of(out);
+  if (text.empty()) throw TrackError(what + ": " + last_line(ended.errors));
   std::map<std::string, double> fastest;
   for (const GoogleResult& result : read_google_results(text, what)) {
     const auto [place, is_new] = fastest.emplace(result.name, result.seconds);
