@@ -81,7 +81,8 @@ StoredRun run_from_google_json(const std::string& text, const std::string& what)
       run.measurements.add({result.name, "time", "s", Kind::kTime}, result.seconds);
       if (entry.value("repetition_index", 0) != 0) continue;
       // Our own exports carry the other metrics as {"what": {unit, kind, value}}.
-      for (const auto& [name, metric] : entry.value("stiction", json::object()).items()) {
+      const json others = entry.value("stiction", json::object());
+      for (const auto& [name, metric] : others.items()) {
         const std::string kind = metric.at("kind");
         run.measurements.add(
             {result.name, name, metric.at("unit"), parse_kind(kind).value_or(Kind::kOther)},
