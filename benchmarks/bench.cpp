@@ -1,117 +1,185 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program behind `./stiction bench`: cost per contact of the one-sided contact phases and of
-// the whole step, for a box at rest on a slope at 90 % of the critical one. Each batch starts from
-// the same warm state, and prints its hash: equal hashes, equal work. What it cannot show: cold
-// caches, contacts that come and go.
+// The program behind `./stiction bench`: cost per contact of every phase, how it grows, and what
+// optional features cost those who don't use them. benchmarks/README.md explains the figures.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
-#include "reference/box_mesh.h"
-#include "solver/phases/detect.h"
-#include "solver/phases/friction.h"
-#include "solver/phases/normal_force.h"
-#include "solver/phases/predict.h"
-#include "solver/step.h"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 
-namespace stiction {
+#include "benchmarks/bench_records.h"
+#include "benchmarks/console.h"
+#include "benchmarks/fixed.h"
+#include "reports/record_store.h"
+#include "solver/demand.h"
+
+namespace stiction::bench {
 
 namespace {
 
-constexpr int kWarmSteps = 20;
+enum ExitCode { kMeasured = 0, kNotAtRest = 1, kCouldNotRun = 2 };
 
-// A flat box of `cells` × `cells` × 1 cells on a plane: (cells + 1)² contacts.
-struct Workload {
-  Scene scene;
-  Options options;
-  State state;
-  Workspace workspace;
-
-  Workload(int cells, const char* rule) {
-    const double edge = 0.01;
-    BodyDescription body;
-    body.name = "box";
-    body.mesh = reference::box_mesh({cells * edge, cells * edge, edge}, {cells, cells, 1});
-    body.mesh.vertices.row(2).array() += 0.5 * edge;
-    body.material.damping_time = 1e-5;
-    SceneDescription description;
-    description.bodies = {body};
-    description.half_spaces = {{"plane", Vec3::Zero(), Vec3::UnitZ(), 0.5}};
-    description.gravity = {{0.0}, {Vec3(0.45 * 9.81, 0.0, -9.81)}};
-    scene = build_scene(description);
-    options.time_step = 0.5 * scene.stable_time_step;
-    options.rule = rule;
-    state = initial_state(scene);
-    for (int k = 0; k < kWarmSteps; ++k) step(scene, options, state, workspace);
-  }
-
-  void predict_step() {
-    gravity_forces(scene, 0.0, workspace.force);
-    predict(options.time_step, workspace.force, state.velocity, workspace.velocity);
-  }
+struct Arguments {
+  std::string filter;
+  std::string out_file;
+  bool list = false;
+  bool full = false;
+  bool no_features = false;
+  bool list_fixed = false;
+  std::string fixed;
+  int batches = 1;
+  std::string out = "bench-report";
 };
 
-void report(benchmark::State& run, const Workload& work) {
-  const auto contacts = static_cast<double>(work.workspace.contacts.size());
-  run.counters["contacts"] = contacts;
-  run.counters["time_per_contact"] = benchmark::Counter(
-      contacts, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-  // 32 bits of it, which a double holds exactly.
-  run.counters["hash"] = static_cast<double>(hash_of(work.state) & 0xffffffffu);
+void define(CLI::App& app, Arguments& arguments) {
+  app.add_flag("--full", arguments.full,
+               "Up to a million contacts as well: minutes, and gigabytes");
+  app.add_flag("--no-features", arguments.no_features,
+               "Leave out the table of optional features (as --benchmark_filter does)");
+  app.add_option("--out", arguments.out, "Folder for the records; each run gets its own in it")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--benchmark_filter", arguments.filter,
+                 "Only benchmarks whose name matches; with '-' in front, only the others")
+      ->type_name("REGEX");
+  app.add_option("--benchmark_out", arguments.out_file, "Google Benchmark's report as a file too")
+      ->type_name("FILE");
+  app.add_flag("--list,--benchmark_list_tests", arguments.list, "Show the names and end");
+  app.add_flag("--list-fixed", arguments.list_fixed,
+               "Show the names of the benchmarks that --fixed takes, and end");
+  app.add_option("--fixed", arguments.fixed,
+                 "Do one benchmark's work --batches times without a clock, and print a line of "
+                 "JSON: for instruction counts")
+      ->type_name("NAME");
+  app.add_option("--batches", arguments.batches, "How often --fixed does the work")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.footer(
+      "Google Benchmark's other flags work too: --benchmark_repetitions=N, "
+      "--benchmark_min_time=SECONDS, --benchmark_out_format=json.\n"
+      "Exit code: 0 measured, 1 a workload was not at rest, 2 could not run (bad input).");
 }
 
-// Normal force and friction of all contacts, from the same predicted velocities each time.
-void contact_phases(benchmark::State& run, const char* rule) {
-  Workload work(static_cast<int>(run.range(0)), rule);
-  work.predict_step();
-  detect(work.scene, work.options.time_step, work.state.position, work.workspace.velocity,
-         work.workspace.contacts);
-  const std::vector<Velocity> predicted = work.workspace.velocity;
-  const State start = work.state;
-  for (auto _ : run) {
-    run.PauseTiming();
-    work.workspace.velocity = predicted;
-    work.state.memory = start.memory;
-    run.ResumeTiming();
-    normal_forces(work.scene, work.options.time_step, work.state.position, work.workspace.velocity,
-                  work.workspace.contacts);
-    friction_forces(work.scene, work.options, work.state, work.workspace);
+void register_all(const std::vector<Chosen>& chosen, Measure& measure, bool given_min_time) {
+  for (const Chosen& one : chosen) {
+    auto* const registered = benchmark::RegisterBenchmark(
+        one.name.c_str(), [&measure, one](benchmark::State& state) { measure.run(state, one); });
+    registered->UseManualTime();
+    if (!given_min_time) registered->MinTime(0.05);
   }
-  report(run, work);
 }
 
-void detection(benchmark::State& run) {
-  Workload work(static_cast<int>(run.range(0)), "none");
-  work.predict_step();
-  for (auto _ : run) {
-    detect(work.scene, work.options.time_step, work.state.position, work.workspace.velocity,
-           work.workspace.contacts);
+int write_records(const std::vector<Record>& records, const std::string& out) {
+  RecordStore store = RecordStore::create(out);
+  int code = kMeasured;
+  for (const Record& record : records) {
+    store.append(record);
+    if (record.verdict != Verdict::kFail) continue;
+    code = kNotAtRest;
+    const Check* const worst = worst_check(record.checks);
+    fmt::print(stderr, "stiction bench: {}: {} is {:.3g}, not {:.3g} ± {:.3g} {}\n",
+               record.case_name, worst->quantity, worst->value, worst->expected, worst->tolerance,
+               worst->worst);
   }
-  report(run, work);
+  store.finish();
+  fmt::print("\nRecords: {}\n", store.folder().string());
+  // Where ./stiction, which set the variable, looks for the run that it makes the page of.
+  const char* const file = std::getenv("STICTION_RUN_FILE");
+  if (file != nullptr) std::ofstream(file) << store.folder().string() << '\n';
+  return code;
 }
 
-void whole_step(benchmark::State& run, const char* rule) {
-  Workload work(static_cast<int>(run.range(0)), rule);
-  const State start = work.state;
-  for (auto _ : run) {
-    run.PauseTiming();
-    work.state = start;
-    run.ResumeTiming();
-    step(work.scene, work.options, work.state, work.workspace);
+int bench(const Arguments& arguments, bool given_min_time) {
+  if (arguments.list_fixed) {
+    for (const std::string& name : fixed_names()) fmt::print("{}\n", name);
+    return kMeasured;
   }
-  report(run, work);
+  if (!arguments.fixed.empty()) {
+    fmt::print("{}\n", run_fixed(arguments.fixed, arguments.batches));
+    return kMeasured;
+  }
+  const std::vector<Chosen> chosen = choose(arguments.filter, arguments.full);
+  if (arguments.list) {
+    for (const Chosen& one : chosen) fmt::print("{}\n", one.name);
+    return kMeasured;
+  }
+  const Machine machine = measure_machine();
+  benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
+  benchmark::AddCustomContext("flops_per_second", fmt::format("{}", machine.flops_per_second));
+  Measure measure(machine);
+  register_all(chosen, measure, given_min_time);
+  Console console(machine);
+  JsonFile json;
+  // The names were chosen above: Google Benchmark would match "/manual_time" behind them too.
+  benchmark::RunSpecifiedBenchmarks(&console, arguments.out_file.empty() ? nullptr : &json, ".");
+  const std::vector<Scaling> fits = scalings(measure.results());
+  print(fits);
+  std::vector<FeatureCost> features;
+  if (!arguments.no_features && arguments.filter.empty()) {
+    std::string why_not;
+    if (auto measured = measure_features(why_not)) {
+      features = std::move(*measured);
+      print(features);
+    } else {
+      fmt::print("\nThe cost of optional features was not measured: {}.\n", why_not);
+    }
+  }
+  return write_records(records_of(measure, fits, features), arguments.out);
 }
-
-// Cells along an edge: 100 to 1e5 contacts, nearly.
-void sizes(benchmark::internal::Benchmark* benchmark) {
-  for (const int cells : {9, 31, 99, 315}) benchmark->Arg(cells);
-}
-
-BENCHMARK_CAPTURE(contact_phases, none, "none")->Apply(sizes);
-BENCHMARK_CAPTURE(contact_phases, fixed_point, "fixed-point")->Apply(sizes);
-BENCHMARK(detection)->Apply(sizes);
-BENCHMARK_CAPTURE(whole_step, fixed_point, "fixed-point")->Apply(sizes);
 
 }  // namespace
 
-}  // namespace stiction
+}  // namespace stiction::bench
 
-BENCHMARK_MAIN();
+namespace {
+
+// Whether a word is Google Benchmark's flag of that name; of any name, when it is empty.
+bool is_flag(const std::string& word, const std::string& name) {
+  const std::string start = "--benchmark_" + name;
+  return word.rfind(start, 0) == 0 &&
+         (name.empty() || word.size() == start.size() || word[start.size()] == '=');
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace stiction::bench;
+  // Google Benchmark takes what it knows out of the words given to it; two of its flags we need
+  // too.
+  std::vector<char*> theirs = {argv[0]};
+  std::vector<std::string> ours;
+  bool given_min_time = false;
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    given_min_time = given_min_time || is_flag(word, "min_time");
+    if (is_flag(word, "filter") || is_flag(word, "out") || is_flag(word, "list_tests")) {
+      ours.push_back(word);
+    }
+    if (is_flag(word, "")) {
+      theirs.push_back(argv[k]);
+    } else {
+      ours.push_back(word);
+    }
+  }
+  int count = static_cast<int>(theirs.size());
+  benchmark::Initialize(&count, theirs.data());
+  ours.insert(ours.end(), theirs.begin() + 1, theirs.begin() + count);  // unknown: refused below
+  std::reverse(ours.begin(), ours.end());                               // as CLI11 wants them
+  CLI::App app("Measures the cost per contact of every phase.", "stiction bench");
+  Arguments arguments;
+  define(app, arguments);
+  try {
+    app.parse(ours);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kMeasured : kCouldNotRun;
+  }
+  try {
+    return bench(arguments, given_min_time);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stiction bench: {}\n", error.what());
+    return kCouldNotRun;
+  }
+}

@@ -22,4 +22,10 @@ namespace stiction {
 /// The options must have passed `check_options` for this scene.
 void step(const Scene& scene, const Options& options, State& state, Workspace& workspace);
 
+/// One phase of it alone, for benchmarks: needs what the phases before it left in the workspace.
+/// `state.step` is counted by `step`, which
+/// also leaves out the depth phase where no two bodies can touch.
+void run_phase(Phase phase, const Scene& scene, const Options& options, State& state,
+               Workspace& workspace);
+
 }  // namespace stiction

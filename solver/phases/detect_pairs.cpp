@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/feature.h"
+
 namespace stiction {
 
 namespace {
@@ -12,6 +14,10 @@ namespace {
 // Round-off of weights of order one: a point on a shared face must not fall between its two
 // elements.
 constexpr double kOnBoundary = -1e-12;
+
+bool may_touch_itself(const Body& body) {
+  return built_in(Feature::kSelfCollision) && body.self_collision;
+}
 
 void bound_bodies(const Scene& scene, PairSearch& search) {
   search.box.resize(scene.bodies.size());
@@ -39,7 +45,7 @@ void find_overlaps(const Scene& scene, PairSearch& search) {
   });
   for (std::size_t i = 0; i < count; ++i) {
     const auto a = static_cast<std::size_t>(search.order[i]);
-    if (scene.bodies[a].self_collision && !scene.bodies[a].fixed) {
+    if (may_touch_itself(scene.bodies[a]) && !scene.bodies[a].fixed) {
       search.overlap[a].extend(search.box[a]);
     }
     for (std::size_t j = i + 1; j < count; ++j) {
@@ -70,7 +76,7 @@ void hash_vertices(const Scene& scene, PairSearch& search) {
 void test_element(const Scene& scene, std::int32_t e, PairSearch& search) {
   const Element& element = scene.elements[static_cast<std::size_t>(e)];
   const std::int32_t body = scene.topology.element_body[static_cast<std::size_t>(e)];
-  const bool self = scene.bodies[static_cast<std::size_t>(body)].self_collision;
+  const bool self = may_touch_itself(scene.bodies[static_cast<std::size_t>(body)]);
   const bool fixed = scene.bodies[static_cast<std::size_t>(body)].fixed;
   Eigen::AlignedBox3d box;
   const Vec3* corner[4];

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/demand.h"
+#include "solver/feature.h"
 #include "solver/friction/catalog.h"
 #include "solver/mutation.h"
 #include "solver/phases/pair_normal_force.h"
@@ -106,7 +107,8 @@ void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
   for (std::size_t c = 0; c < count; ++c) {
     memory.key[c] = side.key(c);
     while (from < old.key.size() && old.key[from] < memory.key[c]) ++from;
-    const bool persists = from < old.key.size() && old.key[from] == memory.key[c] &&
+    const bool persists = built_in(Feature::kFrictionMemory) && from < old.key.size() &&
+                          old.key[from] == memory.key[c] &&
                           old.value.size() == old.key.size() * kValues;
     double* const value = memory.value.data() + c * kValues;
     if (persists) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/phases/pair_normal_force.h"
 
+#include "solver/feature.h"
+
 namespace stiction {
 
 namespace {
+
+bool corrects(const PairOptions& options) {
+  return built_in(Feature::kPostCorrection) && options.post_correction;
+}
 
 // Σ over contacts of what each asks of its vertex and of its partners, per vertex.
 void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
@@ -73,7 +79,7 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
       contact.normal_force = harmonic_force(options.pairs, options.time_step, workspace, contact);
     } else {
       const double force = paper_force(options.time_step, workspace, contact);
-      contact.normal_force = options.pairs.post_correction ? 0.5 * force : force;
+      contact.normal_force = corrects(options.pairs) ? 0.5 * force : force;
     }
   }
   if (!options.pairs.normals_first) return;
@@ -87,7 +93,7 @@ void apply_normal_force(const Options& options, const PairContact& contact,
   const Vec3 impulse = options.time_step * contact.normal_force * contact.normal;
   Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
   own.v += own.inverse_mass * impulse;
-  if (!options.pairs.post_correction) return;
+  if (!corrects(options.pairs)) return;
   for (int k = 0; k < 4; ++k) {
     Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
     other.v -= contact.weight[k] * other.inverse_mass * impulse;

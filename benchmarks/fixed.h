@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stiction::bench {
+
+/// Benchmarks whose work can be done a fixed number of times, to be counted by a tool like
+/// callgrind: every part of the step on the slab at about 1000 contacts.
+std::vector<std::string> fixed_names();
+
+/// Does that work exactly `batches` times, without a clock, and describes it as one line of JSON:
+/// name, batches, contacts, contact_updates, allocations, hash, error. Of two runs that differ in
+/// `batches` the difference is the batches' alone. Throws InputError for an unknown name.
+std::string run_fixed(const std::string& name, int batches);
+
+}  // namespace stiction::bench

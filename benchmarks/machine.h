@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace stiction::bench {
+
+/// What this machine can do on one core now, with the flags of this build: the scale of the cost
+/// model.
+struct Machine {
+  double bytes_per_second = 0.0;  ///< memory bandwidth: a = b + s c on arrays larger than caches
+  double flops_per_second = 0.0;  ///< double precision: independent chains of x ← a x + b
+};
+
+/// Measures both, best of several; takes about half a second.
+Machine measure_machine();
+
+/// CPU time of the calling thread, s: what others do on a shared machine counts little in it.
+double thread_seconds();
+
+/// What reading that clock twice adds to a difference, s: the smallest of many.
+double clock_overhead();
+
+}  // namespace stiction::bench
