@@ -103,8 +103,12 @@ int main(int argc, char** argv) {
   define_output(app, arguments);
   app.add_flag("--no-record", arguments.no_record, "Leave the history as it is");
   app.add_option("--history", arguments.history,
-                 "The history's SQLite file; without it build/track/history.sqlite")
+                 "The history's SQLite file; without it history.sqlite in that folder")
       ->type_name("FILE");
+  app.add_option("--work", arguments.work,
+                 "Folder for other revisions and the history; without it build/track")
+      ->envname("STICTION_TRACK_WORK")
+      ->type_name("DIR");
   app.add_option("--build", arguments.build,
                  "Folder with the present tree's programs; without it build/release")
       ->type_name("DIR");

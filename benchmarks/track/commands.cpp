@@ -30,7 +30,8 @@ Project project_of(const Arguments& arguments) {
   }
   project.build =
       arguments.build.empty() ? project.root / "build/release" : fs::absolute(arguments.build);
-  project.work = project.root / "build/track";
+  project.work =
+      arguments.work.empty() ? project.root / "build/track" : fs::absolute(arguments.work);
   return project;
 }
 

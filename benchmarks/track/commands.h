@@ -13,7 +13,8 @@ enum ExitCode { kNothingWorse = 0, kRegressed = 1, kCouldNotMeasure = 2, kImprov
 struct Arguments {
   std::string root;     ///< of the project; empty: that of the folder one stands in
   std::string build;    ///< of the present tree; empty: build/release
-  std::string history;  ///< the SQLite file; empty: build/track/history.sqlite
+  std::string work;     ///< for worktrees and the history; empty: build/track
+  std::string history;  ///< the SQLite file; empty: history.sqlite in `work`
   std::string against;  ///< a revision
   std::string metric;   ///< name or glob
   std::string good, bad = "HEAD";

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include "benchmarks/track/child.h"
@@ -125,11 +126,17 @@ TEST_F(HistoryTest, TakesTwoWriters) {
   }
 }
 
+// STICTION_KILLS: how often benchmarks/prove_track kills it.
+int kills() {
+  const char* const text = std::getenv("STICTION_KILLS");
+  return text == nullptr ? 10 : std::atoi(text);
+}
+
 // A child writes runs until it is killed; it tells each that `add` reported as finished by a byte.
 TEST_F(HistoryTest, SurvivesAKill) {
   { History history(file_); }
   std::size_t finished = 0;
-  for (int kill_number = 0; kill_number < 10; ++kill_number) {
+  for (int kill_number = 0; kill_number < kills(); ++kill_number) {
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
     const pid_t child = fork();
@@ -145,7 +152,7 @@ TEST_F(HistoryTest, SurvivesAKill) {
     char sign;
     ASSERT_EQ(read(ends[0], &sign, 1), 1);
     ++finished;
-    std::this_thread::sleep_for(std::chrono::microseconds(1700 * kill_number));
+    std::this_thread::sleep_for(std::chrono::microseconds(700 * kill_number));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     while (read(ends[0], &sign, 1) == 1) ++finished;

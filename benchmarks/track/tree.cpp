@@ -37,7 +37,7 @@ std::vector<std::string> same_options(const fs::path& build) {
     for (const char* name :
          {"CMAKE_BUILD_TYPE", "CMAKE_CXX_COMPILER", "CMAKE_CXX_COMPILER_LAUNCHER",
           "CMAKE_CXX_FLAGS", "CMAKE_CXX_FLAGS_RELEASE", "CMAKE_EXE_LINKER_FLAGS",
-          "STICTION_DEMANDS_ONLY"}) {
+          "STICTION_DEMANDS_ONLY", "STICTION_WARNINGS_AS_ERRORS"}) {
       if (line.rfind(std::string(name) + ":", 0) == 0) options.push_back("-D" + line);
     }
   }
@@ -103,8 +103,9 @@ Tree present_tree(const Project& project) {
 Tree build_tree(const Project& project, const std::string& reference) {
   const std::string commit = commit_of(project, reference);
   const std::string revision = commit.substr(0, kShortLength);
-  const fs::path source = project.work / "source" / revision;
-  Tree tree{.label = reference, .revision = revision, .build = project.work / "build" / revision};
+  const fs::path source = project.work / revision;
+  // As deep below its sources as the present build, so that a compiler cache knows its commands.
+  Tree tree{.label = reference, .revision = revision, .build = source / "build" / "release"};
   check_out(project, commit, source);
   if (!fs::exists(tree.build / "build.ninja")) {
     fmt::print(stderr, "stiction track: building {} ({}); a few minutes the first time\n",

@@ -20,7 +20,7 @@ struct Tree {
 struct Project {
   std::filesystem::path root;   ///< of the git repository
   std::filesystem::path build;  ///< of the present tree
-  std::filesystem::path work;   ///< worktrees, caches and the history: build/track
+  std::filesystem::path work;   ///< worktrees, what is remembered, the history
 };
 
 /// The full commit id of a revision. Throws TrackError when git knows none of that name.
@@ -37,9 +37,9 @@ std::string subject_of(const Project& project, const std::string& commit);
 /// The tree that is worked on, already built. Throws TrackError when a program is missing.
 Tree present_tree(const Project& project);
 
-/// Checks out `reference` under build/track/source/ and builds it under build/track/build/ with the
-/// compiler and options of the present build; what is there already is only brought up to date.
-/// Throws TrackError when git, cmake or the compiler fail, with their last line.
+/// Checks out `reference` under `project.work` and builds it there with the compiler and
+/// options of the present build; what is there already is only brought up to date. Throws
+/// TrackError when git, cmake or the compiler fail, with their last line.
 Tree build_tree(const Project& project, const std::string& reference);
 
 }  // namespace stiction::track
