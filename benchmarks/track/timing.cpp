@@ -30,13 +30,15 @@ std::string exactly_these(const std::vector<std::string>& names) {
   return pattern + ")$";
 }
 
-double noise(const Measurements& measured, const std::vector<std::string>& names) {
-  double largest = 0.0;
+// Those whose noise is above what is wanted.
+std::vector<std::string> noisy(const Measurements& measured, const std::vector<std::string>& names,
+                               double wanted) {
+  std::vector<std::string> found;
   for (const std::string& name : names) {
     const Measurement* const one = measured.find(Metric{name, "time", "s", Kind::kTime}.name());
-    largest = std::max(largest, reference::split_half_noise(one->samples, 0.95, 1));
+    if (reference::split_half_noise(one->samples, 0.95, 1) > wanted) found.push_back(name);
   }
-  return largest;
+  return found;
 }
 
 }  // namespace
@@ -68,17 +70,21 @@ void time_once(const Tree& tree, const std::vector<std::string>& names, const Ti
 
 void time_in_turn(const Tree& a, const Tree& b, const std::vector<std::string>& names,
                   const TimingPlan& plan, Measurements& of_a, Measurements& of_b) {
-  if (names.empty()) return;
   const bool shows = isatty(2) != 0;
-  for (int round = 0; round < plan.most_rounds; ++round) {
-    if (round >= plan.least_rounds &&
-        std::max(noise(of_a, names), noise(of_b, names)) <= plan.wanted_floor) {
-      break;
+  std::vector<std::string> wanted = names;
+  for (int round = 0; round < std::max(plan.least_rounds, plan.most_rounds); ++round) {
+    if (round >= plan.least_rounds) {
+      std::vector<std::string> still = noisy(of_a, wanted, plan.wanted_floor);
+      for (const std::string& name : noisy(of_b, wanted, plan.wanted_floor)) {
+        if (std::find(still.begin(), still.end(), name) == still.end()) still.push_back(name);
+      }
+      wanted = still;
     }
-    if (shows) fmt::print(stderr, "\r\033[K[round {}] {} benchmarks …", round + 1, names.size());
+    if (wanted.empty()) break;
+    if (shows) fmt::print(stderr, "\r\033[K[round {}] {} benchmarks …", round + 1, wanted.size());
     const bool a_first = round % 2 == 0;
-    time_once(a_first ? a : b, names, plan, a_first ? of_a : of_b);
-    time_once(a_first ? b : a, names, plan, a_first ? of_b : of_a);
+    time_once(a_first ? a : b, wanted, plan, a_first ? of_a : of_b);
+    time_once(a_first ? b : a, wanted, plan, a_first ? of_b : of_a);
   }
   if (shows) fmt::print(stderr, "\r\033[K");
 }

@@ -12,8 +12,8 @@ namespace stiction::track {
 /// How long to time.
 struct TimingPlan {
   int least_rounds = 9;  ///< runs of each program
-  /// More rounds are added, up to this many, while the noise is above `wanted_floor`. It is the
-  /// noise that decides, never the difference, so that looking does not raise false alarms.
+  /// More rounds are added, up to this many, of benchmarks whose noise is above `wanted_floor`. It
+  /// is the noise that decides, never the difference, so that looking does not raise false alarms.
   int most_rounds = 24;
   double wanted_floor = 0.02;  ///< |ln ratio|
   /// In a round, each program times each benchmark so often, and the fastest counts: other work on
