@@ -57,25 +57,50 @@ void add_check(const Check& check, const Cost& cost, const std::string& subject,
   }
 }
 
-// Names of settings that are not the same in all of these records.
-std::set<std::string> differing_settings(const std::vector<const Record*>& records) {
-  std::set<std::string> names;
-  for (const Record* one : records) {
-    for (const Record* other : records) {
-      for (const auto& [name, value] : one->settings) {
-        const auto found = other->settings.find(name);
-        if (found == other->settings.end() || found->second != value) names.insert(name);
-      }
-    }
-  }
-  return names;
+std::string value_of(const Record& record, const std::string& setting) {
+  const auto found = record.settings.find(setting);
+  return found == record.settings.end() ? "" : found->second;
 }
 
-std::string subject_of(const Record& record, const std::set<std::string>& differing) {
+// The records' values of these settings, one text a record.
+std::set<std::string> variants(const std::vector<const Record*>& records,
+                               const std::set<std::string>& settings) {
+  std::set<std::string> texts;
+  for (const Record* record : records) {
+    std::string text;
+    for (const std::string& setting : settings) text += value_of(*record, setting) + '\n';
+    texts.insert(text);
+  }
+  return texts;
+}
+
+// As few settings as tell these records from each other: the one that tells most apart is taken
+// first, of equals the first in the alphabet.
+std::set<std::string> telling_settings(const std::vector<const Record*>& records) {
+  std::set<std::string> names, chosen;
+  for (const Record* record : records) {
+    for (const auto& [name, value] : record->settings) names.insert(name);
+  }
+  for (std::size_t told = 1;;) {
+    std::string best;
+    for (const std::string& name : names) {
+      std::set<std::string> with = chosen;
+      with.insert(name);
+      const std::size_t count = variants(records, with).size();
+      if (count <= told) continue;
+      told = count;
+      best = name;
+    }
+    if (best.empty()) return chosen;
+    chosen.insert(best);
+  }
+}
+
+std::string subject_of(const Record& record, const std::set<std::string>& telling) {
   std::string subject = record.case_name;
   char sign = '@';
   for (const auto& [name, value] : record.settings) {
-    if (!differing.contains(name)) continue;
+    if (!telling.contains(name)) continue;
     subject += fmt::format("{}{}={}", sign, name, value);
     sign = ',';
   }
@@ -123,9 +148,9 @@ Accuracy accuracy_of(const std::vector<Record>& records) {
   for (const Record& record : records) by_case[record.case_name].push_back(&record);
   Accuracy accuracy;
   for (const auto& [name, siblings] : by_case) {
-    const std::set<std::string> differing = differing_settings(siblings);
+    const std::set<std::string> telling = telling_settings(siblings);
     for (const Record* record : siblings) {
-      const std::string subject = subject_of(*record, differing);
+      const std::string subject = subject_of(*record, telling);
       accuracy.measurements.add({subject, "verdict", "1", Kind::kVerdict},
                                 rank_of(record->verdict));
       accuracy.measurements.add({subject, "contact updates", "1", Kind::kCount},

@@ -27,8 +27,8 @@ using CaseOptions = std::vector<std::string>;
 Accuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
                           bool fresh);
 
-/// The metrics of records. A subject is a case and those settings that differ between its records,
-/// "case@rule=none,method=old": a default that changes with a revision is compared all the same.
+/// The metrics of records. A subject is a case and as few settings as tell its records from each
+/// other, "case@rule=none": a default that changes with a revision is compared all the same.
 ///  * verdict            of the record, and of each check ("verdict: creep")
 ///  * digits: <quantity> of checks that must hold; those shown, or known to be short of the claim,
 ///                       may move: their limit cycles depend on the last bit

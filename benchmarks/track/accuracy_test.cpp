@@ -38,6 +38,19 @@ TEST(Accuracy, NamesWhatDiffersBetweenTheRecordsOfACase) {
   EXPECT_EQ(accuracy_of({record_of("none", {})}).state_hash.count("slab/creep"), 1u);
 }
 
+TEST(Accuracy, NamesNoMoreSettingsThanNeeded) {
+  // method tells two apart, rule three; with rule nothing is left to tell but the last two.
+  Record a = record_of("none", {}), b = record_of("secant", {}), c = record_of("vector", {}), d = c;
+  a.settings["method"] = "old";
+  d.settings["kappa"] = "0.5";
+  d.settings["tie"] = "1";
+  const Accuracy all = accuracy_of({a, b, c, d});
+  EXPECT_EQ(all.state_hash.size(), 4u);
+  EXPECT_EQ(all.state_hash.count("slab/creep@rule=none"), 1u);
+  EXPECT_EQ(all.state_hash.count("slab/creep@kappa=0.5,rule=vector"), 1u);
+  EXPECT_EQ(all.state_hash.count("slab/creep@rule=vector"), 1u);
+}
+
 TEST(Accuracy, TakesDigitsOfChecksThatMustHold) {
   const Accuracy all = accuracy_of(
       {record_of("none", {check_of("a", 5, Verdict::kPass), check_of("b", 4, Verdict::kFail),

@@ -15,7 +15,8 @@ struct TimingPlan {
   /// More rounds are added, up to this many, of benchmarks whose noise is above `wanted_floor`. It
   /// is the noise that decides, never the difference, so that looking does not raise false alarms.
   int most_rounds = 24;
-  double wanted_floor = 0.02;  ///< |ln ratio|
+  double wanted_floor =
+      0.03;  ///< |ln ratio|; less is of no use below the layout floor (decide.cpp)
   /// In a round, each program times each benchmark so often, and the fastest counts: other work on
   /// the machine only ever adds time.
   int repetitions = 5;
