@@ -96,7 +96,10 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
   if (!suspects.empty()) {
     fmt::print(stderr, "stiction track: once more, to be sure: {}\n", fmt::join(suspects, ", "));
     Measurements of_before, of_after;
-    time_in_turn(before, after, suspects, scope.timing, of_before, of_after);
+    // Half as long again, so that a true change is not lost to a burst of noise.
+    TimingPlan plan = scope.timing;
+    plan.least_rounds += plan.least_rounds / 2;
+    time_in_turn(before, after, suspects, plan, of_before, of_after);
     confirm(outcome.comparisons, compare(of_before, of_after));
     outcome.timed_twice = true;
   }

@@ -10,7 +10,7 @@
 
 namespace stiction::track {
 
-// significance: with 9 against 9 samples the smallest p is 4e-5. Both runs wrong in the same
+// significance: with 12 against 12 samples the smallest p is 7e-7. Both runs wrong in the same
 //   direction by chance: (0.01/2)² · 2 = 5e-5 a metric, if samples were independent; the floors
 //   below are there because on a shared machine they are not.
 // layout_floor: the same instructions at other addresses run up to some per cent faster or slower

@@ -11,7 +11,7 @@ namespace stiction::track {
 
 /// How long to time.
 struct TimingPlan {
-  int least_rounds = 9;  ///< runs of each program
+  int least_rounds = 12;  ///< runs of each program
   /// More rounds are added, up to this many, of benchmarks whose noise is above `wanted_floor`. It
   /// is the noise that decides, never the difference, so that looking does not raise false alarms.
   int most_rounds = 24;
@@ -19,8 +19,8 @@ struct TimingPlan {
       0.03;  ///< |ln ratio|; less is of no use below the layout floor (decide.cpp)
   /// In a round, each program times each benchmark so often, and the fastest counts: other work on
   /// the machine only ever adds time.
-  int repetitions = 5;
-  double seconds = 0.02;  ///< CPU time of one repetition, at least
+  int repetitions = 10;
+  double seconds = 0.01;  ///< CPU time of one repetition, at least
 };
 
 /// Adds the sample "<benchmark>#time" (CPU time per contact, s) of each benchmark in one

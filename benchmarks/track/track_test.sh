@@ -138,6 +138,7 @@ refuses "an unknown metric" "is not measured" bisect --metric "$friction#colour"
 
 # ---- history ------------------------------------------------------------------------------------
 holds 0 "record" record --history h.sqlite && holds 0 "record again" record --history h.sqlite
+refuses "a record without cases" "the history needs the cases" record --no-accuracy
 holds 0 "history" history --history h.sqlite --metric '*#time' --out trends
 says "Machine: Example CPU, 2 cores, GCC 12, -O3" "$friction#time [s]"
 [ "$(grep -c '"name":"time"' trends/latest/records.jsonl)" -eq 1 ] || failed history "no trend"

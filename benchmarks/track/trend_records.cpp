@@ -17,10 +17,14 @@ std::vector<Record> trend_records(const std::vector<Trend>& trends,
       record.environment = environment;
       record.verdict = Verdict::kNotApplicable;
     }
+    const Metric& metric = trend.metric;
+    records.back().notes.push_back(
+        metric.what + (higher_is_better(metric.kind) ? ": higher is better" : ": lower is better"));
+    const bool in_ns = metric.kind == Kind::kTime && metric.unit == "s";
     Series series{
-        .name = trend.metric.what, .unit = trend.metric.unit, .x_name = "run", .x_unit = "1"};
+        .name = metric.what, .unit = in_ns ? "ns" : metric.unit, .x_name = "run", .x_unit = "1"};
     series.x.assign(trend.runs.begin(), trend.runs.end());
-    series.y = trend.medians;
+    for (const double value : trend.medians) series.y.push_back(in_ns ? value * 1e9 : value);
     records.back().series.push_back(std::move(series));
   }
   return records;
