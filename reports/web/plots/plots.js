@@ -17,6 +17,7 @@ import { trend_plots } from "./trend_plot.js";
 import { work_precision_plot } from "./work_precision_plot.js";
 
 const is_over_time = (series) => series.x_name === "time";
+const is_over_runs = (series) => series.x_name === "run"; // as ./stiction track history writes it
 
 const with_id = (plots, prefix) =>
   plots.filter(Boolean).map((plot, i) => ({ ...plot, id: `${prefix}/${plot.kind}-${i + 1}` }));
@@ -76,7 +77,9 @@ export function case_plots(case_name, entries, runs) {
   const series_plots = [...same_axes.values()].map((group) =>
     is_over_time(group[0].series)
       ? { kind: "series", ...series_plot(group) }
-      : parameter_plot(group),
+      : is_over_runs(group[0].series)
+        ? { kind: "trend", ...series_plot(group) }
+        : parameter_plot(group),
   );
   const phases = phase_plot(labelled);
   return with_id([...series_plots, phases && { kind: "phases", ...phases }], case_name);

@@ -21,6 +21,7 @@ import { instant, place_at, view_of } from "../page/playback.js";
 import { hash_of, parse_hash } from "../page/route.js";
 import { pareto_front, power_law } from "../plots/fit.js";
 import { kind_of } from "../plots/parameter_plot.js";
+import { case_plots } from "../plots/plots.js";
 import { bracket_in } from "../plots/threshold_plot.js";
 import { check, record } from "./records.mjs";
 
@@ -299,4 +300,17 @@ test("brackets are read from notes, however the case tells them", () => {
   );
   assert.deepEqual(of("stands at tan θ = 0.29550, slides at 0.29600, 9 runs"), [0.2955, 0.296]);
   assert.deepEqual(of("the box holds, and slides later"), []);
+});
+
+test("a series over runs is drawn as history, without a fitted power law", () => {
+  const over = (x_name) => ({
+    ...{ name: "time", unit: "ns", x_name, x_unit: "1" },
+    ...{ x: [1, 2, 3], y: [8, 4, 2] },
+  });
+  const kinds = (series) =>
+    case_plots("trend/step", [{ record: { ...record(), series }, run: 0 }], [{ short: "" }]).map(
+      ({ kind }) => kind,
+    );
+  assert.deepEqual(kinds([over("run")]), ["trend", "phases"]);
+  assert.ok(!kinds([over("cells")]).includes("trend"));
 });

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/track/remembered.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+
+#include "benchmarks/track/child.h"
+
+namespace stiction::track {
+
+namespace {
+
+constexpr std::uint64_t kOffset = 0xcbf29ce484222325u;
+constexpr std::uint64_t kPrime = 0x100000001b3u;
+
+std::uint64_t fnv(std::uint64_t hash, const char* bytes, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    hash = (hash ^ static_cast<unsigned char>(bytes[i])) * kPrime;
+  }
+  return hash;
+}
+
+}  // namespace
+
+std::string content_hash(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw TrackError(fmt::format("cannot read {}", file.string()));
+  std::uint64_t hash = kOffset;
+  std::array<char, 65536> buffer;
+  while (stream.read(buffer.data(), buffer.size()) || stream.gcount() > 0) {
+    hash = fnv(hash, buffer.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string remembered(const std::filesystem::path& folder, const std::string& key, bool fresh,
+                       const std::function<std::string()>& make) {
+  const std::filesystem::path file =
+      folder / fmt::format("{:016x}", fnv(kOffset, key.data(), key.size()));
+  if (!fresh) {
+    std::ifstream stream(file);
+    std::string line;
+    // The first line is the key itself: two keys of one hash are told apart.
+    if (stream && std::getline(stream, line) && line == key) {
+      return std::string(std::istreambuf_iterator<char>(stream), {});
+    }
+  }
+  const std::string text = make();
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path part = fmt::format("{}.{}", file.string(), getpid());
+  std::ofstream stream(part);
+  stream << key << '\n' << text << std::flush;
+  if (!stream) throw TrackError(fmt::format("cannot write {}", part.string()));
+  stream.close();
+  std::filesystem::rename(part, file);
+  return text;
+}
+
+}  // namespace stiction::track

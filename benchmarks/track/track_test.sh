@@ -1,0 +1,164 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# End-to-end tests of `track` on a project of stand-ins (testdata/): track_test.sh BUILD_DIR
+# Prints one line a check; ends with exit code 1 at the first that fails.
+set -uo pipefail
+
+build=$(cd "${1:?usage: track_test.sh BUILD_DIR}" && pwd)
+data=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/testdata
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/project" "$work/bin" && cd "$work/project" || exit 1
+cp "$data"/CMakeLists.txt "$data"/*.sh . && cp "$data/valgrind" "$work/bin"
+# The stand-ins carry this clone's history in build/, and the word of no other git configuration.
+export PATH=$work/bin:$PATH GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1
+export GIT_AUTHOR_NAME=t GIT_AUTHOR_EMAIL=t@example.org GIT_COMMITTER_NAME=t \
+  GIT_COMMITTER_EMAIL=t@example.org
+friction=friction:fixed-point/slab/contacts:1000
+
+failed() {
+  printf 'FAIL  %s\n      %s\n' "$1" "$2"
+  tail -n 20 "$work/out" "$work/err" | sed 's/^/      /'
+  exit 1
+}
+
+# holds CODE WHAT ARGUMENT …: runs track, demands the exit code, keeps its output.
+holds() {
+  local code=$1 what=$2 got
+  last=$what
+  shift 2
+  "$build/track" "$@" >"$work/out" 2>"$work/err"
+  got=$?
+  [ "$got" -eq "$code" ] || failed "$what" "exit code $got, not $code, of: track $*"
+  printf 'ok    %s\n' "$what"
+}
+
+# says WORDS …: each stands in the output.
+says() {
+  local words
+  for words in "$@"; do
+    grep -qF -- "$words" "$work/out" || failed "$last" "the output lacks: $words"
+  done
+}
+
+# refuses WHAT SENTENCE ARGUMENT …: exit code 2; the last line of stderr holds the sentence.
+refuses() {
+  local what=$1 sentence=$2
+  shift 2
+  holds 2 "$what" "$@"
+  tail -n 1 "$work/err" | grep -qF -- "$sentence" || failed "$what" "stderr lacks: $sentence"
+}
+
+# present TIME UPDATES ERROR DIGITS VERDICT FLAGS: builds a present tree of these numbers.
+present() {
+  printf '# %s %s %s\n' "$1" "$2" "$3" >bench.numbers
+  printf '# %s %s %s\n' "$4" "$5" "$6" >validate.numbers
+  cmake --build build/release --target bench validate >/dev/null || exit 1
+}
+
+commit() { git add -A && git commit -qm "$1"; }
+
+# row CHANGE METRIC: the table has this line.
+row() { grep -qE "^$1 +$2 " "$work/out" || failed "$last" "no row: $1 $2"; }
+
+printf 'build/\n' >.gitignore
+git init -q . && printf '# 50 1000 1e-9\n' >bench.numbers && printf '# 6 pass -O3\n' >validate.numbers
+commit one && cmake -G Ninja -B build/release >/dev/null && present 50 1000 1e-9 6 pass -O3
+
+# ---- decisions and exit codes -------------------------------------------------------------------
+holds 0 "the same against itself: nothing is worse" --against HEAD
+says "nothing is worse, 0 better" "1 of 1 cases equal to the last bit"
+present 54 1000 1e-9 6 pass -O3
+holds 1 "8 % slower is worse" --against HEAD
+row worse "$friction#time"
+grep -q 'once more, to be sure' "$work/err" || failed "$last" "it was not confirmed"
+present 46 1000 1e-9 6 pass -O3
+holds 0 "8 % faster is nothing worse" --against HEAD
+row better "$friction#time"
+holds 3 "and is told when asked for" --against HEAD --report-improvement
+present 50 1000 1e-9 5 pass -O3
+holds 1 "a digit less is worse" --against HEAD --no-times
+row worse "slab/creep#digits: creep"
+present 40 1000 1e-9 5 pass -O3
+holds 1 "a speed-up that costs a digit is worse" --against HEAD --report-improvement
+present 50 1000 1e-9 6 fail -O3
+holds 1 "a check that fails is worse" --against HEAD --no-times
+row worse "slab/creep#verdict: creep"
+present 50 1010 1e-9 6 pass -O3
+holds 1 "1 % more contact updates and instructions are worse" --against HEAD --no-times
+row worse "$friction#instructions" && row worse "$friction#contact updates"
+present 50 1000 1e-8 6 pass -O3
+holds 1 "a workload that is less accurate is worse" --against HEAD --no-times
+row worse "$friction#digits: error"
+present 50 1000 1e-9 6 pass -O0
+refuses "other flags are refused" "flags: -O3 / -O0" --against HEAD --no-times
+holds 0 "unless asked for" --against HEAD --no-times --any-machine
+
+# ---- output -------------------------------------------------------------------------------------
+present 50 1000 1e-9 5 pass -O3
+holds 1 "--json" --against HEAD --no-times --json
+says '"worse": 1' '"metric": "slab/creep#digits: creep"' '"direction": "higher is better"' \
+  '"before": 6.0' '"after": 5.0' '"change": "worse"'
+holds 1 "--markdown" --against HEAD --no-times --markdown
+says '| worse | `slab/creep#digits: creep` | 6.00 digits | 5.00 digits | -1.00 digits | higher |'
+
+# ---- what cannot be measured --------------------------------------------------------------------
+refuses "an unknown revision" "git knows no revision 'nonsense'" --against nonsense
+refuses "no such benchmark" "no benchmark of this name" --against HEAD --benchmark nonsense
+present 50 1000 1e-9 6 pass -O3
+sed -i 's/--list-fixed)/--list-none)/' bench.sh && commit "old bench" && git tag old
+git checkout -q HEAD~1 -- . && commit "new bench"
+refuses "a revision whose bench has no --list-fixed" "cannot be measured: its bench" --against old
+printf 'broken\n' >CMakeLists.txt && commit broken && git tag broken
+git checkout -q HEAD~1 -- . && commit repaired
+refuses "a revision that cannot be built" "broken cannot be configured" --against broken
+cd "$work" && refuses "no clone" "is in no clone" --against HEAD
+cd project || exit 1
+refuses "no build" "is not built" --build "$work" --against HEAD
+holds 2 "no command" && holds 2 "an unknown option" --bogus
+holds 2 "too few rounds" --against HEAD --rounds 3
+
+# ---- bisect -------------------------------------------------------------------------------------
+good=$(git rev-parse HEAD)
+for k in 1 2 3; do printf '%s\n' "$k" >note && commit "note $k"; done
+printf '# 6 pass -O3\n# 4 pass -O3\n' >validate.numbers && commit "costs two digits"
+printf '# 50 1200 1e-9\n' >bench.numbers && commit "costs instructions"
+for k in 4 5; do printf '%s\n' "$k" >note && commit "note $k"; done
+holds 1 "bisect finds the revision that cost digits" \
+  bisect --metric 'slab/creep#digits: creep' --good "$good"
+says "costs two digits"
+holds 1 "bisect finds the revision that cost instructions" \
+  bisect --metric "$friction#instructions" --good "$good" --bad HEAD
+says "costs instructions: 100 → 120"
+holds 0 "bisect tells what did not move" bisect --metric "$friction#allocations" --good "$good"
+says "did not move"
+refuses "the wrong way round" "does not come before" \
+  bisect --metric "$friction#time" --good HEAD --bad "$good"
+refuses "an unknown metric" "is not measured" bisect --metric "$friction#colour" --good "$good"
+
+# ---- history ------------------------------------------------------------------------------------
+holds 0 "record" record --history h.sqlite && holds 0 "record again" record --history h.sqlite
+refuses "a record without cases" "the history needs the cases" record --no-accuracy
+holds 0 "history" history --history h.sqlite --metric '*#time' --out trends
+says "Machine: Example CPU, 2 cores, GCC 12, -O3" "$friction#time [s]"
+[ "$(grep -c '"name":"time"' trends/latest/records.jsonl)" -eq 1 ] || failed history "no trend"
+holds 0 "compare two runs" compare 1 2 --history h.sqlite
+holds 0 "export" export e.json --history h.sqlite --run 1
+holds 0 "import what was exported" import e.json --history h.sqlite
+holds 0 "compare it with where it came from" compare 1 3 --history h.sqlite
+says "nothing is worse, 0 better, of 5 metrics"
+holds 0 "import a file of another program" import - --history h.sqlite <<'JSON'
+{"context": {"num_cpus": 8, "date": "2026-01-01"}, "benchmarks": [
+ {"name": "BM_x", "run_type": "iteration", "cpu_time": 5, "time_unit": "us"},
+ {"name": "BM_x_mean", "run_type": "aggregate", "cpu_time": 5, "time_unit": "us"}]}
+JSON
+refuses "runs of different machines" "are of different machines" compare 1 4 --history h.sqlite
+holds 0 "unless asked for" compare 1 4 --history h.sqlite --any-machine
+holds 0 "of other machines the history tells" history --history h.sqlite
+says "3 runs of other machines are left out"
+refuses "no such run" "has no run 99" compare 1 99 --history h.sqlite
+refuses "no such metric" "has no metric 'x'" history --metric x --history h.sqlite
+printf 'no json' >bad.json
+refuses "a file of something else" "is not Google Benchmark's JSON" import bad.json --history h.sqlite
+refuses "a missing file" "cannot read missing.json" import missing.json --history h.sqlite
+refuses "a file that is no history" "bad.json" history --history bad.json

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stiction::track {
+
+/// A built revision: its programs `bench` and `validate` are in `build`.
+struct Tree {
+  std::string label;     ///< as a person named it: "HEAD~1", "present"
+  std::string revision;  ///< 12 hex digits, "+" behind it when files were changed
+  std::filesystem::path build;
+
+  std::filesystem::path program(const char* name) const { return build / name; }
+};
+
+/// Where the project stands on disk.
+struct Project {
+  std::filesystem::path root;   ///< of the git repository
+  std::filesystem::path build;  ///< of the present tree
+  std::filesystem::path work;   ///< worktrees, what is remembered, the history
+};
+
+/// The full commit id of a revision. Throws TrackError when git knows none of that name.
+std::string commit_of(const Project& project, const std::string& reference);
+
+/// Commits behind `good` up to and with `bad`, oldest first, along first parents.
+/// Throws TrackError unless `good` is an ancestor of `bad`.
+std::vector<std::string> commits_between(const Project& project, const std::string& good,
+                                         const std::string& bad);
+
+/// Subject line of a commit.
+std::string subject_of(const Project& project, const std::string& commit);
+
+/// The tree that is worked on, already built. Throws TrackError when a program is missing.
+Tree present_tree(const Project& project);
+
+/// Checks out `reference` under `project.work` and builds it there with the compiler and
+/// options of the present build; what is there already is only brought up to date. Throws
+/// TrackError when git, cmake or the compiler fail, with their last line.
+Tree build_tree(const Project& project, const std::string& reference);
+
+}  // namespace stiction::track
