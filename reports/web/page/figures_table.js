@@ -28,10 +28,11 @@ function range_of(rows, place, name) {
   return values.length > 0 && least >= 0 && most > least ? { least, most } : null;
 }
 
-// On a logarithmic scale from the least to the largest; at least a tenth, so that a bar is seen.
+// On a logarithmic scale from the least to the largest, or to ten times the least where that is less;
+// never so short that it is not seen.
 function bar_part(value, { least, most }) {
   if (value <= least || least <= 0) return value <= least ? 0.06 : value / most;
-  return 0.06 + 0.94 * (Math.log(value / least) / Math.log(most / least));
+  return 0.06 + 0.94 * (Math.log(value / least) / Math.log(Math.max(10, most / least)));
 }
 
 function cell(value, range, failed) {
