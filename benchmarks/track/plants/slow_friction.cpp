@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A planted fault for benchmarks/prove_track: the friction phase takes 5 % longer, by the clock. The
-// build renames the solver's own function to unplanted_friction_forces.
+// A planted fault for benchmarks/prove_track: the friction phase takes 5 % longer, by the clock.
+// The build renames the solver's own function to unplanted_friction_forces.
 #include <chrono>
 
 #include "solver/phases/friction.h"
