@@ -93,13 +93,15 @@ TEST(StictionEngine, ResolvesItsSettings) {
 }
 
 TEST(StictionEngine, RefusesUnknownSettingsWhenItIsMade) {
-  EXPECT_EQ(test::refusal([] {
-              find_engine("stiction").make({{"sped", "1"}});
-            }),
-            "engine 'stiction' has no setting 'sped'; there are: alpha, ball, bound, cells, "
-            "count-hysteresis, depth, dt, gain, hysteresis, integrator, kappa, key, memory, "
-            "method, normals, order, "
-            "post-correction, reaction, relaxation, rule, safeguard, sweeps, tie, weights");
+  EXPECT_EQ(
+      test::refusal([] {
+        find_engine("stiction").make({{"sped", "1"}});
+      }),
+      "engine 'stiction' has no setting 'sped'; there are: alpha, ball, bound, cells, "
+      "count-hysteresis, depth, depth-noise, dt, gain, hysteresis, integrator, kappa, key, memory, "
+      "method, normals, order, "
+      "post-correction, reaction, relaxation, rule, safeguard, slip-tolerance, sweeps, tie, "
+      "weights");
 }
 
 TEST(StictionEngine, ShortensTheDefaultStepWhereStabilityAsksForIt) {
