@@ -60,11 +60,11 @@ void JsonFile::ReportRuns(const std::vector<Run>& runs) {
 
 void print(const std::vector<Scaling>& scalings) {
   if (scalings.empty()) return;
-  fmt::print("\nCost over contacts, time ∝ contactsᵖ\n{:<12}{:<26}{:>14}{:>16}{:>28}\n", "family",
+  fmt::print("\nCost over contacts, time ∝ contactsᵖ\n{:<8}{:<42}{:>12}{:>15}{:>28}\n", "family",
              "phase", "exponent p", "95 % interval", "ns/contact, small … large");
   for (const Scaling& scaling : scalings) {
     fmt::print(
-        "{:<12}{:<26}{:>14.3f}{:>16}{:>28}\n", scaling.family, scaling.part, scaling.law.exponent,
+        "{:<8}{:<42}{:>12.3f}{:>15}{:>28}\n", scaling.family, scaling.part, scaling.law.exponent,
         fmt::format("± {:.3f}", scaling.law.exponent_margin),
         fmt::format("{:.1f} … {:.1f}", 1e9 * scaling.seconds.front() / scaling.contacts.front(),
                     1e9 * scaling.seconds.back() / scaling.contacts.back()));
@@ -72,10 +72,10 @@ void print(const std::vector<Scaling>& scalings) {
 }
 
 void print(const std::vector<FeatureCost>& features) {
-  fmt::print("\nModel only what a scene needs: instructions of a step\n{:<42}{:>14}{:>18}{:>14}\n",
+  fmt::print("\nModel only what a scene needs: instructions of a step\n{:<48}{:>14}{:>19}{:>17}\n",
              "feature", "not built in", "unused ÷ without", "used ÷ without");
   for (const FeatureCost& feature : features) {
-    fmt::print("{:<42}{:>14.0f}{:>18.5f}{:>14.3f}\n", feature.title, feature.without,
+    fmt::print("{:<48}{:>14.0f}{:>19.5f}{:>17.3f}\n", feature.title, feature.without,
                feature.unused / feature.without, feature.used / feature.without);
   }
 }
