@@ -19,14 +19,6 @@ std::string without_spaces(std::string name) {
   return name;
 }
 
-std::vector<std::string> friction_rules() {
-  std::vector<std::string> rules;
-#define STICTION_LIST_RULE(Rule, word) rules.emplace_back(word);
-  STICTION_FRICTION_RULES(STICTION_LIST_RULE)
-#undef STICTION_LIST_RULE
-  return rules;
-}
-
 template <class Value>
 void add(const std::vector<Value>& values, Fnv1a& hash) {
   hash.add(values.data(), values.size() * sizeof(Value));
@@ -58,7 +50,7 @@ std::vector<Timed> timed_parts() {
       if (phase == Phase::kDetect) parts.push_back({name + ":afresh", phase, false, usual, true});
       continue;
     }
-    for (const std::string& rule : friction_rules()) {
+    for (const std::string& rule : friction_rule_names()) {
       parts.push_back({name + ":" + rule, phase, false, rule});
     }
   }
@@ -73,6 +65,7 @@ std::string benchmark_name(const Timed& timed, const std::string& family, int si
 Batch::Batch(const Workload& settled, const Timed& timed) : work_(settled), timed_(timed) {
   if (timed.rule != work_.options.rule) {
     work_.options.rule = timed.rule;
+    work_.options.sweeps = friction_rule_card(timed.rule).sweeps;
     for (int k = 0; k < kRuleSteps; ++k) {
       step(*work_.scene, work_.options, work_.state, work_.workspace);
     }

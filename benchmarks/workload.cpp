@@ -30,7 +30,7 @@ double unbalance(const Scene& scene, const State& before, const State& after, do
     if (held(scene, body)) continue;
     const double change =
         (centre_velocity(scene, after, body) - centre_velocity(scene, before, body)).norm();
-    if (!(change / gravity_step <= largest)) {
+    if (!(change / gravity_step <= largest) && !std::isnan(largest)) {
       largest = change / gravity_step;
       worst = body.name;
     }
@@ -84,7 +84,11 @@ Check rest_check(const std::string& quantity, const std::string& claim, double v
 
 double Workload::error() const {
   double largest = 0.0;
-  for (const Check& check : checks) largest = std::max(largest, std::abs(check.error));
+  for (const Check& check : checks) {
+    // What is no number stays so.
+    if (!(std::abs(check.error) <= largest) && !std::isnan(largest))
+      largest = std::abs(check.error);
+  }
   return largest;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/membrane.h"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_roots.h>
 
@@ -11,6 +10,8 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+
+#include "reference/gsl_errors.h"
 
 namespace stiction::reference {
 
@@ -81,18 +82,6 @@ double acceleration(const MembraneProblem& p, MembraneLaw law, double s) {
   }
   return p.gravity * (std::sin(p.slope) - std::cos(p.slope) * full_pull(p, s) / p.box_load);
 }
-
-/// GSL's default handler aborts; here status codes and exceptions tell.
-class QuietGsl {
- public:
-  QuietGsl() : previous_(gsl_set_error_handler_off()) {}
-  ~QuietGsl() { gsl_set_error_handler(previous_); }
-  QuietGsl(const QuietGsl&) = delete;
-  QuietGsl& operator=(const QuietGsl&) = delete;
-
- private:
-  gsl_error_handler_t* previous_;
-};
 
 struct Event {
   MembraneEnd end;
@@ -203,7 +192,7 @@ double membrane_stop(const MembraneProblem& p) {
 double membrane_acceleration(const MembraneProblem& problem, MembraneLaw law, double position) {
   if (const std::string wrong = problem.check(); !wrong.empty()) demand(false, wrong);
   demand(position > 0.0 && position < problem.length, "the position lies off the span");
-  const QuietGsl quiet;
+  quiet_gsl();
   return acceleration(problem, law, position);
 }
 
@@ -213,7 +202,7 @@ MembraneMotion membrane_motion(const MembraneProblem& problem, MembraneLaw law, 
   demand(duration > 0.0 && std::isfinite(duration), "the duration must be positive and finite");
   demand(intervals >= 1, "there must be an interval at least");
 
-  const QuietGsl quiet;
+  quiet_gsl();
   Integrator integrator(problem, law);
   const double mass = problem.box_load / (problem.gravity * std::cos(problem.slope));
   MembraneMotion motion;

@@ -2,7 +2,6 @@
 #include "reference/nonlinear_system.h"
 
 #include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_multiroots.h>
 
@@ -11,6 +10,8 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+
+#include "reference/gsl_errors.h"
 
 namespace stiction::reference {
 
@@ -46,25 +47,13 @@ Vector vector_of(const Eigen::VectorXd& values) {
   return v;
 }
 
-// GSL ends the program on errors unless told otherwise.
-class QuietErrors {
- public:
-  QuietErrors() : before_(gsl_set_error_handler_off()) {}
-  ~QuietErrors() { gsl_set_error_handler(before_); }
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
-
- private:
-  gsl_error_handler_t* before_;
-};
-
 }  // namespace
 
 SystemSolution solve_system(const System& f, const Eigen::VectorXd& start, double tolerance,
                             int most_iterations) {
   const auto size = static_cast<std::size_t>(start.size());
   if (size == 0) throw std::invalid_argument("a system of equations needs an unknown");
-  const QuietErrors quiet;
+  quiet_gsl();
   System held = f;
   gsl_multiroot_function function{&evaluate, size, &held};
   const std::unique_ptr<gsl_multiroot_fsolver, void (*)(gsl_multiroot_fsolver*)> solver(
@@ -84,13 +73,15 @@ SystemSolution solve_system(const System& f, const Eigen::VectorXd& start, doubl
       solution.x = values_of(solver->x);
     }
   }
-  solution.outcome = gsl_strerror(status);
+  // The last iteration's own success says nothing of the residual.
+  if (status == GSL_SUCCESS) status = gsl_multiroot_test_residual(solver->f, tolerance);
+  solution.outcome = gsl_strerror(status == GSL_CONTINUE ? GSL_EMAXITER : status);
   return solution;
 }
 
 SystemSolution solve_least_squares(const System& f, const Eigen::VectorXd& start,
                                    int most_iterations) {
-  const QuietErrors quiet;
+  quiet_gsl();
   System held = f;
   const Eigen::VectorXd first = f(start);
   if (first.size() < start.size()) {
@@ -149,7 +140,7 @@ double diagonal_dominance(const Eigen::MatrixXd& j) {
 
 double spectral_radius(const Eigen::MatrixXd& m) {
   if (m.rows() != m.cols()) throw std::invalid_argument("eigenvalues are of a square matrix");
-  const QuietErrors quiet;
+  quiet_gsl();
   const auto size = static_cast<std::size_t>(m.rows());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = m;
   gsl_matrix_view view = gsl_matrix_view_array(rows.data(), size, size);

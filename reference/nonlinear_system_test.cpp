@@ -32,6 +32,12 @@ TEST(NonlinearSystem, SaysSoWhereThereIsNoRoot) {
   EXPECT_LE(found.residual, 5.0);
 }
 
+TEST(NonlinearSystem, SaysSoWhenItRanOutOfIterations) {
+  const SystemSolution found = solve_system(rosenbrock, Eigen::Vector2d(-1.2, 1.0), 1e-13, 2);
+  EXPECT_EQ(found.iterations, 2);
+  EXPECT_NE(found.outcome, "success");
+}
+
 TEST(NonlinearSystem, RefusesASystemWithoutUnknowns) {
   EXPECT_THROW(solve_system(rosenbrock, Eigen::VectorXd(), 1e-12), std::invalid_argument);
 }

@@ -63,7 +63,7 @@ struct Mesh {
 struct Cost {
   double cpu_seconds = 0.0;            ///< process or thread CPU time of the engine's steps, s
   std::uint64_t steps = 0;             ///< time steps
-  std::uint64_t contact_updates = 0;   ///< contacts summed over steps (and sweeps)
+  std::uint64_t contact_updates = 0;   ///< contacts summed over steps, whatever the sweeps
   double ns_per_contact_update = 0.0;  ///< contact phases only, ns; 0 when not timed
   std::map<std::string, double> phase_seconds{};  ///< CPU time by phase, s; empty when not timed
 };

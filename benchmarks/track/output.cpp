@@ -110,7 +110,7 @@ std::string closing_sentence(const Outcome& outcome) {
   }
   const double noise = largest_noise(outcome);
   if (noise > 0.0) {
-    text += fmt::format("; changes in time above {:.1f} % would have been seen",
+    text += fmt::format("; changes in time below {:.1f} % are not called one",
                         100.0 * std::expm1(noise));
   }
   return text + ".";

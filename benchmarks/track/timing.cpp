@@ -55,7 +55,7 @@ void time_once(const Tree& tree, const std::vector<std::string>& names, const Ti
            fmt::format("--benchmark_repetitions={}", plan.repetitions)},
           scratch.folder());
   const std::string text = content_of(out);
-  if (text.empty()) throw TrackError(what + ": " + last_line(ended.errors));
+  if (text.empty() || ended.code != 0) throw TrackError(what + ": " + last_line(ended.errors));
   std::map<std::string, double> fastest;
   for (const GoogleResult& result : read_google_results(text, what)) {
     const auto [place, is_new] = fastest.emplace(result.name, result.seconds);

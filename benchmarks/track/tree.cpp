@@ -110,17 +110,18 @@ Tree build_tree(const Project& project, const std::string& reference) {
   if (!fs::exists(tree.build / "build.ninja")) {
     fmt::print(stderr, "stiction track: building {} ({}); a few minutes the first time\n",
                reference, revision);
-    std::vector<std::string> words = {"cmake",
-                                      "-G",
-                                      "Ninja",
-                                      "-S",
-                                      source.string(),
-                                      "-B",
-                                      tree.build.string(),
-                                      "-DSTICTION_BUILD_TESTS=OFF"};
-    for (const std::string& option : same_options(project.build)) words.push_back(option);
-    demand_run(fmt::format("{} cannot be configured", reference), words);
   }
+  // Each time: the options of the present build may have changed since.
+  std::vector<std::string> words = {"cmake",
+                                    "-G",
+                                    "Ninja",
+                                    "-S",
+                                    source.string(),
+                                    "-B",
+                                    tree.build.string(),
+                                    "-DSTICTION_BUILD_TESTS=OFF"};
+  for (const std::string& option : same_options(project.build)) words.push_back(option);
+  demand_run(fmt::format("{} cannot be configured", reference), words);
   demand_run(fmt::format("{} cannot be built", reference),
              {"cmake", "--build", tree.build.string(), "--target", "bench", "validate"});
   return tree;

@@ -6,7 +6,7 @@
 namespace stiction {
 
 /// The stored vector whose sweeps are accelerated by conjugate directions of all contacts together
-/// [Silcowitz2010]. With r the change of all forces by a sweep,
+/// [Silcowitz2010]. With r the change of all forces by a sweep, |r|² = Σ w rᵢ²,
 ///
 ///   β = |rᵏ|²/|rᵏ⁻¹|²;   β > 1: p ← r,   else   f ← P(f + β p),  p ← β p + r
 ///
@@ -20,7 +20,8 @@ struct ConjugateVector : StoredVector {
   static constexpr RuleCard kCard{
       "f",
       "inside the cone; as the stored vector, restarted where the residual grows; needs two sweeps "
-      "or more to differ from it"};
+      "or more to differ from it",
+      64};
   static constexpr bool kConjugate = true;
   using StoredVector::StoredVector;
 };

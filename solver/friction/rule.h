@@ -25,6 +25,7 @@ struct FrictionParameters {
 struct RuleCard {
   const char* memory;      ///< what it keeps of a contact from step to step
   const char* guarantees;  ///< what holds whatever the scene, and what doesn't
+  int sweeps = 1;          ///< of a step, that it is meant to have
 };
 
 /// One contact's friction problem within a step, after its normal force is known.

@@ -20,9 +20,6 @@ const std::multimap<std::string, Settings> kReadings = {
     {"stored-vector", {{"sweeps", "8"}}},
 };
 
-// A rule with conjugate directions is one sweep of the stored vector unless it may sweep more.
-const std::map<std::string, Settings> kDefaults = {{"conjugate-vector", {{"sweeps", "64"}}}};
-
 std::vector<Settings> on_both_contacts(const std::vector<Settings>& rules) {
   std::vector<Settings> variants;
   for (const char* method : {"paper", "quiet"}) {
@@ -35,8 +32,9 @@ std::vector<Settings> on_both_contacts(const std::vector<Settings>& rules) {
 }
 
 std::vector<Settings> readings_of(const std::string& rule) {
-  const auto defaults = kDefaults.find(rule);
-  Settings first = defaults == kDefaults.end() ? Settings{} : defaults->second;
+  const int sweeps = friction_rule_card(rule).sweeps;
+  Settings first;
+  if (sweeps > 1) first["sweeps"] = std::to_string(sweeps);
   first["rule"] = rule;
   std::vector<Settings> all{first};
   const auto [begin, end] = kReadings.equal_range(rule);
@@ -89,7 +87,7 @@ std::string rule_words(const Settings& settings) {
     words += ", g = " + gain->second;
   }
   add("alpha", "α = ", " s/m");
-  add("sweeps", words == "conjugate-vector" ? "at most " : "", " sweeps");
+  add("sweeps", friction_rule_card(settings.at("rule")).sweeps > 1 ? "at most " : "", " sweeps");
   if (settings.count("memory") && settings.at("memory") == "keep") words += ", kept on slip";
   if (settings.count("safeguard") && settings.at("safeguard") == "off") words += ", raw";
   return words;

@@ -59,6 +59,7 @@ std::vector<RuleOnContacts> Figures::rules(const std::string& prefix) const {
 }
 
 Spread spread_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
   if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
   std::sort(values.begin(), values.end());
   return {values.front(), values[values.size() / 2], values.back()};

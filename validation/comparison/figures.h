@@ -42,7 +42,7 @@ class Figures {
 /// Who stood in a record.
 RuleOnContacts who_of(const Record& record);
 
-/// Least, median and largest of some figures.
+/// Least, median and largest of some figures, but those that are no number.
 struct Spread {
   double least = 0.0, median = 0.0, most = 0.0;
 };

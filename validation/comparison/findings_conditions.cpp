@@ -60,19 +60,17 @@ Sentences frozen_steps(const Figures& figures) {
   if (root.empty()) return {};
   const auto dominant =
       std::count_if(dominance.begin(), dominance.end(), [](double least) { return least > 1.0; });
-  return {
-      fmt::format("(15) on {} frozen steps: GSL finds a root (slip along ũ ≤ {:.1g} m/s), and "
-                  "there {:.1g} to {:.1g} m/s "
-                  "of slip across ũ are left, which no scalar a contact can act on; 2N unknowns "
-                  "leave {:.1g} m/s "
-                  "at most. The Jacobian is diagonally dominant, as the paper assumes, in {} of "
-                  "them. The fixed "
-                  "point's rate at g = 0.7 is {:.2g} to {:.2g} a step; observed on the frozen step "
-                  "it differs from "
-                  "the spectral radius by {:.1g} at most.",
-                  root.size(), spread_of(root).most, spread_of(across).least,
-                  spread_of(across).most, spread_of(bias).most, dominant, spread_of(rate).least,
-                  spread_of(rate).most, spread_of(mismatch).most)};
+  const auto roots =
+      std::count_if(root.begin(), root.end(), [](double slip) { return slip <= 1e-12; });
+  return {fmt::format(
+      "(15) on {} frozen steps: GSL finds a root (slip along ũ ≤ 1e-12 m/s) on {}, and there "
+      "{:.1g} "
+      "to {:.1g} m/s of slip across ũ are left, which no scalar a contact can act on; 2N unknowns "
+      "leave {:.1g} m/s at most. The Jacobian is diagonally dominant, as the paper assumes, in {} "
+      "of them. The fixed point's rate at g = 0.7 is {:.2g} to {:.2g} a step; observed on the "
+      "frozen step it differs from the spectral radius by {:.1g} at most.",
+      root.size(), roots, spread_of(across).least, spread_of(across).most, spread_of(bias).most,
+      dominant, spread_of(rate).least, spread_of(rate).most, spread_of(mismatch).most)};
 }
 
 Sentences gain_sweeps(const Figures& figures) {

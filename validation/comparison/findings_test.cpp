@@ -52,15 +52,22 @@ TEST(Findings, NameTheRuleThatBeatsBothAndItsCost) {
   const Record found = findings(two_scenes(0.9));
   EXPECT_THAT(found.notes,
               Contains(testing::AllOf(
-                  HasSubstr("these beat every reading"),
+                  HasSubstr("these beat every reading of"),
                   HasSubstr("stored-vector on quiet contacts, 0.9 × the friction cost"))));
 }
 
 TEST(Findings, SaySoWhenItCostsTooMuch) {
   const Record found = findings(two_scenes(1.3));
   EXPECT_THAT(found.notes, Contains(HasSubstr("No rule at up to 1.2 ×")));
-  EXPECT_THAT(found.notes, Contains(HasSubstr("At a higher cost, or one not measured here: "
-                                              "stored-vector")));
+  EXPECT_THAT(found.notes, Contains(HasSubstr("At a higher cost: stored-vector")));
+}
+
+TEST(Findings, SaySoWhenTheCostWasNotMeasured) {
+  std::vector<Record> records = two_scenes(0.9);
+  records.erase(records.begin(), records.begin() + 3);
+  const Record found = findings(records);
+  EXPECT_THAT(found.notes, Contains(HasSubstr("not measured in this run: stored-vector")));
+  EXPECT_THAT(found.notes, Not(Contains(HasSubstr("No rule at up to"))));
 }
 
 TEST(Findings, DoNotNameARuleThatLosesOneScene) {

@@ -35,7 +35,8 @@ ComparisonScene comparison_plate();
 
 /// The scene settled on the contacts of `method` and then left without friction memory, the same
 /// for each rule: it settles with the stored vector, and then does one step without any rule's
-/// memory, which leaves every contact as if it were new. Computed once a program run for each scene
+/// memory, which leaves every contact as if it were new. Scenes that settle differently have
+/// different names or settings. Computed once a program run for each scene
 /// and method, whoever asks first; safe to call from many threads.
 Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
                                 const std::string& method);

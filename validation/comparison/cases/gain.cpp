@@ -25,9 +25,9 @@ void run_sweep(CaseRun& run, ComparisonScene scene, const Sweep& sweep) {
   scene.steps = kSteps;
   Series creep{"final creep", "m/s", sweep.setting, sweep.unit, {}, {}};
   double best = std::numeric_limits<double>::infinity(), best_at = std::nan("");
-  bool same_hash = true;
   std::string failed;
   const RuleHistory usual = run_rule(run, scene);
+  bool same_hash = usual.same_hash;
   for (int k = 0; k < sweep.points; ++k) {
     const double value = sweep.from + (sweep.to - sweep.from) * k / (sweep.points - 1);
     // α = 0 would mean the gain; both 0 are ξ = 1 for ever.
