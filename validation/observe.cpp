@@ -85,4 +85,18 @@ const std::vector<Observable>& observables() {
   return all;
 }
 
+ContactSlips slips_of(const Engine& engine) {
+  ContactSlips slips;
+  for (const ContactSample& contact : engine.contacts()) {
+    if (contact.normal_force == 0.0) continue;  // kept while it is open: nothing rubs
+    const double slip = contact.slip.norm();
+    slips.mean += slip;
+    slips.fastest = std::max(slips.fastest, slip);
+    ++slips.contacts;
+    if (!contact.sticks) ++slips.sliding;
+  }
+  if (slips.contacts > 0) slips.mean /= slips.contacts;
+  return slips;
+}
+
 }  // namespace stiction

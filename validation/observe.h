@@ -34,4 +34,13 @@ struct Observable {
 /// All of them, in the order of the help text.
 const std::vector<Observable>& observables();
 
+/// The contacts that carry a load, at one time.
+struct ContactSlips {
+  double mean = 0.0;     ///< slip, m/s
+  double fastest = 0.0;  ///< m/s
+  int contacts = 0;
+  int sliding = 0;  ///< of which the engine says that they slip
+};
+ContactSlips slips_of(const Engine& engine);
+
 }  // namespace stiction

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "reference/box_mesh.h"
 #include "validation/incline_run.h"
+#include "validation/observe.h"
 
 namespace stiction {
 
@@ -71,17 +71,13 @@ Vec3 SlabRun::travel() const { return simulation_->engine().body(0).position - s
 double SlabRun::speed() const { return downhill_.dot(simulation_->engine().body(0).velocity); }
 
 SlabSample SlabRun::sample() const {
-  SlabSample sample{.time = time(), .kinetic = simulation_->engine().energies().kinetic};
-  for (const ContactSample& contact : simulation_->engine().contacts()) {
-    if (contact.normal_force == 0.0) continue;  // kept while it is open: nothing rubs
-    const double slip = contact.slip.norm();
-    sample.mean_slip += slip;
-    sample.fastest_slip = std::max(sample.fastest_slip, slip);
-    ++sample.contacts;
-    if (!contact.sticks) ++sample.sliding;
-  }
-  if (sample.contacts > 0) sample.mean_slip /= sample.contacts;
-  return sample;
+  const ContactSlips slips = slips_of(simulation_->engine());
+  return {.time = time(),
+          .mean_slip = slips.mean,
+          .fastest_slip = slips.fastest,
+          .kinetic = simulation_->engine().energies().kinetic,
+          .contacts = slips.contacts,
+          .sliding = slips.sliding};
 }
 
 void SlabSeries::add_to(CaseRun& run, const std::string& suffix) const {

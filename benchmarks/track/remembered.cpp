@@ -10,38 +10,26 @@
 #include <sstream>
 
 #include "benchmarks/track/child.h"
+#include "solver/hash.h"
 
 namespace stiction::track {
-
-namespace {
-
-constexpr std::uint64_t kOffset = 0xcbf29ce484222325u;
-constexpr std::uint64_t kPrime = 0x100000001b3u;
-
-std::uint64_t fnv(std::uint64_t hash, const char* bytes, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    hash = (hash ^ static_cast<unsigned char>(bytes[i])) * kPrime;
-  }
-  return hash;
-}
-
-}  // namespace
 
 std::string content_hash(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw TrackError(fmt::format("cannot read {}", file.string()));
-  std::uint64_t hash = kOffset;
+  Fnv1a hash;
   std::array<char, 65536> buffer;
   while (stream.read(buffer.data(), buffer.size()) || stream.gcount() > 0) {
-    hash = fnv(hash, buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    hash.add(buffer.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  return fmt::format("{:016x}", hash);
+  return fmt::format("{:016x}", hash.value());
 }
 
 std::string remembered(const std::filesystem::path& folder, const std::string& key, bool fresh,
                        const std::function<std::string()>& make) {
-  const std::filesystem::path file =
-      folder / fmt::format("{:016x}", fnv(kOffset, key.data(), key.size()));
+  Fnv1a name;
+  name.add(key.data(), key.size());
+  const std::filesystem::path file = folder / fmt::format("{:016x}", name.value());
   if (!fresh) {
     std::ifstream stream(file);
     std::string line;

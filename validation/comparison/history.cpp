@@ -64,20 +64,6 @@ Series thinned(const std::string& name, const std::string& unit, const std::vect
 
 }  // namespace
 
-ContactSlips slips_of(const Engine& engine) {
-  ContactSlips slips;
-  for (const ContactSample& contact : engine.contacts()) {
-    if (contact.normal_force == 0.0) continue;  // kept while it is open: nothing rubs
-    const double slip = contact.slip.norm();
-    slips.mean += slip;
-    slips.fastest = std::max(slips.fastest, slip);
-    ++slips.contacts;
-    if (!contact.sticks) ++slips.sliding;
-  }
-  if (slips.contacts > 0) slips.mean /= slips.contacts;
-  return slips;
-}
-
 double RuleHistory::steps_to(double slip) const {
   if (!failure.empty() || slips.empty() || slips.back().mean > slip) return kInfinity;
   auto above = slips.size();

@@ -7,17 +7,9 @@
 
 #include "validation/case_run.h"
 #include "validation/comparison/scenes.h"
+#include "validation/observe.h"
 
 namespace stiction {
-
-/// The contacts that carry a load, at one time.
-struct ContactSlips {
-  double mean = 0.0;     ///< slip, m/s
-  double fastest = 0.0;  ///< m/s
-  int contacts = 0;
-  int sliding = 0;  ///< of which the engine says that they slip
-};
-ContactSlips slips_of(const Engine& engine);
 
 /// What a rule made of a scene, from the step after the friction memory was lost.
 struct RuleHistory {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a rule costs per contact, against the fixed point in the same run: both advance in turn, so
 // that a noisy machine disturbs both.
-#include <algorithm>
-
+#include "reference/two_samples.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 #include "validation/comparison/scenes.h"
@@ -15,18 +14,13 @@ constexpr int kRounds = 15, kStepsARound = 64;
 
 double friction_seconds(const Cost& cost) { return cost.phase_seconds.at("friction"); }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + kRounds / 2, values.end());
-  return values[kRounds / 2];
-}
-
 void run_cost(CaseRun& run, const ComparisonScene& scene) {
   const Snapshot start = settled_without_memory(run.engine(), scene, run.settings().at("method"));
   const auto own = run.simulate(scene.problem, scene.settings);
-  Settings reference = scene.settings;
-  reference["method"] = run.settings().at("method");
-  reference["rule"] = "fixed-point";
-  const auto fixed_point = run.engine().make(reference);
+  Settings settings = scene.settings;
+  settings["method"] = run.settings().at("method");
+  settings["rule"] = "fixed-point";
+  const auto fixed_point = run.engine().make(settings);
   fixed_point->load(scene.problem);
   own->engine().restore(start);
   fixed_point->restore(start);
@@ -46,8 +40,8 @@ void run_cost(CaseRun& run, const ComparisonScene& scene) {
     times.push_back(mine);
     ratios.push_back(mine / advance(*fixed_point));
   }
-  run.check(measured(kFrictionTime, "ns", "median of 15 rounds", median(times)));
-  run.check(measured(kFrictionRatio, "1", "median of the ratios", median(ratios)));
+  run.check(measured(kFrictionTime, "ns", "median of 15 rounds", reference::median(times)));
+  run.check(measured(kFrictionRatio, "1", "median of the ratios", reference::median(ratios)));
   run.check(measured("contacts", "1", "that were timed",
                      static_cast<double>(own->engine().contacts().size())));
 }
