@@ -17,12 +17,13 @@ constexpr double kTriangle = sizeof(Topology::Triangle);
 constexpr double kMemoryKey = sizeof(ContactKey) + sizeof(ContactStatus);
 
 // Arithmetic of small blocks, in operations.
-constexpr double kDot = 5.0;         // of 3-vectors
-constexpr double kAxpy = 6.0;        // a x + y
-constexpr double kCross = 9.0;       //
-constexpr double kProduct3 = 45.0;   // of 3 × 3 matrices
-constexpr double kRotation = 190.0;  // closed form: FᵀF, cofactors, five Newton steps, R
-constexpr double kHooke = 24.0;      // 2μE + λ tr(E) I
+constexpr double kDot = 5.0;        // of 3-vectors
+constexpr double kAxpy = 6.0;       // a x + y
+constexpr double kCross = 9.0;      //
+constexpr double kProduct3 = 45.0;  // of 3 × 3 matrices
+constexpr double kRotation =
+    140.0;                       // closed form: FᵀF, cofactors, three Newton steps, factors of R
+constexpr double kHooke = 24.0;  // 2μE + λ tr(E) I
 constexpr double kBarycentric = 12.0 + 3.0 * (kCross + kDot) + 6.0;
 constexpr double kNearest = 6.0 * kDot + 40.0;  // regions of a triangle
 
@@ -50,8 +51,8 @@ Cost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
     case Phase::kForces:
       // Position, velocity and force of the vertices pass once; elements are read once.
       return {n.vertices * (8 + 2 * kVec + kPosition + kVelocity) + n.elements * kElement,
-              n.vertices * 3 + n.elements * (18 + 2 * kProduct3 + kRotation + 3 + 2 * kProduct3 +
-                                             2 * kHooke + 4 * kProduct3 + 18 + kProduct3 + 18)};
+              n.vertices * 3 +
+                  n.elements * (18 + 5 * kProduct3 + kRotation + 30 + 18 + kHooke + 18 + 9 + 18)};
     case Phase::kPredict:
       return {n.vertices * (kVec + 2 * kVelocity), n.vertices * (1 + kAxpy)};
     case Phase::kDetect: {

@@ -46,10 +46,11 @@ class PhaseTimer {
 struct PairSearch {
   std::vector<Vec3> predicted;  ///< x*, per vertex, m
 
-  std::uint64_t scene = 0;                   ///< serial number of the scene that the lists are of
-  double skin = 0.0;                         ///< m
-  std::vector<Vec3> reference;               ///< x* that they were made at, per vertex, m
-  std::vector<Eigen::AlignedBox3d> box;      ///< per body
+  std::uint64_t scene = 0;               ///< serial number of the scene that the lists are of
+  double skin = 0.0;                     ///< m
+  std::vector<Vec3> reference;           ///< x* that they were made at, per vertex, m
+  std::vector<double> moved;             ///< per body: max |x* − reference| of its vertices, m
+  std::vector<Eigen::AlignedBox3d> box;  ///< per body
   std::vector<Eigen::AlignedBox3d> overlap;  ///< per body: where it can meet another
   std::vector<int> order;                    ///< bodies along x
   SpatialHash hash;
@@ -65,8 +66,12 @@ struct PairSearch {
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
   };
-  std::vector<Group> group;        ///< by key
-  std::vector<std::int32_t> near;  ///< triangles
+  std::vector<Group> group;  ///< by key
+  struct Near {
+    double distance;  ///< of the group's vertex at the reference, m
+    std::int32_t triangle;
+  };
+  std::vector<Near> near;  ///< of each group: by distance, then triangle
   /// Per surface triangle: a ball around it; infinite where the body can meet no other.
   struct Ball {
     Vec3 centre;    ///< m

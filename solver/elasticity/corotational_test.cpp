@@ -193,6 +193,27 @@ TEST(ElasticForces, AreAddedToWhatIsThere) {
   }
 }
 
+// Elements are computed two at a time, the last of an odd number with itself: neither the partner
+// nor a flat or inverted one beside it may show.
+TEST(ElasticForces, OfAnElementDoNotDependOnThoseBesideIt) {
+  const Scene scene = cube();
+  State state = deformed(scene, 4);
+  // Two elements in one are turned inside out, the one after a round one and the other way round.
+  for (const std::size_t e : {std::size_t{3}, std::size_t{8}}) {
+    const auto& vertex = scene.elements[e].vertex;
+    std::swap(state.position[static_cast<std::size_t>(vertex[0])].x,
+              state.position[static_cast<std::size_t>(vertex[1])].x);
+  }
+  for (std::size_t count = 1; count <= scene.elements.size(); ++count) {
+    const std::vector<Element> some(scene.elements.begin(),
+                                    scene.elements.begin() + static_cast<std::ptrdiff_t>(count));
+    std::vector<Vec3> together(state.position.size(), Vec3::Zero()), alone = together;
+    add_corotational_forces(some, state, together);
+    for (const Element& element : some) add_corotational_forces({element}, state, alone);
+    for (std::size_t k = 0; k < alone.size(); ++k) ASSERT_EQ(together[k], alone[k]) << count;
+  }
+}
+
 TEST(ElasticForces, OfAnInvertedElementPushItBack) {
   const Scene scene =
       build_scene(test::one_body(test::elastic_body(test::corner_tetrahedron(), kMaterial)));

@@ -31,52 +31,80 @@ Projection project_on(const Topology& topology, const std::vector<Vec3>& x, cons
           t};
 }
 
-// Nearest surface triangle of the penetrated body, of equals that of the lowest number. The search
-// begins with the triangle of the last step, if there was one, so that most others are out of
-// reach.
-Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
-                   const Vec3& point, const PairContact& contact) {
-  constexpr double kRounding = 1.0 + 1e-12;
-  const std::vector<Vec3>& x = search.predicted;
+// The nearest of the triangles that it has been shown, of equals that of the lowest number.
+struct Nearest {
+  const Topology& topology;
+  const std::vector<Vec3>& x;
+  const Vec3& point;
   Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
-  double reach = std::numeric_limits<double>::infinity();
-  const auto consider = [&](std::int32_t t) {
-    const PairSearch::Ball& ball = search.ball[static_cast<std::size_t>(t)];
-    const double least = reach + ball.radius;
-    if ((point - ball.centre).squaredNorm() > least * least * kRounding) return;
+  double reach = std::numeric_limits<double>::infinity();  // distance of the best
+
+  void consider(std::int32_t t) {
     const Projection other = project_on(topology, x, point, t);
     const double nearer = other.nearest.distance2 - best.nearest.distance2;
     if (nearer < 0.0 || (nearer == 0.0 && t < best.triangle)) {
       best = other;
       reach = std::sqrt(best.nearest.distance2);
     }
-  };
-  if (contact.triangle >= 0) consider(contact.triangle);
-  const std::int32_t first = best.triangle;
-  const auto consider_all = [&](const std::vector<std::int32_t>& list, std::int32_t begin,
-                                std::int32_t end) {
-    for (std::int32_t k = begin; k < end; ++k) {
-      const std::int32_t t = list[static_cast<std::size_t>(k)];
-      if (t != first) consider(t);
+  }
+};
+
+// Of the triangles of the group's list: in the order of their distances at the reference, until
+// what vertex and triangles have moved since can't make the next one the nearest.
+Projection project_by_list(const Topology& topology, const PairSearch& search,
+                           const PairSearch::Group& group, const Vec3& point) {
+  const auto vertex = static_cast<std::size_t>(group.key >> 32);
+  const auto body = static_cast<std::size_t>(group.key & 0xffffffffu);
+  // Far above the round-off of a distance.
+  const double rounding = 1e-9 * search.skin;
+  const double moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
+  Nearest nearest{topology, search.predicted, point};
+  for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
+    const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
+    if (near.distance - moved > nearest.reach) break;
+    nearest.consider(near.triangle);
+  }
+  return nearest.best;
+}
+
+// Of all triangles near the contact's element, or of the body's where none is near. Begins with
+// that of the last step, if there was one, so that most others are out of reach.
+Projection project_by_balls(const Topology& topology, const PairSearch& search, const Vec3& point,
+                            const PairContact& contact) {
+  constexpr double kRounding = 1.0 + 1e-12;
+  Nearest nearest{topology, search.predicted, point};
+  if (contact.triangle >= 0) nearest.consider(contact.triangle);
+  const auto consider = [&](std::int32_t t) {
+    const PairSearch::Ball& ball = search.ball[static_cast<std::size_t>(t)];
+    const double least = nearest.reach + ball.radius;
+    if (t == contact.triangle || (point - ball.centre).squaredNorm() > least * least * kRounding) {
+      return;
     }
+    nearest.consider(t);
   };
   const auto e = static_cast<std::size_t>(contact.element);
-  const bool any_near = topology.near_begin[e] < topology.near_begin[e + 1];
-  if (any_near && group != nullptr && group->near_element < 0) {
-    list_nearest(topology, contact.element, *group, search);
-  }
-  if (group != nullptr && group->near_element == contact.element) {
-    consider_all(search.near, group->near_begin, group->near_end);
-  } else if (any_near) {
-    consider_all(topology.near, topology.near_begin[e], topology.near_begin[e + 1]);
-  } else {
+  const auto begin = topology.near.begin() + topology.near_begin[e];
+  const auto end = topology.near.begin() + topology.near_begin[e + 1];
+  std::for_each(begin, end, consider);
+  if (begin == end) {
     const auto body = static_cast<std::size_t>(topology.element_body[e]);
     for (std::int32_t t = topology.body_triangle_begin[body];
          t < topology.body_triangle_begin[body + 1]; ++t) {
-      if (t != first) consider(t);
+      consider(t);
     }
   }
-  return best;
+  return nearest.best;
+}
+
+// Nearest surface triangle of the penetrated body, of equals that of the lowest number.
+Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
+                   const Vec3& point, const PairContact& contact) {
+  if (group != nullptr && group->near_element < 0) {
+    list_nearest(topology, contact.element, *group, search);
+  }
+  return group != nullptr && group->near_element == contact.element
+             ? project_by_list(topology, search, *group, point)
+             : project_by_balls(topology, search, point, contact);
 }
 
 // As `project`, but keeps the last step's triangle while its distance is within (1 + margin) of the
@@ -97,9 +125,9 @@ Vec3 outward_normal(const Triangle& triangle, const std::vector<Vec3>& x) {
   return (b - a).cross(c - a).normalized();
 }
 
-void set_partners(const Scene& scene, const Options& options, const State& state,
+// Detection left the element's corners as partners.
+void set_partners(const Triangle& triangle, const Options& options, const State& state,
                   const Projection& projection, PairContact& contact) {
-  const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
   if (options.pairs.weights == PairWeights::kTriangle) {
     for (int k = 0; k < 3; ++k) {
       contact.partner[k] = triangle.vertex[k];
@@ -109,17 +137,13 @@ void set_partners(const Scene& scene, const Options& options, const State& state
     contact.weight[3] = 0.0;
     return;
   }
-  const Element& element = scene.elements[static_cast<std::size_t>(contact.element)];
   const auto x = [&](std::int32_t v) -> const Vec3& {
     return state.position[static_cast<std::size_t>(v)].x;
   };
+  const auto& corner = contact.partner;
   const Eigen::Vector4d weight =
-      barycentric(x(contact.vertex), x(element.vertex[0]), x(element.vertex[1]),
-                  x(element.vertex[2]), x(element.vertex[3]));
-  for (int k = 0; k < 4; ++k) {
-    contact.partner[k] = element.vertex[k];
-    contact.weight[k] = weight[k];
-  }
+      barycentric(x(contact.vertex), x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
+  for (int k = 0; k < 4; ++k) contact.weight[k] = weight[k];
 }
 
 }  // namespace
@@ -129,6 +153,9 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   const double dt = options.time_step;
   const double widest = options.pairs.hysteresis * dt * dt *
                         scene.gravity.at(static_cast<double>(state.step) * dt).norm();
+  const auto inverse_mass = [&](std::int32_t v) {
+    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
+  };
   std::size_t kept = 0;
   // Contacts and groups are both in the order of their keys.
   auto group = workspace.search.group.begin();
@@ -149,6 +176,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       // Kept only above a face: beyond a border it has left.
       if (!projection.nearest.inside || distance >= widest) continue;
       contact.element = triangle.element;
+      set_corners(scene.elements, contact);
       contact.depth = 0.0;
     } else {
       contact.depth = distance;
@@ -160,7 +188,14 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
         contact.normal = (foot - point) / distance;
       }
     }
-    set_partners(scene, options, state, projection, contact);
+    set_partners(triangle, options, state, projection, contact);
+    contact.inverse_mass = inverse_mass(contact.vertex);
+    for (int k = 0; options.pairs.friction_reaction && k < 4; ++k) {
+      contact.inverse_mass +=
+          contact.weight[k] * contact.weight[k] * inverse_mass(contact.partner[k]);
+    }
+    // A vertex that nothing can move on partners that nothing can move takes no force.
+    if (contact.inverse_mass == 0.0) continue;
     workspace.pairs[kept++] = contact;
   }
   workspace.pairs.resize(kept);
@@ -170,23 +205,12 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       contact.depth *= 1.0 + options.pairs.depth_noise * even_noise(contact.key, state.step);
     }
   }
-
-  const auto inverse_mass = [&](std::int32_t v) {
-    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
-  };
-  for (PairContact& contact : workspace.pairs) {
-    contact.inverse_mass = inverse_mass(contact.vertex);
-    for (int k = 0; options.pairs.friction_reaction && k < 4; ++k) {
-      contact.inverse_mass +=
-          contact.weight[k] * contact.weight[k] * inverse_mass(contact.partner[k]);
-    }
-    if (options.pairs.key == PairKey::kTriangle) {
+  if (options.pairs.key == PairKey::kTriangle) {
+    for (PairContact& contact : workspace.pairs) {
       contact.key = contact_key(static_cast<std::uint32_t>(contact.vertex),
                                 static_cast<std::uint32_t>(contact.triangle));
     }
   }
-  // A vertex that nothing can move on partners that nothing can move takes no force.
-  std::erase_if(workspace.pairs, [](const PairContact& c) { return c.inverse_mass == 0.0; });
 }
 
 void remember_pairs(const PairContacts& pairs, const Topology& topology, PairMemory& memory) {

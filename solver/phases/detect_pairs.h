@@ -10,9 +10,9 @@ namespace stiction {
 
 /// Finds the surface vertices whose predicted position x* = x_t0 + Δt v* lies in a tetrahedron of
 /// another body (of its own, where the body asks for it), among the candidates of
-/// pair_candidates.h; fills in key (vertex, body), vertex and element of `workspace.pairs`, one
-/// contact a vertex and penetrated body, in the order of their keys. With hysteresis the contacts
-/// of the last step that have opened by less than the allowed gap are kept.
+/// pair_candidates.h; fills in key (vertex, body), vertex, element and, as partners, its corners
+/// of `workspace.pairs`, one contact a vertex and penetrated body, in the order of their keys. With
+/// hysteresis the contacts of the last step that have opened by less than the allowed gap are kept.
 ///
 /// A vertex well inside the tetrahedron of the last step is still in it, and no other is tested.
 /// Else a vertex on the face between tetrahedra belongs to the one that it is deepest in, the lower
@@ -20,9 +20,11 @@ namespace stiction {
 void detect_pairs(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace);
 
+/// Makes the corners of the contact's element its partners.
+void set_corners(const std::vector<Element>& elements, PairContact& contact);
+
 /// Barycentric weights of a point in a tetrahedron with the given corners, dimensionless; they sum
-/// to
-/// 1. Precondition: its volume is not zero.
+/// to 1. Precondition: its volume is not zero.
 Eigen::Vector4d barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
                             const Vec3& d);
 

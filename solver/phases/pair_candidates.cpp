@@ -23,16 +23,23 @@ bool may_touch_itself(const Body& body) {
   return built_in(Feature::kSelfCollision) && body.self_collision;
 }
 
-bool still_hold(const Scene& scene, const PairSearch& search) {
+// Notes how far each body has moved; false as soon as that is too far.
+bool still_hold(const Scene& scene, PairSearch& search) {
+  search.moved.assign(scene.bodies.size(), 0.0);
   if (search.scene != scene.serial || search.reference.size() != search.predicted.size()) {
     return false;
   }
-  for (std::size_t k = 0; k < search.predicted.size(); ++k) {
-    const Vec3 by = (search.predicted[k] - search.reference[k]).cwiseAbs();
-    // Written so that what is no number counts as moved.
-    if (!(by.x() <= search.skin && by.y() <= search.skin && by.z() <= search.skin)) {
-      return false;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto begin = static_cast<std::size_t>(scene.bodies[b].first_vertex);
+    const auto end = begin + static_cast<std::size_t>(scene.bodies[b].vertex_count);
+    double moved2 = 0.0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Vec3 by = search.predicted[k] - search.reference[k];
+      // Written so that what is no number counts as moved.
+      if (!(by.cwiseAbs().maxCoeff() <= search.skin)) return false;
+      moved2 = std::max(moved2, by.squaredNorm());
     }
+    search.moved[b] = std::sqrt(moved2);
   }
   return true;
 }
@@ -170,6 +177,7 @@ void update_candidates(const Scene& scene, PairSearch& search) {
   search.scene = scene.serial;
   search.skin = kSkin * scene.topology.mean_edge;
   search.reference = search.predicted;
+  search.moved.assign(scene.bodies.size(), 0.0);
   bound_bodies(scene, search);
   find_overlaps(scene, search);
   hash_vertices(scene, search);
@@ -192,6 +200,7 @@ void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Gr
   const auto e = static_cast<std::size_t>(element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
   const auto end = topology.near.begin() + topology.near_begin[e + 1];
+  if (begin == end) return;
   const auto ball = [&](std::int32_t t) -> const PairSearch::Ball& {
     return search.ball[static_cast<std::size_t>(t)];
   };
@@ -199,20 +208,29 @@ void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Gr
   const auto by_centre = [&](std::int32_t s, std::int32_t t) {
     return (x - ball(s).centre).squaredNorm() < (x - ball(t).centre).squaredNorm();
   };
-  const auto& v =
-      topology.triangle[static_cast<std::size_t>(*std::min_element(begin, end, by_centre))].vertex;
-  const auto corner = [&](int k) -> const Vec3& {
-    return search.reference[static_cast<std::size_t>(v[k])];
+  const auto distance = [&](std::int32_t t) {
+    const auto& v = topology.triangle[static_cast<std::size_t>(t)].vertex;
+    const auto corner = [&](int k) -> const Vec3& {
+      return search.reference[static_cast<std::size_t>(v[k])];
+    };
+    return std::sqrt(nearest_on_triangle(x, corner(0), corner(1), corner(2)).distance2);
   };
-  const double distance =
-      std::sqrt(nearest_on_triangle(x, corner(0), corner(1), corner(2)).distance2);
-  group.near_element = element;
-  group.near_begin = static_cast<std::int32_t>(search.near.size());
+  double farthest = distance(*std::min_element(begin, end, by_centre)) + 4.0 * moves;
+  const auto first = static_cast<std::ptrdiff_t>(search.near.size());
   for (auto t = begin; t != end; ++t) {
     // The ball is wider than the triangle at the reference by √3 s.
-    const double reach = distance + ball(*t).radius + 3.0 * moves;
-    if ((x - ball(*t).centre).squaredNorm() <= reach * reach) search.near.push_back(*t);
+    const double reach = farthest + ball(*t).radius - moves;
+    if ((x - ball(*t).centre).squaredNorm() > reach * reach) continue;
+    const double d = distance(*t);
+    farthest = std::min(farthest, d + 4.0 * moves);
+    if (d <= farthest) search.near.push_back({d, *t});
   }
+  std::sort(search.near.begin() + first, search.near.end(),
+            [](const PairSearch::Near& a, const PairSearch::Near& b) {
+              return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+            });
+  group.near_element = element;
+  group.near_begin = static_cast<std::int32_t>(first);
   group.near_end = static_cast<std::int32_t>(search.near.size());
 }
 

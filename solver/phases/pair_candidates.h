@@ -22,11 +22,10 @@ void update_candidates(const Scene& scene, PairSearch& search);
 /// Lists the triangles near an element to which the group's vertex may be nearest while the lists
 /// hold, as it is in that element:
 ///
-///   |x − c| − r ≤ D + 4√3 s
+///   d ≤ D + 4√3 s
 ///
-/// with the ball (c, r) of the triangle and D the distance of the nearest one, all at the
-/// reference; vertex and triangles each move by at most √3 s. Precondition: some triangle is near
-/// the element.
+/// with the distance d of the triangle and D of the nearest one at the reference; vertex and
+/// triangles each move by at most √3 s. Lists nothing when no triangle is near the element.
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
                   PairSearch& search);
 
