@@ -66,9 +66,7 @@ Batch::Batch(const Workload& settled, const Timed& timed) : work_(settled), time
   if (timed.rule != work_.options.rule) {
     work_.options.rule = timed.rule;
     work_.options.sweeps = friction_rule_card(timed.rule).sweeps;
-    for (int k = 0; k < kRuleSteps; ++k) {
-      step(*work_.scene, work_.options, work_.state, work_.workspace);
-    }
+    go_on(work_, kRuleSteps);
   }
   if (!timed.whole_step) {
     for (std::size_t p = 0; p < static_cast<std::size_t>(timed.phase); ++p) {
@@ -134,11 +132,6 @@ std::uint64_t Batch::hash() const {
   add(contacts.normal_force, hash);
   for (const Vec3& force : contacts.friction_force) hash.add(force.data(), sizeof force);
   return hash.value();
-}
-
-std::size_t Batch::contact_updates() const {
-  const bool sweeps = timed_.whole_step || timed_.phase == Phase::kFriction;
-  return work_.contacts() * static_cast<std::size_t>(sweeps ? work_.options.sweeps : 1);
 }
 
 }  // namespace stiction::bench

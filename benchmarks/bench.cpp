@@ -9,10 +9,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "benchmarks/bench_records.h"
 #include "benchmarks/console.h"
 #include "benchmarks/fixed.h"
+#include "reports/environment.h"
 #include "reports/record_store.h"
 #include "solver/demand.h"
 
@@ -29,6 +31,7 @@ struct Arguments {
   bool full = false;
   bool no_features = false;
   bool list_fixed = false;
+  bool machine = false;
   std::string fixed;
   int batches = 1;
   std::string out = "bench-report";
@@ -50,6 +53,8 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--list,--benchmark_list_tests", arguments.list, "Show the names and end");
   app.add_flag("--list-fixed", arguments.list_fixed,
                "Show the names of the benchmarks that --fixed takes, and end");
+  app.add_flag("--machine", arguments.machine,
+               "Print processor, compiler and flags as a line of JSON, and end");
   app.add_option("--fixed", arguments.fixed,
                  "Do one benchmark's work --batches times without a clock, and print a line of "
                  "JSON: for instruction counts")
@@ -95,6 +100,13 @@ int write_records(const std::vector<Record>& records, const std::string& out) {
 int bench(const Arguments& arguments, bool given_min_time) {
   if (arguments.list_fixed) {
     for (const std::string& name : fixed_names()) fmt::print("{}\n", name);
+    return kMeasured;
+  }
+  if (arguments.machine) {
+    const Environment environment = current_environment();
+    const nlohmann::json told = {{"machine", environment.machine},
+                                 {"toolchain", environment.toolchain}};
+    fmt::print("{}\n", told.dump());
     return kMeasured;
   }
   if (!arguments.fixed.empty()) {

@@ -36,9 +36,10 @@ Record workload_record(const Measure::Settled& settled, const std::vector<Result
     if (chosen.family.name != settled.family || chosen.size != settled.size) continue;
     record.title = chosen.family.title;
     record.notes.push_back(fmt::format(
-        "{}: {:.1f} ns per contact, {:.0f} bytes and {:.0f} flops by the model, hash {:08x}",
+        "{}: {:.1f} ns per contact, {:.0f} bytes and {:.0f} flops by the model, error {:.1g}, hash "
+        "{:08x}",
         chosen.timed.name, 1e9 * result.seconds / result.contacts,
-        result.cost.bytes / result.contacts, result.cost.flops / result.contacts,
+        result.cost.bytes / result.contacts, result.cost.flops / result.contacts, result.error,
         result.hash & 0xffffffffu));
     const bool usual = chosen.timed.rule == settled.options.rule && !chosen.timed.afresh;
     if (chosen.timed.whole_step || !usual) continue;

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <regex>
 
+#include "benchmarks/track/callgrind.h"
+#include "benchmarks/track/child.h"
 #include "solver/step.h"
 
 namespace stiction::bench {
@@ -81,25 +80,6 @@ Workload timing(bool) {
   return slab_with([](Options&) {});
 }
 
-// The number behind "Collected : ", callgrind's closing line.
-std::optional<double> instructions_of(const std::string& program, const std::string& arguments) {
-  const std::string command =
-      "valgrind --tool=callgrind --callgrind-out-file=/dev/null "
-      "'--toggle-collect=stiction::bench::measured_steps*' '" +
-      program + "' " + arguments + " 2>&1";
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {};
-  std::string output;
-  std::array<char, 4096> buffer;
-  for (std::size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    output.append(buffer.data(), got);
-  }
-  if (pclose(pipe) != 0) return {};
-  std::smatch found;
-  if (!std::regex_search(output, found, std::regex("Collected : ([0-9]+)"))) return {};
-  return std::stod(found[1]) / kSteps;
-}
-
 }  // namespace
 
 std::vector<OptionalFeature> optional_features() {
@@ -111,7 +91,7 @@ std::vector<OptionalFeature> optional_features() {
 }
 
 std::optional<std::vector<FeatureCost>> measure_features(std::string& why_not) {
-  if (std::system("valgrind --version >/dev/null 2>&1") != 0) {
+  if (!track::has_program("valgrind")) {
     why_not = "valgrind is not installed";
     return {};
   }
@@ -120,17 +100,18 @@ std::optional<std::vector<FeatureCost>> measure_features(std::string& why_not) {
   std::vector<FeatureCost> costs;
   for (const OptionalFeature& feature : optional_features()) {
     const auto count = [&](const std::string& program, const std::string& use) {
-      return instructions_of((folder / program).string(), feature.name + " " + use);
+      return track::count_instructions(program + " cannot be counted",
+                                       {(folder / program).string(), feature.name, use},
+                                       {"--toggle-collect=stiction::bench::measured_steps*"}) /
+             kSteps;
     };
-    const auto without = count("step_without_" + feature.name, "unused");
-    const auto unused = count("step_with_all", "unused");
-    const auto used = count("step_with_all", "used");
-    if (!without || !unused || !used) {
-      why_not = "callgrind could not run the programs step_with_all and step_without_" +
-                feature.name + " beside this one";
+    try {
+      costs.push_back({feature.name, feature.title, count("step_without_" + feature.name, "unused"),
+                       count("step_with_all", "unused"), count("step_with_all", "used")});
+    } catch (const track::TrackError& error) {
+      why_not = error.what();
       return {};
     }
-    costs.push_back({feature.name, feature.title, *without, *unused, *used});
   }
   return costs;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/fixed.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "benchmarks/allocations.h"
 #include "benchmarks/batch.h"
@@ -20,7 +23,13 @@ Workload settled() {
   const auto at = std::find_if(families.begin(), families.end(),
                                [](const Family& family) { return family.name == kFamily; });
   demand(at != families.end(), "the fixed benchmarks' family is in the catalog");
-  return settle(*at, kContacts);
+  Workload work = settle(*at, kContacts);
+  for (const Check& check : work.checks) {
+    if (check.verdict == Verdict::kPass) continue;
+    throw std::runtime_error(
+        fmt::format("the workload is not at rest: {} is {:.3g}", check.quantity, check.value));
+  }
+  return work;
 }
 
 }  // namespace
@@ -49,7 +58,7 @@ std::string run_fixed(const std::string& name, int batches) {
     batch.restore();
   }
   std::uint64_t updates = 0;
-  const std::uint64_t before = allocations();
+  const std::uint64_t before = allocations(), sweeps = batch.work().workspace.sweeps;
   for (int k = 0; k < batches; ++k) {
     batch.run();
     updates += batch.contact_updates();
@@ -60,6 +69,7 @@ std::string run_fixed(const std::string& name, int batches) {
                                 {"batches", batches},
                                 {"contacts", batch.work().contacts()},
                                 {"contact_updates", updates},
+                                {"sweeps", batch.work().workspace.sweeps - sweeps},
                                 {"allocations", allocated},
                                 {"hash", batch.hash() & 0xffffffffu},
                                 {"error", batch.work().error()}}

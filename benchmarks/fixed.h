@@ -11,8 +11,9 @@ namespace stiction::bench {
 std::vector<std::string> fixed_names();
 
 /// Does that work exactly `batches` times, without a clock, and describes it as one line of JSON:
-/// name, batches, contacts, contact_updates, allocations, hash, error. Of two runs that differ in
-/// `batches` the difference is the batches' alone. Throws InputError for an unknown name.
+/// name, batches, contacts, contact_updates, sweeps, allocations, hash, error. Of two runs that
+/// differ in `batches` the difference is the batches' alone. Throws InputError for an unknown name,
+/// and std::runtime_error when the workload is not at rest.
 std::string run_fixed(const std::string& name, int batches);
 
 }  // namespace stiction::bench

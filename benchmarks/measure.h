@@ -29,7 +29,7 @@ struct Result {
   double seconds = 0.0;  ///< CPU time of a batch, median over batches
   Cost cost;             ///< of a batch, by the model
   std::uint64_t hash = 0;
-  double error = 0.0;  ///< of the workload, dimensionless
+  double error = 0.0;  ///< of the workload with the part's friction rule, dimensionless
 };
 
 /// All benchmarks, or those whose name holds a match of the regular expression (not those, when it

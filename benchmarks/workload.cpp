@@ -92,6 +92,22 @@ double Workload::error() const {
   return largest;
 }
 
+void go_on(Workload& work, int steps) {
+  const Scene& scene = *work.scene;
+  State before;
+  for (int k = 0; k < steps; ++k) {
+    if (k + 1 == steps) before = work.state;
+    step(scene, work.options, work.state, work.workspace);
+  }
+  const double gravity_step = work.options.time_step * scene.gravity.at(0.0).norm();
+  std::string worst;
+  const double force = unbalance(scene, before, work.state, gravity_step, worst);
+  const double slip = mean_slip(scene, work.state, work.workspace) / gravity_step;
+  work.checks = {rest_check("unbalanced force over weight", "each body is carried by its contacts",
+                            force, worst),
+                 rest_check("mean slip over gΔt", "static friction holds all contacts", slip, "")};
+}
+
 Workload settle(const Family& family, int contacts) {
   Setup setup = family.make(contacts);
   const double drag_ends = kDragPhase / setup.bounce;
@@ -107,21 +123,8 @@ Workload settle(const Family& family, int contacts) {
       std::isfinite(scene.stable_time_step) ? 0.8 * scene.stable_time_step : 0.1 / setup.bounce;
   check_options(work.options, scene);
   work.state = initial_state(scene);
-  const double dt = work.options.time_step;
-  const auto steps = static_cast<int>(std::ceil((kDragPhase + kFreePhase) / setup.bounce / dt));
-  State before;
-  for (int k = 0; k < steps; ++k) {
-    if (k + 1 == steps) before = work.state;
-    step(scene, work.options, work.state, work.workspace);
-  }
-  const double gravity_step = dt * scene.gravity.at(0.0).norm();
-  std::string worst;
-  const double force = unbalance(scene, before, work.state, gravity_step, worst);
-  work.checks.push_back(rest_check("unbalanced force over weight",
-                                   "each body is carried by its contacts", force, worst));
-  work.checks.push_back(rest_check("mean slip over gΔt", "static friction holds all contacts",
-                                   mean_slip(scene, work.state, work.workspace) / gravity_step,
-                                   ""));
+  const double seconds = (kDragPhase + kFreePhase) / setup.bounce;
+  go_on(work, static_cast<int>(std::ceil(seconds / work.options.time_step)));
   return work;
 }
 

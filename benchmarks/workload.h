@@ -52,6 +52,9 @@ struct Workload {
   double error() const;  ///< largest |error| of the checks, dimensionless
 };
 
+/// Takes `steps` ≥ 1 steps more, and checks the last one.
+void go_on(Workload& work, int steps);
+
 /// Builds the scene of a family and lets it come to rest.
 Workload settle(const Family& family, int contacts);
 

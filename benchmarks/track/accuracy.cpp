@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "benchmarks/track/child.h"
+#include "benchmarks/track/fingerprint.h"
 #include "benchmarks/track/remembered.h"
 #include "benchmarks/track/scratch.h"
 #include "reports/record_json.h"
@@ -105,20 +106,6 @@ std::string subject_of(const Record& record, const std::set<std::string>& tellin
     sign = ',';
   }
   return subject;
-}
-
-// "Example CPU, 2 cores" and "GCC 12.2.0, Release …", as environment.cpp writes them.
-Machine machine_of(const Environment& environment) {
-  Machine machine;
-  const std::size_t comma = environment.machine.rfind(", ");
-  machine.processor = environment.machine.substr(0, comma);
-  if (comma != std::string::npos) {
-    machine.cores = std::atoll(environment.machine.c_str() + comma + 2);
-  }
-  const std::size_t behind = environment.toolchain.find(", ");
-  machine.compiler = environment.toolchain.substr(0, behind);
-  if (behind != std::string::npos) machine.flags = environment.toolchain.substr(behind + 2);
-  return machine;
 }
 
 // Runs validate, and gives its records.jsonl.

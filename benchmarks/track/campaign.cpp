@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "benchmarks/track/child.h"
+#include "benchmarks/track/fingerprint.h"
 #include "benchmarks/track/fixed_runs.h"
 #include "reports/environment.h"
 
@@ -24,7 +25,10 @@ Names in_both(const Names& a, const Names& b) {
 }
 
 StoredRun run_of(const Tree& tree) {
-  return {.date = current_environment().date, .revision = tree.revision, .label = tree.label};
+  return {.date = current_environment().date,
+          .revision = tree.revision,
+          .label = tree.label,
+          .machine = machine_of(tree).value_or(Machine{})};
 }
 
 // Everything but times.
@@ -34,7 +38,7 @@ Accuracy measure_counts(const Project& project, const Tree& tree, const Names& n
   if (scope.accuracy) {
     fmt::print(stderr, "stiction track: cases of {}\n", tree.label);
     accuracy = measure_accuracy(tree, scope.cases, project, scope.fresh);
-    run.machine = accuracy.machine;
+    if (run.machine == Machine{}) run.machine = accuracy.machine;
     run.measurements.merge(accuracy.measurements);
   }
   if (scope.counts) {
@@ -57,6 +61,13 @@ Names of_changed_times(const std::vector<Comparison>& comparisons) {
 }
 
 void demand_same_machine(const StoredRun& before, const StoredRun& after) {
+  for (const StoredRun* run : {&before, &after}) {
+    if (run->machine != Machine{}) continue;
+    throw TrackError(fmt::format(
+        "{} tells only by its cases how it was built: leave out --no-accuracy, or --any-machine "
+        "compares it all the same",
+        run->label));
+  }
   const std::string what = difference(before.machine, after.machine);
   if (what.empty()) return;
   throw TrackError(

@@ -86,8 +86,7 @@ int track_against(const Arguments& arguments) {
   const Tree after = present_tree(project);
   const Tree before = build_tree(project, arguments.against);
   const Outcome outcome = compare_trees(project, before, after, scope_of(arguments));
-  // Records of cases tell the machine, without which a run is of no use to the history.
-  if (!arguments.no_record && arguments.scope.accuracy) {
+  if (!arguments.no_record) {
     History history = history_of(arguments);
     history.add(outcome.before);
     history.add(outcome.after);
@@ -97,9 +96,6 @@ int track_against(const Arguments& arguments) {
 }
 
 int track_record(const Arguments& arguments) {
-  if (!arguments.scope.accuracy) {
-    throw TrackError("the history needs the cases: their records tell the machine");
-  }
   const Project project = project_of(arguments);
   const StoredRun run = measure(project, present_tree(project), scope_of(arguments));
   History history = history_of(arguments);

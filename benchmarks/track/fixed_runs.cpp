@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "benchmarks/track/callgrind.h"
 #include "benchmarks/track/child.h"
 #include "benchmarks/track/remembered.h"
 
@@ -40,21 +41,6 @@ json fixed_run(const Tree& tree, const std::string& name, int batches) {
   return result;
 }
 
-// Instructions of a whole run, by callgrind's summary "Collected : N".
-double instructions(const Tree& tree, const std::string& name, int batches) {
-  // No file is written for the counts; layout of addresses is fixed, so that they repeat.
-  std::vector<std::string> words = {"setarch", "--addr-no-randomize", "valgrind",
-                                    "--tool=callgrind", "--callgrind-out-file=/dev/null"};
-  for (const std::string& word : fixed_words(tree, name, batches)) words.push_back(word);
-  const std::string what = fmt::format("{} of {} cannot be counted", name, tree.label);
-  const Ended ended = run(words);
-  const std::size_t found = ended.errors.find("Collected : ");
-  if (ended.code != 0 || found == std::string::npos) {
-    throw TrackError(what + ": " + last_line(ended.errors));
-  }
-  return std::stod(ended.errors.substr(found + std::string("Collected : ").size()));
-}
-
 json counts_of(const Tree& tree, const std::string& name) {
   const json one = fixed_run(tree, name, 1), three = fixed_run(tree, name, 3);
   const auto a_batch = [&](const char* key) {
@@ -64,11 +50,15 @@ json counts_of(const Tree& tree, const std::string& name) {
   json counts = {{"contact updates", a_batch("contact_updates")},
                  {"allocations", a_batch("allocations")},
                  {"error", one["error"]}};
+  if (one.contains("sweeps") && three.contains("sweeps")) counts["sweeps"] = a_batch("sweeps");
   if (has_program("valgrind")) {
     // Side by side: nothing is timed here.
-    std::future<double> of_one =
-        std::async(std::launch::async, [&] { return instructions(tree, name, 1); });
-    const double of_three = instructions(tree, name, 3);
+    const std::string what = fmt::format("{} of {} cannot be counted", name, tree.label);
+    const auto instructions = [&](int batches) {
+      return count_instructions(what, fixed_words(tree, name, batches));
+    };
+    std::future<double> of_one = std::async(std::launch::async, instructions, 1);
+    const double of_three = instructions(3);
     counts["instructions"] = 0.5 * (of_three - of_one.get()) / contacts;
   }
   return counts;
@@ -101,7 +91,7 @@ Measurements count_fixed(const Tree& tree, const std::string& name, const Projec
   const json counts = json::parse(remembered(project.work / "counts", key, fresh,
                                              [&] { return counts_of(tree, name).dump(); }));
   Measurements measured;
-  for (const char* what : {"instructions", "contact updates", "allocations"}) {
+  for (const char* what : {"instructions", "contact updates", "sweeps", "allocations"}) {
     if (counts.contains(what)) measured.add({name, what, "1", Kind::kCount}, counts[what]);
   }
   const double error = std::abs(counts["error"].get<double>());

@@ -17,7 +17,8 @@ std::vector<std::string> fixed_benchmarks(const Tree& tree, const std::vector<st
 /// What exactly so much work costs and gives, counted, not timed:
 ///   instructions     of a batch, (callgrind at 3 batches − callgrind at 1) / 2, per contact; not
 ///                    there without valgrind
-///   contact updates  of a batch
+///   contact updates  of a batch, whatever the sweeps
+///   sweeps           of the friction phase over its contacts, of a batch
 ///   allocations      of a batch
 ///   digits: error    −log₁₀ of the workload's error
 /// Deterministic, so remembered in `work`/counts by the content of the program: a program is

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "benchmarks/track/child.h"
+#include "reports/environment.h"
 #include "solver/hash.h"
 
 namespace stiction::track {
@@ -27,14 +28,15 @@ std::string content_hash(const std::filesystem::path& file) {
 
 std::string remembered(const std::filesystem::path& folder, const std::string& key, bool fresh,
                        const std::function<std::string()>& make) {
+  const std::string whole_key = key + " " + current_environment().machine;
   Fnv1a name;
-  name.add(key.data(), key.size());
+  name.add(whole_key.data(), whole_key.size());
   const std::filesystem::path file = folder / fmt::format("{:016x}", name.value());
   if (!fresh) {
     std::ifstream stream(file);
     std::string line;
     // The first line is the key itself: two keys of one hash are told apart.
-    if (stream && std::getline(stream, line) && line == key) {
+    if (stream && std::getline(stream, line) && line == whole_key) {
       return std::string(std::istreambuf_iterator<char>(stream), {});
     }
   }
@@ -42,7 +44,7 @@ std::string remembered(const std::filesystem::path& folder, const std::string& k
   std::filesystem::create_directories(folder);
   const std::filesystem::path part = fmt::format("{}.{}", file.string(), getpid());
   std::ofstream stream(part);
-  stream << key << '\n' << text << std::flush;
+  stream << whole_key << '\n' << text << std::flush;
   if (!stream) throw TrackError(fmt::format("cannot write {}", part.string()));
   stream.close();
   std::filesystem::rename(part, file);

@@ -51,7 +51,7 @@ refuses() {
 
 # present TIME UPDATES ERROR DIGITS VERDICT FLAGS: builds a present tree of these numbers.
 present() {
-  printf '# %s %s %s\n' "$1" "$2" "$3" >bench.numbers
+  printf '# %s %s %s %s\n' "$1" "$2" "$3" "$6" >bench.numbers
   printf '# %s %s %s\n' "$4" "$5" "$6" >validate.numbers
   cmake --build build/release --target bench validate >/dev/null || exit 1
 }
@@ -62,7 +62,7 @@ commit() { git add -A && git commit -qm "$1"; }
 row() { grep -qE "^$1 +$2 " "$work/out" || failed "$last" "no row: $1 $2"; }
 
 printf 'build/\n' >.gitignore
-git init -q . && printf '# 50 1000 1e-9\n' >bench.numbers && printf '# 6 pass -O3\n' >validate.numbers
+git init -q . && printf '# 50 1000 1e-9 -O3\n' >bench.numbers && printf '# 6 pass -O3\n' >validate.numbers
 commit one && cmake -G Ninja -B build/release >/dev/null && present 50 1000 1e-9 6 pass -O3
 
 # ---- decisions and exit codes -------------------------------------------------------------------
@@ -92,7 +92,14 @@ holds 1 "a workload that is less accurate is worse" --against HEAD --no-times
 row worse "$friction#digits: error"
 present 50 1000 1e-9 6 pass -O0
 refuses "other flags are refused" "flags: -O3 / -O0" --against HEAD --no-times
+refuses "of benchmarks alone too" "flags: -O3 / -O0" --against HEAD --no-times --no-accuracy
 holds 0 "unless asked for" --against HEAD --no-times --any-machine
+sed -i 's/--machine)/--no-machine)/' bench.sh && present 50 1000 1e-9 6 pass -O0
+refuses "a bench that does not tell leaves it to the cases" "flags: -O3 / -O0" \
+  --against HEAD --no-times
+refuses "and without cases nothing tells" "tells only by its cases how it was built" \
+  --against HEAD --no-times --no-accuracy
+git checkout -q bench.sh
 
 # ---- output -------------------------------------------------------------------------------------
 present 50 1000 1e-9 5 pass -O3
@@ -122,7 +129,7 @@ holds 2 "too few rounds" --against HEAD --rounds 3
 good=$(git rev-parse HEAD)
 for k in 1 2 3; do printf '%s\n' "$k" >note && commit "note $k"; done
 printf '# 6 pass -O3\n# 4 pass -O3\n' >validate.numbers && commit "costs two digits"
-printf '# 50 1200 1e-9\n' >bench.numbers && commit "costs instructions"
+printf '# 50 1200 1e-9 -O3\n' >bench.numbers && commit "costs instructions"
 for k in 4 5; do printf '%s\n' "$k" >note && commit "note $k"; done
 holds 1 "bisect finds the revision that cost digits" \
   bisect --metric 'slab/creep#digits: creep' --good "$good"
@@ -138,7 +145,6 @@ refuses "an unknown metric" "is not measured" bisect --metric "$friction#colour"
 
 # ---- history ------------------------------------------------------------------------------------
 holds 0 "record" record --history h.sqlite && holds 0 "record again" record --history h.sqlite
-refuses "a record without cases" "the history needs the cases" record --no-accuracy
 holds 0 "history" history --history h.sqlite --metric '*#time' --out trends
 says "Machine: Example CPU, 2 cores, GCC 12, -O3" "$friction#time [s]"
 [ "$(grep -c '"name":"time"' trends/latest/records.jsonl)" -eq 1 ] || failed history "no trend"

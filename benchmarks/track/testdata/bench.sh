@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Stands for `bench` in track's own tests: the same interface, made-up numbers. Its last line, added
-# when it is "built", holds the time per contact in ns, the contact updates of a batch, the error.
+# when it is "built", holds the time per contact in ns, the contact updates of a batch, the error, and
+# the build flags that it tells.
 set -euo pipefail
-read -r _ nanoseconds updates error < <(tail -n 1 "$0")
+read -r _ nanoseconds updates error flags < <(tail -n 1 "$0")
 name=friction:fixed-point/slab/contacts:1000
 case $1 in
   --list-fixed) echo $name ;;
+  --machine) printf '{"machine":"Example CPU, 2 cores","toolchain":"GCC 12, %s"}\n' "$flags" ;;
   --fixed)
     printf '{"name":"%s","batches":%d,"contacts":1000,"contact_updates":%d,"allocations":0,' \
       "$2" "$4" $((updates * $4))
