@@ -7,8 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/bench_records.h"
@@ -91,9 +89,7 @@ int write_records(const std::vector<Record>& records, const std::string& out) {
   }
   store.finish();
   fmt::print("\nRecords: {}\n", store.folder().string());
-  // Where ./stiction, which set the variable, looks for the run that it makes the page of.
-  const char* const file = std::getenv("STICTION_RUN_FILE");
-  if (file != nullptr) std::ofstream(file) << store.folder().string() << '\n';
+  store.tell_caller();
   return code;
 }
 

@@ -46,6 +46,10 @@ class RecordStore {
   /// Points `out_dir/latest` at this run in one step: a reader sees the old or the new target.
   void finish();
 
+  /// For programs that make something of the run: writes its folder to the file that the
+  /// environment variable STICTION_RUN_FILE names, where ./stiction looks; nothing without it.
+  void tell_caller() const;
+
   /// The run's folder and its records file, absolute.
   const std::filesystem::path& folder() const { return folder_; }
   const std::filesystem::path& records_file() const { return records_file_; }

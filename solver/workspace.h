@@ -46,11 +46,11 @@ class PhaseTimer {
 struct PairSearch {
   std::vector<Vec3> predicted;  ///< x*, per vertex, m
 
-  std::uint64_t scene = 0;               ///< serial number of the scene that the lists are of
-  double skin = 0.0;                     ///< m
-  std::vector<Vec3> reference;           ///< x* that they were made at, per vertex, m
-  std::vector<double> moved;             ///< per body: max |x* − reference| of its vertices, m
-  std::vector<Eigen::AlignedBox3d> box;  ///< per body
+  std::uint64_t scene = 0;      ///< serial number of the scene that the lists are of
+  double skin = 0.0;            ///< m
+  std::vector<Vec3> reference;  ///< x* that they were made at, per vertex, m
+  std::vector<double> moved;    ///< per body: bound on |x* − reference| of its vertices, m
+  std::vector<Eigen::AlignedBox3d> box;      ///< per body
   std::vector<Eigen::AlignedBox3d> overlap;  ///< per body: where it can meet another
   std::vector<int> order;                    ///< bodies along x
   SpatialHash hash;

@@ -176,7 +176,7 @@ int compare(Arguments& arguments) {
   store.write_file("records.csv", csv_table(records));
   store.finish();
   fmt::print("\nReport: {}\n", (store.folder() / "comparison.md").string());
-  if (!arguments.no_page) tell_page_maker(store.folder());
+  if (!arguments.no_page) store.tell_caller();
   if (std::fflush(stdout) != 0) throw InputError("the tables could not be written to stdout");
   return exit_code(records);
 }

@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 
 #include "solver/demand.h"
 
@@ -49,11 +48,6 @@ std::string file_stem(const std::string& case_name, std::size_t index) {
     if (!std::isalnum(static_cast<unsigned char>(sign)) && !std::strchr("-=.", sign)) sign = '_';
   }
   return stem;
-}
-
-void tell_page_maker(const std::filesystem::path& folder) {
-  const char* file = std::getenv("STICTION_RUN_FILE");
-  if (file != nullptr) std::ofstream(file) << folder.string() << '\n';
 }
 
 }  // namespace stiction

@@ -27,8 +27,4 @@ TableStyle terminal_style();
 /// "incline/restick/box", 12 → "012-incline_restick_box": a file name that every system takes.
 std::string file_stem(const std::string& case_name, std::size_t index);
 
-/// Where ./stiction, which set the variable STICTION_RUN_FILE, looks for the run that it makes the
-/// page of.
-void tell_page_maker(const std::filesystem::path& folder);
-
 }  // namespace stiction

@@ -196,7 +196,7 @@ int validate(Arguments& arguments) {
   store.finish();
   fmt::print("{}", closing_summary(records, style));
   fmt::print("Report: {}\n", (store.folder() / "report.md").string());
-  if (!arguments.no_page) tell_page_maker(store.folder());
+  if (!arguments.no_page) store.tell_caller();
   if (std::fflush(stdout) != 0) throw InputError("the table could not be written to stdout");
   return exit_code(records);
 }

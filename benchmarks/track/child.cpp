@@ -44,6 +44,8 @@ class Pipe {
 
 [[noreturn]] void become(char* const* words, const char* folder, int output, int errors) {
   if (*folder != '\0' && chdir(folder) != 0) _exit(kNotFound);
+  // The caller of this program does not ask for what its children write.
+  unsetenv("STICTION_RUN_FILE");
   const int input = open("/dev/null", O_RDONLY);
   dup2(input, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);

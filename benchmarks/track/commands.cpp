@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 
@@ -151,9 +150,7 @@ int track_history(const Arguments& arguments) {
   for (const Record& record : trend_records(trends, current_environment())) store.append(record);
   store.finish();
   fmt::print("Records: {}\n", store.folder().string());
-  // Where ./stiction, which set the variable, looks for the run that it makes the page of.
-  const char* const file = std::getenv("STICTION_RUN_FILE");
-  if (file != nullptr) std::ofstream(file) << store.folder().string() << '\n';
+  store.tell_caller();
   return kNothingWorse;
 }
 

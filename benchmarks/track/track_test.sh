@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/project" "$work/bin" && cd "$work/project" || exit 1
 cp "$data"/CMakeLists.txt "$data"/*.sh . && cp "$data/valgrind" "$work/bin"
 # The stand-ins carry this clone's history in build/, and the word of no other git configuration.
-export PATH=$work/bin:$PATH GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1
+export STICTION_RUN_FILE=/dev/null PATH=$work/bin:$PATH GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1
 export GIT_AUTHOR_NAME=t GIT_AUTHOR_EMAIL=t@example.org GIT_COMMITTER_NAME=t \
   GIT_COMMITTER_EMAIL=t@example.org
 friction=friction:fixed-point/slab/contacts:1000

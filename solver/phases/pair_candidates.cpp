@@ -32,14 +32,14 @@ bool still_hold(const Scene& scene, PairSearch& search) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto begin = static_cast<std::size_t>(scene.bodies[b].first_vertex);
     const auto end = begin + static_cast<std::size_t>(scene.bodies[b].vertex_count);
-    double moved2 = 0.0;
+    double farthest = 0.0;  // along an axis
     for (std::size_t k = begin; k < end; ++k) {
-      const Vec3 by = search.predicted[k] - search.reference[k];
+      const Vec3 by = (search.predicted[k] - search.reference[k]).cwiseAbs();
+      farthest = std::max({farthest, by.x(), by.y(), by.z()});
       // Written so that what is no number counts as moved.
-      if (!(by.cwiseAbs().maxCoeff() <= search.skin)) return false;
-      moved2 = std::max(moved2, by.squaredNorm());
+      if (!(by.x() <= search.skin && by.y() <= search.skin && by.z() <= search.skin)) return false;
     }
-    search.moved[b] = std::sqrt(moved2);
+    search.moved[b] = std::sqrt(3.0) * farthest;
   }
   return true;
 }
