@@ -40,9 +40,10 @@ struct ContactSample {
   std::size_t body = 0;
   std::size_t obstacle = 0;  ///< touched: an obstacle, or another body with `against_body`
   bool against_body = false;
-  std::int64_t point = 0;        ///< the engine's stable number for the touching point
-  Vec3 normal;                   ///< out of the obstacle, unit
-  double gap = 0.0;              ///< m
+  std::int64_t point = 0;   ///< the engine's stable number for the touching point
+  std::int64_t facet = -1;  ///< and for the facet that it touches; −1: it has none, or won't tell
+  Vec3 normal;              ///< out of the obstacle, unit
+  double gap = 0.0;         ///< m
   double normal_force = 0.0;     ///< N, ≥ 0
   Vec3 friction_force;           ///< on the body, N
   Vec3 slip;                     ///< tangential velocity over the obstacle, m/s

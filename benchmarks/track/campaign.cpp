@@ -24,11 +24,17 @@ Names in_both(const Names& a, const Names& b) {
   return both;
 }
 
-StoredRun run_of(const Tree& tree) {
+StoredRun run_of(const Project& project, const Tree& tree) {
+  const auto machine_of = [&](const Tree& one) {
+    // A revision whose bench does not tell leaves it to the records of a case of milliseconds.
+    const std::optional<Machine> told = told_machine(one);
+    return told ? *told
+                : measure_accuracy(one, {"--case", "half-space/free-fall"}, project, false).machine;
+  };
   return {.date = current_environment().date,
           .revision = tree.revision,
           .label = tree.label,
-          .machine = machine_of(tree).value_or(Machine{})};
+          .machine = machine_of(tree)};
 }
 
 // Everything but times.
@@ -38,7 +44,6 @@ Accuracy measure_counts(const Project& project, const Tree& tree, const Names& n
   if (scope.accuracy) {
     fmt::print(stderr, "stiction track: cases of {}\n", tree.label);
     accuracy = measure_accuracy(tree, scope.cases, project, scope.fresh);
-    if (run.machine == Machine{}) run.machine = accuracy.machine;
     run.measurements.merge(accuracy.measurements);
   }
   if (scope.counts) {
@@ -61,13 +66,6 @@ Names of_changed_times(const std::vector<Comparison>& comparisons) {
 }
 
 void demand_same_machine(const StoredRun& before, const StoredRun& after) {
-  for (const StoredRun* run : {&before, &after}) {
-    if (run->machine != Machine{}) continue;
-    throw TrackError(fmt::format(
-        "{} tells only by its cases how it was built: leave out --no-accuracy, or --any-machine "
-        "compares it all the same",
-        run->label));
-  }
   const std::string what = difference(before.machine, after.machine);
   if (what.empty()) return;
   throw TrackError(
@@ -79,7 +77,7 @@ void demand_same_machine(const StoredRun& before, const StoredRun& after) {
 
 Outcome compare_trees(const Project& project, const Tree& before, const Tree& after,
                       const Scope& scope) {
-  Outcome outcome{.before = run_of(before), .after = run_of(after)};
+  Outcome outcome{.before = run_of(project, before), .after = run_of(project, after)};
   Names names;
   if (scope.times || scope.counts) {
     names = in_both(fixed_benchmarks(before, scope.benchmarks),
@@ -118,7 +116,7 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
 }
 
 StoredRun measure(const Project& project, const Tree& tree, const Scope& scope) {
-  StoredRun run = run_of(tree);
+  StoredRun run = run_of(project, tree);
   const Names names = fixed_benchmarks(tree, scope.benchmarks);
   measure_counts(project, tree, names, scope, run);
   if (scope.times && !names.empty()) {

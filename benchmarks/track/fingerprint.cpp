@@ -21,7 +21,7 @@ Machine machine_of(const Environment& environment) {
   return machine;
 }
 
-std::optional<Machine> machine_of(const Tree& tree) {
+std::optional<Machine> told_machine(const Tree& tree) {
   const Ended ended = run({tree.program("bench").string(), "--machine"});
   const auto told = nlohmann::json::parse(last_line(ended.output), nullptr, false);
   if (ended.code != 0 || !told.is_object()) return std::nullopt;

@@ -13,6 +13,6 @@ namespace stiction::track {
 Machine machine_of(const Environment& environment);
 
 /// What `bench --machine` of a built revision tells; nothing for a revision from before it.
-std::optional<Machine> machine_of(const Tree& tree);
+std::optional<Machine> told_machine(const Tree& tree);
 
 }  // namespace stiction::track

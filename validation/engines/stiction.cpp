@@ -173,6 +173,7 @@ class StictionEngine final : public Engine {
                 scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
             .against_body = true,
             .point = contact.vertex,
+            .facet = contact.triangle,
             .normal = contact.normal,
             .gap = -contact.depth,
             .normal_force = contact.normal_force,

@@ -58,32 +58,36 @@ ComparisonScene rotating() {
   return scene;
 }
 
-// Aligned and centred: every vertex of the box lies on an edge of the slab's mesh, and a load to
-// and fro across it carries it over.
+// Aligned and centred: every vertex of the box lies on an edge of the slab's mesh, as near to the
+// triangle on one side as to that on the other.
 ComparisonScene switching() {
   SlabSetup setup = comparison_slab();
   setup.yaw = 0.0;
   setup.offset = Vec3::Zero();
   ComparisonScene scene =
-      hard("switching-triangles", "contacts change triangles 100 times a second", setup);
+      hard("switching-triangles",
+           "each vertex on an edge between triangles, under a load to and fro", setup);
   for (int k = 0; k < 50; ++k) {
     then(scene, kBegins + 0.01 * k, load(setup.slope, k % 2 == 0 ? 0.0 : radians(20.0)));
   }
   return scene;
 }
 
+// Every contact lets go each time, and finds its load again.
 ComparisonScene lost() {
+  constexpr int kTimes = 10;
+  constexpr double kPeriod = 0.04, kAway = 0.002;  // s
   const SlabSetup setup = comparison_slab();
   ComparisonScene scene =
-      hard("lost-and-regained", "gravity is turned round for one step in five", setup);
+      hard("lost-and-regained", "gravity is turned round for 2 ms, 25 times a second", setup);
   const Vec3 full = load(setup.slope, 0.0);
-  const auto first = static_cast<int>(std::lround(kBegins / kTimeStep));
-  for (int k = 0; k < 400; ++k) {
-    then(scene, (first + 5 * k) * kTimeStep, full);
-    then(scene, (first + 5 * k + 3) * kTimeStep, full);
-    then(scene, (first + 5 * k + 4) * kTimeStep, -full);
+  for (int k = 0; k < kTimes; ++k) {
+    const double begins = kBegins + kPeriod * k;
+    then(scene, begins, full);
+    then(scene, begins + kTimeStep, -full);
+    then(scene, begins + kAway, -full);
+    then(scene, begins + kAway + kTimeStep, full);
   }
-  then(scene, (first + 5 * 400) * kTimeStep, full);
   return scene;
 }
 
