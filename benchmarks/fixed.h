@@ -13,7 +13,7 @@ std::vector<std::string> fixed_names();
 /// Does that work exactly `batches` times, without a clock, and describes it as one line of JSON:
 /// name, batches, contacts, contact_updates, sweeps, allocations, hash, error. Of two runs that
 /// differ in `batches` the difference is the batches' alone. Throws InputError for an unknown name,
-/// and std::runtime_error when the workload is not at rest.
+/// and std::runtime_error when the workload, with the usual rule, is not at rest.
 std::string run_fixed(const std::string& name, int batches);
 
 }  // namespace stiction::bench

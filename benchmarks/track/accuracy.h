@@ -22,8 +22,8 @@ struct Accuracy {
 /// Which cases to run: options of `validate`, e.g. {"--quick"} or {"--case", "slab/*"}.
 using CaseOptions = std::vector<std::string>;
 
-/// Runs `validate`; deterministic, so remembered by the content of the program unless `fresh`.
-/// Throws TrackError when it could not run; cases that fail are no such failure.
+/// Runs `validate`; deterministic, so remembered by the program's content and the machine unless
+/// `fresh`. Throws TrackError when it could not run; cases that fail are no such failure.
 Accuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
                           bool fresh);
 

@@ -25,16 +25,15 @@ Names in_both(const Names& a, const Names& b) {
 }
 
 StoredRun run_of(const Project& project, const Tree& tree) {
-  const auto machine_of = [&](const Tree& one) {
-    // A revision whose bench does not tell leaves it to the records of a case of milliseconds.
-    const std::optional<Machine> told = told_machine(one);
-    return told ? *told
-                : measure_accuracy(one, {"--case", "half-space/free-fall"}, project, false).machine;
-  };
+  std::optional<Machine> machine = told_machine(tree);
+  // A revision whose bench does not tell leaves it to the records of a case of milliseconds.
+  if (!machine) {
+    machine = measure_accuracy(tree, {"--case", "half-space/free-fall"}, project, false).machine;
+  }
   return {.date = current_environment().date,
           .revision = tree.revision,
           .label = tree.label,
-          .machine = machine_of(tree)};
+          .machine = *machine};
 }
 
 // Everything but times.
@@ -73,11 +72,19 @@ void demand_same_machine(const StoredRun& before, const StoredRun& after) {
                   before.label, after.label, what));
 }
 
+void demand_work(const Scope& scope) {
+  if (!scope.times && !scope.counts && !scope.accuracy) {
+    throw TrackError("without times, counts and cases there is nothing to measure");
+  }
+}
+
 }  // namespace
 
 Outcome compare_trees(const Project& project, const Tree& before, const Tree& after,
                       const Scope& scope) {
   Outcome outcome{.before = run_of(project, before), .after = run_of(project, after)};
+  if (!scope.any_machine) demand_same_machine(outcome.before, outcome.after);
+  demand_work(scope);
   Names names;
   if (scope.times || scope.counts) {
     names = in_both(fixed_benchmarks(before, scope.benchmarks),
@@ -86,7 +93,6 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
   }
   const Accuracy old_one = measure_counts(project, before, names, scope, outcome.before);
   const Accuracy new_one = measure_counts(project, after, names, scope, outcome.after);
-  if (!scope.any_machine) demand_same_machine(outcome.before, outcome.after);
   for (const auto& [subject, hash] : new_one.state_hash) {
     const auto found = old_one.state_hash.find(subject);
     if (found == old_one.state_hash.end() || hash.empty()) continue;
@@ -116,10 +122,12 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
 }
 
 StoredRun measure(const Project& project, const Tree& tree, const Scope& scope) {
+  demand_work(scope);
   StoredRun run = run_of(project, tree);
   const Names names = fixed_benchmarks(tree, scope.benchmarks);
+  if (names.empty()) throw TrackError("no benchmark of this name is in this revision");
   measure_counts(project, tree, names, scope, run);
-  if (scope.times && !names.empty()) {
+  if (scope.times) {
     for (int k = 0; k < scope.timing.least_rounds; ++k) {
       time_once(tree, names, scope.timing, run.measurements);
     }

@@ -187,8 +187,9 @@ int track_bisect(const Arguments& arguments) {
     return kNothingWorse;
   }
   const Comparison& one = found->comparison;
-  fmt::print("{} moved in {}: {:.6g} → {:.6g} {}.\n", arguments.metric,
-             subject_of(project, found->commit), one.before, one.after, one.metric.unit);
+  const std::string unit = one.metric.unit == "1" ? "" : " " + one.metric.unit;
+  fmt::print("{} moved in {}: {:.6g} → {:.6g}{}.\n", arguments.metric,
+             subject_of(project, found->commit), one.before, one.after, unit);
   for (const std::string& commit : found->also) {
     fmt::print("It may be this one too, which could not be measured: {}\n",
                subject_of(project, commit));

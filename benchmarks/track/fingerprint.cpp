@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "benchmarks/track/child.h"
 
@@ -24,10 +25,14 @@ Machine machine_of(const Environment& environment) {
 std::optional<Machine> told_machine(const Tree& tree) {
   const Ended ended = run({tree.program("bench").string(), "--machine"});
   const auto told = nlohmann::json::parse(last_line(ended.output), nullptr, false);
-  if (ended.code != 0 || !told.is_object()) return std::nullopt;
   Environment environment;
-  environment.machine = told.value("machine", "");
-  environment.toolchain = told.value("toolchain", "");
+  for (const auto& [key, into] : {std::pair{"machine", &environment.machine},
+                                  std::pair{"toolchain", &environment.toolchain}}) {
+    if (ended.code != 0 || !told.is_object() || !told.contains(key) || !told[key].is_string()) {
+      return std::nullopt;
+    }
+    *into = told[key];
+  }
   return machine_of(environment);
 }
 

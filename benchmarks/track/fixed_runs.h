@@ -21,8 +21,8 @@ std::vector<std::string> fixed_benchmarks(const Tree& tree, const std::vector<st
 ///   sweeps           of the friction phase over its contacts, of a batch
 ///   allocations      of a batch
 ///   digits: error    −log₁₀ of the workload's error
-/// Deterministic, so remembered in `work`/counts by the content of the program: a program is
-/// counted once. Throws TrackError when the program fails.
+/// Deterministic, so remembered in `work`/counts by the program's content and the machine: a
+/// program is counted once. Throws TrackError when the program fails.
 Measurements count_fixed(const Tree& tree, const std::string& name, const Project& project,
                          bool fresh);
 

@@ -110,6 +110,9 @@ says '| worse | `slab/creep#digits: creep` | 6.00 digits | 5.00 digits | -1.00 d
 # ---- what cannot be measured --------------------------------------------------------------------
 refuses "an unknown revision" "git knows no revision 'nonsense'" --against nonsense
 refuses "no such benchmark" "no benchmark of this name" --against HEAD --benchmark nonsense
+refuses "none to record" "no benchmark of this name" record --benchmark nonsense --history n.sqlite
+refuses "nothing to measure" "there is nothing to measure" \
+  --against HEAD --no-times --no-counts --no-accuracy
 present 50 1000 1e-9 6 pass -O3
 sed -i 's/--list-fixed)/--list-none)/' bench.sh && commit "old bench" && git tag old
 git checkout -q HEAD~1 -- . && commit "new bench"

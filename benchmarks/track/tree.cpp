@@ -105,11 +105,12 @@ Tree build_tree(const Project& project, const std::string& reference) {
   const std::string revision = commit.substr(0, kShortLength);
   const fs::path source = project.work / revision;
   // As deep below its sources as the present build, so that a compiler cache knows its commands.
-  Tree tree{.label = reference, .revision = revision, .build = source / "build" / "release"};
+  Tree tree{.label = reference == commit ? revision : reference,
+            .revision = revision,
+            .build = source / "build" / "release"};
   check_out(project, commit, source);
   if (!fs::exists(tree.build / "build.ninja")) {
-    fmt::print(stderr, "stiction track: building {} ({}); a few minutes the first time\n",
-               reference, revision);
+    fmt::print(stderr, "stiction track: building {}; a few minutes the first time\n", tree.label);
   }
   // Each time: the options of the present build may have changed since.
   std::vector<std::string> words = {"cmake",
@@ -121,8 +122,8 @@ Tree build_tree(const Project& project, const std::string& reference) {
                                     tree.build.string(),
                                     "-DSTICTION_BUILD_TESTS=OFF"};
   for (const std::string& option : same_options(project.build)) words.push_back(option);
-  demand_run(fmt::format("{} cannot be configured", reference), words);
-  demand_run(fmt::format("{} cannot be built", reference),
+  demand_run(fmt::format("{} cannot be configured", tree.label), words);
+  demand_run(fmt::format("{} cannot be built", tree.label),
              {"cmake", "--build", tree.build.string(), "--target", "bench", "validate"});
   return tree;
 }

@@ -20,6 +20,8 @@ namespace stiction {
   return u * svd.matrixV().transpose();
 }
 
+// What `polar_terms` asks of a number besides arithmetic; lanes.h has the same for two side by
+// side.
 inline double zero_where(bool condition, double x) { return condition ? 0.0 : x; }
 inline bool all_zero(double x) { return x == 0.0; }
 
@@ -57,7 +59,7 @@ inline constexpr double kFlattest = 0.01;
 ///   R = [4(φ² + I₁)F − 8FFᵀF + 8φ cof F] / D,   D = 4(φ³ − I₁φ − 2J),
 ///
 /// I₁, I₂ the first two invariants of c = FᵀF and j = det F. Newton from √(3I₁) ≥ φ falls
-/// monotonically. Accurate to round-off for moderate stretches. Precondition: j > kFlattest.
+/// monotonically. Accurate to round-off for moderate stretches. Meaningless unless j > kFlattest.
 template <class Real>
 [[gnu::always_inline]] inline PolarTerms<Real> polar_terms(const Eigen::Matrix3<Real>& c, Real j) {
   using std::sqrt;

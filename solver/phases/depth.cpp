@@ -52,17 +52,19 @@ struct Nearest {
 // Of the triangles of the group's list: in the order of their distances at the reference, until
 // what vertex and triangles have moved since can't make the next one the nearest.
 Projection project_by_list(const Topology& topology, const PairSearch& search,
-                           const PairSearch::Group& group, const Vec3& point) {
+                           const PairSearch::Group& group, const Vec3& point,
+                           const PairContact& contact) {
   const auto vertex = static_cast<std::size_t>(group.key >> 32);
   const auto body = static_cast<std::size_t>(group.key & 0xffffffffu);
   // Far above the round-off of a distance.
-  const double rounding = 1e-9 * search.skin;
+  const double rounding = 1e-9 * search.skin + 1e-14 * point.norm();
   const double moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
   Nearest nearest{topology, search.predicted, point};
+  if (contact.triangle >= 0) nearest.consider(contact.triangle);
   for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
     const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
     if (near.distance - moved > nearest.reach) break;
-    nearest.consider(near.triangle);
+    if (near.triangle != contact.triangle) nearest.consider(near.triangle);
   }
   return nearest.best;
 }
@@ -103,7 +105,7 @@ Projection project(const Topology& topology, PairSearch& search, PairSearch::Gro
     list_nearest(topology, contact.element, *group, search);
   }
   return group != nullptr && group->near_element == contact.element
-             ? project_by_list(topology, search, *group, point)
+             ? project_by_list(topology, search, *group, point, contact)
              : project_by_balls(topology, search, point, contact);
 }
 
@@ -112,7 +114,10 @@ Projection project(const Topology& topology, PairSearch& search, PairSearch::Gro
 Projection project_again(const Topology& topology, PairSearch& search, PairSearch::Group* group,
                          const Vec3& point, const PairContact& contact, double margin) {
   const Projection best = project(topology, search, group, point, contact);
-  if (margin == 0.0 || contact.triangle < 0 || contact.triangle == best.triangle) return best;
+  if (margin == 0.0 || contact.triangle < 0 || contact.triangle == best.triangle ||
+      best.triangle < 0) {
+    return best;
+  }
   const Projection last = project_on(topology, search.predicted, point, contact.triangle);
   const double farthest2 = (1.0 + margin) * (1.0 + margin) * best.nearest.distance2;
   return last.nearest.distance2 <= farthest2 ? last : best;
@@ -157,6 +162,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
     return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
   };
   std::size_t kept = 0;
+  bool immovable = false;  // any contact that nothing can move
   // Contacts and groups are both in the order of their keys.
   auto group = workspace.search.group.begin();
   const auto last_group = workspace.search.group.end();
@@ -168,6 +174,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
     const Projection projection =
         project_again(scene.topology, workspace.search, known ? &*group : nullptr, point, contact,
                       open ? 0.0 : options.pairs.tie_margin);
+    if (projection.triangle < 0) continue;  // no number: nothing is nearest
     contact.triangle = projection.triangle;
     const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
     const double distance = std::sqrt(projection.nearest.distance2);
@@ -194,12 +201,15 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       contact.inverse_mass +=
           contact.weight[k] * contact.weight[k] * inverse_mass(contact.partner[k]);
     }
-    // A vertex that nothing can move on partners that nothing can move takes no force.
-    if (contact.inverse_mass == 0.0) continue;
+    immovable = immovable || contact.inverse_mass == 0.0;
     workspace.pairs[kept++] = contact;
   }
   workspace.pairs.resize(kept);
   if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
+  // A vertex that nothing can move on partners that nothing can move takes no force.
+  if (immovable) {
+    std::erase_if(workspace.pairs, [](const PairContact& c) { return c.inverse_mass == 0.0; });
+  }
   if (options.pairs.depth_noise > 0.0) {
     for (PairContact& contact : workspace.pairs) {
       contact.depth *= 1.0 + options.pairs.depth_noise * even_noise(contact.key, state.step);

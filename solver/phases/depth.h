@@ -9,8 +9,9 @@
 namespace stiction {
 
 /// Depth, normal, nearest triangle, weights and inverse mass of each pair contact, at the predicted
-/// positions; drops the kept contacts whose gap has become too wide, and sets the keys as
-/// `options.pairs.key` says.
+/// positions; drops the kept contacts whose gap has become too wide and those that nothing can
+/// move, and sets the keys as `options.pairs.key` says. Precondition: the partners of each contact
+/// are the corners of its element, as detection leaves them.
 ///
 ///   d = x̂ − x*,  x̂ the point of the surface nearest to x*       (projection)
 ///

@@ -72,6 +72,25 @@ TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
   EXPECT_LT((normal_after(y, 0.5 * nearer / depth) - x).norm(), 1e-12) << "beyond the margin too";
 }
 
+// A state that diverges is told of by its engine, some steps later.
+TEST(Depths, AreThoseOfNumbers) {
+  const Scene scene = build_scene(test::stacked_cubes(0.01));
+  Options options;
+  State state = initial_state(scene);
+  const test::Found last(scene, options, state);
+  remember_pairs(last.workspace.pairs, scene.topology, state.pair_memory);
+  for (const double bad : {test::kNaN, test::kInfinity}) {
+    const std::int32_t vertex = last.workspace.pairs.front().vertex;
+    state.position[static_cast<std::size_t>(vertex)].x = Vec3(0.0, bad, 0.0);
+    const test::Found now(scene, options, state);
+    EXPECT_GT(now.workspace.pairs.size(), 0u);
+    for (const PairContact& contact : now.workspace.pairs) {
+      EXPECT_NE(contact.vertex, vertex);
+      EXPECT_GE(contact.triangle, 0);
+    }
+  }
+}
+
 class FlatContact : public testing::TestWithParam<DepthRule> {};
 
 // Upper vertices inside the lower cube's top, and lower ones inside the upper's bottom: both faces

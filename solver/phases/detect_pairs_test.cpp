@@ -96,10 +96,15 @@ TEST(DetectPairs, FindsTheSameWhenItsListsWereMadeForEarlierPositions) {
     Workspace fresh;
     fresh.velocity = state.velocity;
     detect_pairs(scene, options, state, fresh);
+    depths(scene, options, state, kept);
+    depths(scene, options, state, fresh);
     ASSERT_EQ(kept.pairs.size(), fresh.pairs.size()) << "step " << k;
     for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
       EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key) << "step " << k;
       EXPECT_EQ(kept.pairs[c].element, fresh.pairs[c].element) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].normal, fresh.pairs[c].normal) << "step " << k;
     }
     contacts += kept.pairs.size();
   }

@@ -23,8 +23,8 @@ bool may_touch_itself(const Body& body) {
   return built_in(Feature::kSelfCollision) && body.self_collision;
 }
 
-// Notes how far each body has moved; false as soon as that is too far.
-bool still_hold(const Scene& scene, PairSearch& search) {
+// Notes how far each body has moved; false as soon as that is too far for the lists.
+bool note_moves(const Scene& scene, PairSearch& search) {
   search.moved.assign(scene.bodies.size(), 0.0);
   if (search.scene != scene.serial || search.reference.size() != search.predicted.size()) {
     return false;
@@ -173,7 +173,7 @@ void group_candidates(PairSearch& search) {
 }  // namespace
 
 void update_candidates(const Scene& scene, PairSearch& search) {
-  if (still_hold(scene, search)) return;
+  if (note_moves(scene, search)) return;
   search.scene = scene.serial;
   search.skin = kSkin * scene.topology.mean_edge;
   search.reference = search.predicted;

@@ -36,7 +36,7 @@ double farthest(const Engine& engine, const std::vector<Vec3>& from) {
   return distance;
 }
 
-// What the contacts of one step have become in the next; both in the engine's order of points.
+// What the contacts of one step have become in the next; both sorted.
 struct Turnover {
   using Touch = std::array<std::int64_t, 4>;  // body touched, of either kind, point, facet
   std::vector<Touch> last;
