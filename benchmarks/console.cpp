@@ -37,6 +37,11 @@ void Console::ReportRuns(const std::vector<Run>& runs) {
       fmt::print("{:<42} {}\n", plain_name(run), run.error_message);
       continue;
     }
+    if (run.aggregate_unit == benchmark::StatisticUnit::kPercentage) {
+      fmt::print("{:<42}{:>9}{:>11.2f}%\n", plain_name(run), "",
+                 100.0 * counter(run, "time_per_contact"));
+      continue;
+    }
     // A spread is in the unit of its quantity; what it is of is in its name.
     fmt::print("{:<42}{:>9.0f}{:>12.1f}{:>9.0f}{:>9.0f}{:>8.0f}%{:>7.0f}%{:>8.1g}\n",
                plain_name(run), counter(run, "contacts"), 1e9 * counter(run, "time_per_contact"),

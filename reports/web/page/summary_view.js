@@ -23,6 +23,8 @@ const plural = (count, one, many = `${one}s`) =>
   `${format_count(count)} ${count === 1 ? one : many}`;
 
 function headline(tally) {
+  if (tally["not-applicable"] === tally.records && tally.records > 0)
+    return ["shown", "Measured over runs, and judged by nobody."];
   if (tally.bad === 0 && tally.pass === 0) return ["shown", "Nothing was decided."];
   if (tally.bad === 0 && tally.limit > 0)
     return [
@@ -209,6 +211,10 @@ export function summary_view({ index, rows, comparison }) {
     ),
     index.compared
       ? [failures_list(current), compared_parts(index, current)]
-      : [facts(tally, index), failures_list(current), overview_part(index, current)],
+      : [
+          Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
+          failures_list(current),
+          overview_part(index, current),
+        ],
   );
 }

@@ -9,6 +9,7 @@ import { history_plots, is_history } from "./history_plot.js";
 import { parameter_plot } from "./parameter_plot.js";
 import { phase_plot } from "./phase_plot.js";
 import { is_rule_work, rule_work_plots } from "./rule_work_plot.js";
+import { run_plot } from "./run_plot.js";
 import { score_plots } from "./score_plot.js";
 import { series_plot } from "./series_plot.js";
 import { sweep_plots } from "./sweep_plot.js";
@@ -78,11 +79,28 @@ export function case_plots(case_name, entries, runs) {
     is_over_time(group[0].series)
       ? { kind: "series", ...series_plot(group) }
       : is_over_runs(group[0].series)
-        ? { kind: "trend", ...series_plot(group) }
+        ? run_plot(group)
         : parameter_plot(group),
   );
   const phases = phase_plot(labelled);
   return with_id([...series_plots, phases && { kind: "phases", ...phases }], case_name);
+}
+
+// Of a history: times, and digits of what its cases check, each in one picture.
+function run_plots(described) {
+  const curves = described.flatMap(({ record, label }) =>
+    record.series
+      .filter((series) => is_over_runs(series) && series.x.length > 0)
+      .map((series) => ({ label, series })),
+  );
+  const times = curves.filter(({ series }) => series.name === "time");
+  const digits = curves
+    .filter(({ series }) => series.name.startsWith("digits: "))
+    .map(({ label, series }) => ({
+      label: `${label}  ${series.name.slice("digits: ".length)}`,
+      series: { ...series, name: "digits" },
+    }));
+  return [times, digits].filter((group) => group.length > 0).map(run_plot);
 }
 
 /** The plots of one family, over all its cases. */
@@ -119,6 +137,7 @@ export function family_plots(family, entries, runs) {
       threshold && { kind: "threshold", ...threshold },
       prediction && { kind: "prediction", ...prediction },
       work && { kind: "work-precision", ...work },
+      ...run_plots(described),
       ...trend_plots(entries, runs),
     ],
     family,

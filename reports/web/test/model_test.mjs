@@ -21,7 +21,7 @@ import { instant, place_at, view_of } from "../page/playback.js";
 import { hash_of, parse_hash } from "../page/route.js";
 import { pareto_front, power_law } from "../plots/fit.js";
 import { kind_of } from "../plots/parameter_plot.js";
-import { case_plots } from "../plots/plots.js";
+import { case_plots, family_plots } from "../plots/plots.js";
 import { bracket_in } from "../plots/threshold_plot.js";
 import { check, record } from "./records.mjs";
 
@@ -313,4 +313,25 @@ test("a series over runs is drawn as history, without a fitted power law", () =>
     );
   assert.deepEqual(kinds([over("run")]), ["trend", "phases"]);
   assert.ok(!kinds([over("cells")]).includes("trend"));
+});
+
+test("times and digits over runs stand on their family's page, each in one picture", () => {
+  const over_runs = (name) => ({
+    ...{ name, unit: "1", x_name: "run", x_unit: "1" },
+    ...{ x: [1, 2], y: [8, 4] },
+  });
+  const entry = (name, series) => ({ record: { ...record(), case: name, series }, run: 0 });
+  const plots = family_plots(
+    "trend/slab",
+    [
+      entry("trend/slab/a", [over_runs("time"), over_runs("allocations"), over_runs("digits: creep")]),
+      entry("trend/slab/b", [over_runs("digits: creep"), over_runs("digits: energy")]),
+    ],
+    [{ short: "", role: "shown", date: "" }],
+  ).filter(({ kind }) => kind === "trend");
+  assert.deepEqual(
+    plots.map(({ title }) => title),
+    ["time over run", "digits over run"],
+  );
+  assert.match(plots[1].description, /3 curves/);
 });
