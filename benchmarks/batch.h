@@ -36,8 +36,6 @@ class Batch {
 
   /// Of all that the part wrote, with the state: equal hashes, equal work.
   std::uint64_t hash() const;
-  /// Contacts that the part worked on or found, whatever the sweeps.
-  std::size_t contact_updates() const { return work_.contacts(); }
 
   const Workload& work() const { return work_; }
 

@@ -17,13 +17,12 @@ constexpr double kTriangle = sizeof(Topology::Triangle);
 constexpr double kMemoryKey = sizeof(ContactKey) + sizeof(ContactStatus);
 
 // Arithmetic of small blocks, in operations.
-constexpr double kDot = 5.0;        // of 3-vectors
-constexpr double kAxpy = 6.0;       // a x + y
-constexpr double kCross = 9.0;      //
-constexpr double kProduct3 = 45.0;  // of 3 × 3 matrices
-constexpr double kRotation =
-    140.0;                       // closed form: FᵀF, cofactors, three Newton steps, factors of R
-constexpr double kHooke = 24.0;  // 2μE + λ tr(E) I
+constexpr double kDot = 5.0;         // of 3-vectors
+constexpr double kAxpy = 6.0;        // a x + y
+constexpr double kCross = 9.0;       //
+constexpr double kProduct3 = 45.0;   // of 3 × 3 matrices
+constexpr double kRotation = 140.0;  // closed form: FᵀF, cof F, three Newton steps, factors of R
+constexpr double kHooke = 24.0;      // 2μE + λ tr(E) I
 constexpr double kBarycentric = 12.0 + 3.0 * (kCross + kDot) + 6.0;
 constexpr double kNearest = 6.0 * kDot + 40.0;  // regions of a triangle
 
@@ -50,6 +49,8 @@ Cost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
   switch (phase) {
     case Phase::kForces:
       // Position, velocity and force of the vertices pass once; elements are read once.
+      // Differences; F, Ḟ, FᵀḞ, F a and P Dₘ⁻ᵀ; R; a and b; sym(FᵀḞ), Hooke's law, β times it; + b;
+      // the corners.
       return {n.vertices * (8 + 2 * kVec + kPosition + kVelocity) + n.elements * kElement,
               n.vertices * 3 +
                   n.elements * (18 + 5 * kProduct3 + kRotation + 30 + 18 + kHooke + 18 + 9 + 18)};

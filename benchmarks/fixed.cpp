@@ -61,7 +61,7 @@ std::string run_fixed(const std::string& name, int batches) {
   const std::uint64_t before = allocations(), sweeps = batch.work().workspace.sweeps;
   for (int k = 0; k < batches; ++k) {
     batch.run();
-    updates += batch.contact_updates();
+    updates += batch.work().contacts();
     if (k + 1 < batches) batch.restore();
   }
   const std::uint64_t allocated = allocations() - before;

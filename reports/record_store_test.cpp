@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "reports/record_json.h"
+#include "reports/test_message.h"
 #include "reports/test_records.h"
 
 namespace stiction {
@@ -29,15 +29,6 @@ std::string content_of(const fs::path& file) {
   std::ostringstream content;
   content << std::ifstream(file).rdbuf();
   return content.str();
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -149,7 +140,7 @@ TEST_F(RecordStoreTest, WriteFileTakesPlainNamesOnly) {
   RecordStore store = RecordStore::create(out_);
   store.append(test::passing_record());
   for (const char* name : {"", ".", "..", "../report.md", "/tmp/report.md", "records.jsonl"}) {
-    EXPECT_NE(message_of([&] { store.write_file(name, "x"); }), "") << name;
+    EXPECT_NE(test::message_of([&] { store.write_file(name, "x"); }), "") << name;
   }
   EXPECT_EQ(read_records(store.records_file()).records.size(), 1u);
 }
@@ -171,14 +162,14 @@ TEST_F(RecordStoreTest, FinishPointsLatestAtTheRun) {
 TEST_F(RecordStoreTest, FinishDoesNotReplaceAFolder) {
   RecordStore store = RecordStore::create(out_);
   fs::create_directory(out_ / "latest");
-  const std::string message = message_of([&] { store.finish(); });
+  const std::string message = test::message_of([&] { store.finish(); });
   EXPECT_EQ(message, "Cannot create link \"" + (out_ / "latest").string() + "\": Is a directory.");
   EXPECT_EQ(names_in(out_).size(), 2u) << "no temporary is left";
 }
 
 TEST_F(RecordStoreTest, AFileInPlaceOfTheFolderIsNamed) {
   std::ofstream(out_ / "file") << "x";
-  EXPECT_EQ(message_of([&] { RecordStore::create(out_ / "file" / "runs"); }),
+  EXPECT_EQ(test::message_of([&] { RecordStore::create(out_ / "file" / "runs"); }),
             "Cannot create folder \"" + (out_ / "file" / "runs").string() + "\": Not a directory.");
 }
 
@@ -214,7 +205,7 @@ TEST_F(RecordStoreDeathTest, AnUnwritableFolderGivesTheSentence) {
       fs::permissions(out_, fs::perms::others_read | fs::perms::others_exec);
       demand(setuid(65534) == 0, "setuid failed");
     }
-    leave(message_of([&] { RecordStore::create(out_); }));
+    leave(test::message_of([&] { RecordStore::create(out_); }));
   };
   EXPECT_EXIT(child(), testing::ExitedWithCode(0),
               "^Cannot create folder \".*record_store_.*\": Permission denied\\.$");
@@ -227,7 +218,7 @@ TEST_F(RecordStoreDeathTest, AFullDiskLosesNoFinishedRecord) {
     std::size_t written = 0;
     std::string message;
     while (message.empty() && written < 1000) {
-      message = message_of([&] { store.append(test::passing_record()); });
+      message = test::message_of([&] { store.append(test::passing_record()); });
       if (message.empty()) ++written;
     }
     demand(written > 2 && written < 1000, "the limit was not met");
@@ -254,7 +245,7 @@ TEST_F(RecordStoreDeathTest, AFullDiskKeepsTheOldFile) {
     store.write_file("report.md", "old");
     limit_files_to(5000);
     const std::string message =
-        message_of([&] { store.write_file("report.md", std::string(100000, 'x')); });
+        test::message_of([&] { store.write_file("report.md", std::string(100000, 'x')); });
     demand(content_of(store.folder() / "report.md") == "old", "the old file is gone");
     demand(names_in(store.folder()).size() == 2, "a temporary is left");
     leave(message);

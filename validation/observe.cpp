@@ -85,9 +85,9 @@ const std::vector<Observable>& observables() {
   return all;
 }
 
-ContactSlips slips_of(const Engine& engine) {
+ContactSlips slips_of(const std::vector<ContactSample>& contacts) {
   ContactSlips slips;
-  for (const ContactSample& contact : engine.contacts()) {
+  for (const ContactSample& contact : contacts) {
     if (contact.normal_force == 0.0) continue;  // kept while it is open: nothing rubs
     const double slip = contact.slip.norm();
     slips.mean += slip;

@@ -41,6 +41,6 @@ struct ContactSlips {
   int contacts = 0;
   int sliding = 0;  ///< of which the engine says that they slip
 };
-ContactSlips slips_of(const Engine& engine);
+ContactSlips slips_of(const std::vector<ContactSample>& contacts);
 
 }  // namespace stiction

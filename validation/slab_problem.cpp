@@ -71,7 +71,7 @@ Vec3 SlabRun::travel() const { return simulation_->engine().body(0).position - s
 double SlabRun::speed() const { return downhill_.dot(simulation_->engine().body(0).velocity); }
 
 SlabSample SlabRun::sample() const {
-  const ContactSlips slips = slips_of(simulation_->engine());
+  const ContactSlips slips = slips_of(simulation_->engine().contacts());
   return {.time = time(),
           .mean_slip = slips.mean,
           .fastest_slip = slips.fastest,

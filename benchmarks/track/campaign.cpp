@@ -82,9 +82,9 @@ void demand_work(const Scope& scope) {
 
 Outcome compare_trees(const Project& project, const Tree& before, const Tree& after,
                       const Scope& scope) {
+  demand_work(scope);
   Outcome outcome{.before = run_of(project, before), .after = run_of(project, after)};
   if (!scope.any_machine) demand_same_machine(outcome.before, outcome.after);
-  demand_work(scope);
   Names names;
   if (scope.times || scope.counts) {
     names = in_both(fixed_benchmarks(before, scope.benchmarks),

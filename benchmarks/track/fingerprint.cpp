@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "benchmarks/track/child.h"
 
@@ -24,16 +23,16 @@ Machine machine_of(const Environment& environment) {
 
 std::optional<Machine> told_machine(const Tree& tree) {
   const Ended ended = run({tree.program("bench").string(), "--machine"});
-  const auto told = nlohmann::json::parse(last_line(ended.output), nullptr, false);
-  Environment environment;
-  for (const auto& [key, into] : {std::pair{"machine", &environment.machine},
-                                  std::pair{"toolchain", &environment.toolchain}}) {
-    if (ended.code != 0 || !told.is_object() || !told.contains(key) || !told[key].is_string()) {
-      return std::nullopt;
-    }
-    *into = told[key];
+  if (ended.code != 0) return std::nullopt;
+  try {
+    const auto told = nlohmann::json::parse(last_line(ended.output));
+    Environment environment;
+    told.at("machine").get_to(environment.machine);
+    told.at("toolchain").get_to(environment.toolchain);
+    return machine_of(environment);
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
   }
-  return machine_of(environment);
 }
 
 }  // namespace stiction::track

@@ -31,24 +31,19 @@ struct ElementPair {
   Lanes both(double Element::*what) const { return {first.*what, second.*what}; }
 };
 
-LaneMat3 inverse_rest_edges(const ElementPair& pair) {
+LaneMat3 side_by_side(const Mat3& first, const Mat3& second) {
   LaneMat3 m;
-  for (int k = 0; k < 9; ++k) {
-    m(k) = {pair.first.inverse_rest_edges[k], pair.second.inverse_rest_edges[k]};
-  }
+  for (int k = 0; k < 9; ++k) m(k) = {first(k), second(k)};
   return m;
+}
+
+LaneMat3 inverse_rest_edges(const ElementPair& pair) {
+  return side_by_side(inverse_rest_edges(pair.first), inverse_rest_edges(pair.second));
 }
 
 template <class Field>
 LaneMat3 differences(const ElementPair& pair, const Field& field) {
-  const Vec3 &a0 = field(pair.first.vertex[0]), &b0 = field(pair.second.vertex[0]);
-  LaneMat3 d;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3& a = field(pair.first.vertex[k + 1]);
-    const Vec3& b = field(pair.second.vertex[k + 1]);
-    for (int i = 0; i < 3; ++i) d(i, k) = Lanes(a[i], b[i]) - Lanes(a0[i], b0[i]);
-  }
-  return d;
+  return side_by_side(differences(pair.first, field), differences(pair.second, field));
 }
 
 Mat3 one_of(const LaneMat3& lanes, int lane) {

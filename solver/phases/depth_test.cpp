@@ -72,7 +72,73 @@ TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
   EXPECT_LT((normal_after(y, 0.5 * nearer / depth) - x).norm(), 1e-12) << "beyond the margin too";
 }
 
-// A state that diverges is told of by its engine, some steps later.
+// The nearest of all triangles of the penetrated body, of equals the lowest number; and how many
+// are as near.
+struct BruteForce {
+  std::int32_t triangle = -1;
+  int equals = 0;
+
+  BruteForce(const Topology& topology, const Eigen::Matrix3Xd& x, const PairContact& contact) {
+    const auto body =
+        static_cast<std::size_t>(topology.element_body[static_cast<std::size_t>(contact.element)]);
+    double least = test::kInfinity;
+    for (std::int32_t t = topology.body_triangle_begin[body];
+         t < topology.body_triangle_begin[body + 1]; ++t) {
+      const auto& v = topology.triangle[static_cast<std::size_t>(t)].vertex;
+      const double distance2 =
+          nearest_on_triangle(x.col(contact.vertex), x.col(v[0]), x.col(v[1]), x.col(v[2]))
+              .distance2;
+      if (distance2 > least) continue;
+      if (distance2 < least) equals = 0;
+      if (distance2 < least) triangle = t;
+      least = distance2;
+      ++equals;
+    }
+  }
+};
+
+// One body slides off another, along edges between triangles, where equal distances are exactly
+// equal, or across them, while the lists of near triangles grow old.
+class SlidingContact : public testing::TestWithParam<double> {};
+
+TEST_P(SlidingContact, ProjectsOnTheNearestTriangleAndOfEqualsOnTheLowest) {
+  SceneDescription description;
+  description.bodies = {test::elastic_body(test::cube_mesh(2)),
+                        test::elastic_body(test::cube_mesh(2))};
+  description.bodies[1].mesh.vertices.colwise() += Vec3(0.375, GetParam(), 1.0 - 1.0 / 16.0);
+  const Scene scene = build_scene(description);
+  const Body& upper = scene.bodies[1];
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  options.pairs.tie_margin = 0.0;
+  Workspace kept;
+  int ties = 0, old_lists = 0;
+  for (int k = 0; k < 256; ++k) {
+    Eigen::Matrix3Xd position = scene.rest_position;
+    position.middleCols(upper.first_vertex, upper.vertex_count).row(0).array() -= k / 512.0;
+    const State state =
+        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    kept.velocity = state.velocity;
+    detect_pairs(scene, options, state, kept);
+    old_lists += kept.search.moved[1] > 0.0 ? 1 : 0;
+    depths(scene, options, state, kept);
+    EXPECT_GE(kept.pairs.size(), 4u);
+    for (const PairContact& contact : kept.pairs) {
+      const BruteForce expected(scene.topology, position, contact);
+      EXPECT_EQ(contact.triangle, expected.triangle)
+          << "step " << k << ", vertex " << contact.vertex;
+      ties += expected.equals > 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(ties, GetParam() == 0.5 ? 256 : 0);
+  EXPECT_GT(old_lists, 200);
+}
+
+INSTANTIATE_TEST_SUITE_P(Offsets, SlidingContact, testing::Values(0.5, 0.375),
+                         [](const auto& one) { return one.param == 0.5 ? "Along" : "Across"; });
+
+// A state that diverges is told of by its engine, some steps later. What is read for a triangle of
+// number −1 only a sanitizer sees.
 TEST(Depths, AreThoseOfNumbers) {
   const Scene scene = build_scene(test::stacked_cubes(0.01));
   Options options;

@@ -25,7 +25,6 @@ bool may_touch_itself(const Body& body) {
 
 // Notes how far each body has moved; false as soon as that is too far for the lists.
 bool note_moves(const Scene& scene, PairSearch& search) {
-  search.moved.assign(scene.bodies.size(), 0.0);
   if (search.scene != scene.serial || search.reference.size() != search.predicted.size()) {
     return false;
   }

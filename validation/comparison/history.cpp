@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,43 +35,13 @@ double farthest(const Engine& engine, const std::vector<Vec3>& from) {
   return distance;
 }
 
-// What the contacts of one step have become in the next; both sorted.
-struct Turnover {
-  using Touch = std::array<std::int64_t, 4>;  // body touched, of either kind, point, facet
-  std::vector<Touch> last;
-
-  void count(const Engine& engine, RuleHistory& history) {
-    std::vector<Touch> now;
-    for (const ContactSample& contact : engine.contacts()) {
-      if (contact.normal_force == 0.0) continue;
-      now.push_back({static_cast<std::int64_t>(contact.obstacle), contact.against_body ? 1 : 0,
-                     contact.point, contact.facet});
-    }
-    std::sort(now.begin(), now.end());
-    history.loaded += now.size();
-    auto next = now.begin();
-    for (const Touch& before : last) {
-      const auto same_point = [&](const Touch& touch) {
-        return std::equal(touch.begin(), touch.begin() + 3, before.begin());
-      };
-      while (next != now.end() && *next < before && !same_point(*next)) ++next;
-      if (next == now.end() || !same_point(*next)) {
-        ++history.losses;
-      } else {
-        history.facet_changes += (*next)[3] != before[3] ? 1 : 0;
-      }
-    }
-    last = std::move(now);
-  }
-};
-
 void look(Engine& engine, const ComparisonScene& scene, const std::vector<Vec3>& settled,
           RuleHistory& history) {
-  Turnover turnover;
   for (std::uint64_t k = 0; k < scene.steps; ++k) {
     engine.advance(1);
-    turnover.count(engine, history);
-    history.slips.push_back(slips_of(engine));
+    const std::vector<ContactSample> contacts = engine.contacts();
+    history.turnover.add(contacts);
+    history.slips.push_back(slips_of(contacts));
     history.kinetic.push_back(engine.energies().kinetic);
   }
   history.moved = farthest(engine, settled);
@@ -174,12 +143,11 @@ void report_history(CaseRun& run, const RuleHistory& history) {
   run.check(measured("memory", "B", "kept of a contact from step to step",
                      static_cast<double>(friction_memory_bytes(run.settings().at("rule")))));
   if (!held) run.note("failed: " + history.failure);
-  const double loaded = static_cast<double>(history.loaded) /
-                        static_cast<double>(std::max<std::size_t>(1, history.slips.size()));
-  run.note(
-      fmt::format("Of {:.0f} contacts that carry a load, {} changed their facet and {} lost "
-                  "their load, summed over {} steps.",
-                  loaded, history.facet_changes, history.losses, history.slips.size()));
+  const Turnover& turnover = history.turnover;
+  run.note(fmt::format(
+      "Of {:.0f} contacts that carry a load, {} changed their facet and {} lost "
+      "their load, summed over {} steps.",
+      turnover.mean_loaded(), turnover.facet_changes(), turnover.losses(), history.slips.size()));
   std::vector<double> mean, fastest;
   for (const ContactSlips& slips : history.slips) {
     mean.push_back(slips.mean);

@@ -7,6 +7,7 @@
 
 #include "validation/case_run.h"
 #include "validation/comparison/scenes.h"
+#include "validation/comparison/turnover.h"
 #include "validation/observe.h"
 
 namespace stiction {
@@ -16,10 +17,8 @@ struct RuleHistory {
   std::vector<ContactSlips> slips;  ///< after each step
   std::vector<double> kinetic;      ///< J, after each step
   double time_step = 0.0;           ///< s
-  std::uint64_t facet_changes = 0;  ///< of contacts loaded before and after a step
-  std::uint64_t losses = 0;         ///< of contacts that carry no load any more after a step
-  std::uint64_t loaded = 0;         ///< contacts with a load, summed over the steps
-  double moved = 0.0;               ///< farthest body from where it had settled, at the end, m
+  Turnover turnover;
+  double moved = 0.0;      ///< farthest body from where it had settled, at the end, m
   std::string failure;     ///< why it broke off before the end, or did not hold; else empty
   bool same_hash = false;  ///< the logged pass ended where the timed one did
 

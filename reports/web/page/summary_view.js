@@ -22,8 +22,11 @@ import { tally_of } from "./tally.js";
 const plural = (count, one, many = `${one}s`) =>
   `${format_count(count)} ${count === 1 ? one : many}`;
 
-function headline(tally) {
-  if (tally["not-applicable"] === tally.records && tally.records > 0)
+const has_history = ({ families }) =>
+  families.some(({ plots }) => plots.some(({ kind }) => kind === "trend"));
+
+function headline(tally, index) {
+  if (tally["not-applicable"] === tally.records && has_history(index))
     return ["shown", "Measured over runs, and judged by nobody."];
   if (tally.bad === 0 && tally.pass === 0) return ["shown", "Nothing was decided."];
   if (tally.bad === 0 && tally.limit > 0)
@@ -178,7 +181,7 @@ export function summary_view({ index, rows, comparison }) {
   const [verdict, sentence] =
     index.compared && tally.bad === 0
       ? ["shown", compared_headline(index.compared)]
-      : headline(tally);
+      : headline(tally, index);
   const families = new Set(current.map((row) => row.case)).size;
   return h(
     "section",

@@ -89,9 +89,7 @@ export function case_plots(case_name, entries, runs) {
 // Of a history: times, and digits of what its cases check, each in one picture.
 function run_plots(described) {
   const curves = described.flatMap(({ record, label }) =>
-    record.series
-      .filter((series) => is_over_runs(series) && series.x.length > 0)
-      .map((series) => ({ label, series })),
+    record.series.filter(is_over_runs).map((series) => ({ label, series })),
   );
   const times = curves.filter(({ series }) => series.name === "time");
   const digits = curves
