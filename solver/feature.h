@@ -11,6 +11,7 @@ enum class Feature {
   kPostCorrection,  ///< reaction of the normal force on the partners [Lazarevych2009, (6)]
   kFrictionMemory,  ///< carried from step to step
   kSelfCollision,   ///< contacts of a body with itself
+  kEdgeContacts,    ///< of edges that cross
   kElasticity,      ///< forces of the tetrahedra
   kTiming,          ///< of the phases
 };

@@ -37,6 +37,8 @@ void check_options(const Options& options, const Scene& scene) {
     wrong << "the hysteresis must be non-negative and finite, not " << options.pairs.hysteresis;
   } else if (!(options.pairs.tie_margin >= 0.0 && options.pairs.tie_margin < 1.0)) {
     wrong << "the tie margin must lie in [0, 1), not " << options.pairs.tie_margin;
+  } else if (!(options.pairs.border_margin >= 0.0 && options.pairs.border_margin < 1.0)) {
+    wrong << "the border margin must lie in [0, 1), not " << options.pairs.border_margin;
   } else if (!(options.pairs.depth_noise >= 0.0 && options.pairs.depth_noise < 1.0)) {
     wrong << "the depth noise must lie in [0, 1), not " << options.pairs.depth_noise;
   } else if (!(options.friction.slip_tolerance >= 0.0)) {

@@ -21,6 +21,14 @@ enum class DepthRule {
   kConsistent   ///< [Heidelberger2004]: averaged over crossing edges, propagated inwards
 };
 
+/// Which surface triangle a vertex is pushed out through.
+enum class PairFace {
+  kNearest,  ///< the nearest, whatever the two surfaces look like there
+  /// The nearest of those that the vertex can rest on: no edge of its own surface leads behind the
+  /// triangle's plane. Where boxes are flush, a corner is nearest to the side wall of the other.
+  kOpposed
+};
+
 /// By what a contact is recognised in the next step.
 enum class PairKey {
   kBody,     ///< (vertex, body): survives the change to a neighbouring triangle
@@ -34,13 +42,18 @@ struct PairOptions {
   double harmonic_gain = 1.0;  ///< κ₀, dimensionless, in (0, 4/3)
   PairWeights weights = PairWeights::kTetrahedron;
   DepthRule depth = DepthRule::kProjection;
+  PairFace face = PairFace::kOpposed;
   PairKey key = PairKey::kBody;
+  bool edges = true;              ///< crossing edges touch too, which no vertex sees
   bool post_correction = true;    ///< (6): half of F on the vertex, half on its partners
   bool friction_reaction = true;  ///< friction acts on the partners too
   bool literal_bound = false;  ///< μ|F| instead of μ × the transmitted force: sticks up to 2μ
   bool normals_first = true;   ///< all normal forces, then friction; else pair by pair
   /// Contacts are kept up to a gap of `hysteresis` · |g|Δt², dimensionless, with F = 0.
   double hysteresis = 20.0;
+  /// A vertex that has slipped sideways over the border of the face that it lies on is kept up to
+  /// this distance, in mean edges. Where borders coincide, rounding alone would choose.
+  double border_margin = 1e-3;
   bool count_hysteresis = true;  ///< such contacts count in the harmonic gain
   /// A contact stays with its triangle while that is at most this much farther than the nearest,
   /// relative to the depth. Where a vertex is as near to two faces, rounding alone would choose

@@ -32,7 +32,7 @@ std::uint64_t hash_of(const State& state) {
   hash.add(&state.step, sizeof state.step);
   for (const Position& p : state.position) hash.add(p.x.data(), sizeof p.x);
   for (const Velocity& v : state.velocity) hash.add(v.v.data(), sizeof v.v);
-  for (const FrictionMemory* memory : {&state.memory, &state.pair_friction}) {
+  for (const FrictionMemory* memory : {&state.memory, &state.pair_friction, &state.edge_friction}) {
     add(memory->key, hash);
     add(memory->status, hash);
     add(memory->value, hash);

@@ -37,6 +37,7 @@ struct State {
   std::vector<Velocity> velocity;  ///< per vertex
   FrictionMemory memory;           ///< of the obstacle contacts of the last step
   FrictionMemory pair_friction;    ///< of the pair contacts of the last step
+  FrictionMemory edge_friction;    ///< of the edge contacts of the last step
   PairMemory pair_memory;
 };
 

@@ -3,6 +3,7 @@
 
 #include "solver/elasticity/corotational.h"
 #include "solver/feature.h"
+#include "solver/phases/crossing_edges.h"
 #include "solver/phases/depth.h"
 #include "solver/phases/detect.h"
 #include "solver/phases/detect_pairs.h"
@@ -38,9 +39,10 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
       return;
     case Phase::kDepth:
       depths(scene, options, state, workspace);
+      if (with_edges(options)) crossing_edges(scene, options, state, workspace);
       return;
     case Phase::kNormalForce:
-      if (!workspace.pairs.empty()) pair_normal_forces(scene, options, workspace);
+      if (!workspace.pairs.empty() || !workspace.edges.empty()) pair_normal_forces(scene, options, workspace);
       normal_forces(scene, dt, state.position, workspace.velocity, workspace.contacts, time);
       return;
     case Phase::kFriction:

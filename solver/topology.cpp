@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/topology.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "solver/scene.h"
 
@@ -29,6 +33,69 @@ void add_triangles(const Scene& scene, const Body& body, Topology& topology) {
     topology.triangle.push_back(
         {{triangles(0, t), triangles(1, t), triangles(2, t)},
          body.first_element + static_cast<std::int32_t>(owners[static_cast<std::size_t>(t)])});
+  }
+}
+
+// Cosine of the angle between the normals at a sharp edge, at most.
+const double kSharp = std::cos(30.0 * std::numbers::pi / 180.0);
+
+// Sharp edges of the surface triangles from `first` on, in the order in which they appear.
+void add_sharp_edges(const Scene& scene, std::size_t first, Topology& topology) {
+  struct Side {
+    std::int32_t low, high, opposite;
+    std::size_t triangle;
+  };
+  std::vector<Side> sides;
+  for (std::size_t t = first; t < topology.triangle.size(); ++t) {
+    const auto& v = topology.triangle[t].vertex;
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(v[k], v[(k + 1) % 3]);
+      sides.push_back({low, high, v[(k + 2) % 3], t});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  const auto x = [&](std::int32_t v) -> Vec3 { return scene.rest_position.col(v); };
+  const auto normal = [&](std::size_t t) -> Vec3 {
+    const auto& v = topology.triangle[t].vertex;
+    return (x(v[1]) - x(v[0])).cross(x(v[2]) - x(v[0])).normalized();
+  };
+  for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
+    const Side &one = sides[k], &other = sides[k + 1];
+    if (one.low != other.low || one.high != other.high) continue;
+    const bool convex = normal(one.triangle).dot(x(other.opposite) - x(one.low)) < 0.0;
+    if (!convex || normal(one.triangle).dot(normal(other.triangle)) > kSharp) continue;
+    topology.sharp_edge.push_back({{one.low, one.high},
+                                   {one.opposite, other.opposite},
+                                   topology.triangle[one.triangle].element,
+                                   {false, false}});
+  }
+}
+
+// Notes at which ends the sharp edges go on.
+void note_ends(const Scene& scene, Topology& topology) {
+  std::vector<std::vector<std::size_t>> at(static_cast<std::size_t>(scene.vertex_count()));
+  for (std::size_t e = 0; e < topology.sharp_edge.size(); ++e) {
+    for (const std::int32_t v : topology.sharp_edge[e].vertex) {
+      at[static_cast<std::size_t>(v)].push_back(e);
+    }
+  }
+  // Unit, away from the end.
+  const auto direction = [&](std::size_t e, std::int32_t end) -> Vec3 {
+    const auto& v = topology.sharp_edge[e].vertex;
+    const std::int32_t other = v[0] == end ? v[1] : v[0];
+    return (scene.rest_position.col(other) - scene.rest_position.col(end)).normalized();
+  };
+  for (std::size_t e = 0; e < topology.sharp_edge.size(); ++e) {
+    for (int k = 0; k < 2; ++k) {
+      const std::int32_t end = topology.sharp_edge[e].vertex[k];
+      for (const std::size_t other : at[static_cast<std::size_t>(end)]) {
+        if (direction(e, end).dot(direction(other, end)) < -kSharp) {
+          topology.sharp_edge[e].goes_on[k] = true;
+        }
+      }
+    }
   }
 }
 
@@ -60,9 +127,12 @@ Topology build_topology(const Scene& scene) {
     std::fill_n(topology.element_body.begin() + body.first_element, body.element_count,
                 static_cast<std::int32_t>(b));
     topology.body_triangle_begin.push_back(static_cast<std::int32_t>(topology.triangle.size()));
+    const std::size_t first = topology.triangle.size();
     add_triangles(scene, body, topology);
+    add_sharp_edges(scene, first, topology);
   }
   topology.body_triangle_begin.push_back(static_cast<std::int32_t>(topology.triangle.size()));
+  note_ends(scene, topology);
   topology.mean_edge = mean_edge_length(scene);
 
   // Rings: the triangles at each vertex, then those at each vertex's neighbours on the surface.

@@ -27,7 +27,15 @@ struct Topology {
   /// Surface vertices joined to a vertex by an edge of the surface.
   std::vector<std::int32_t> neighbour_begin;
   std::vector<std::int32_t> neighbour;
-  double mean_edge = 0.0;  ///< of all elements, m: the cell of the hash
+  /// An edge of the surface at which a body is convex by 30° or more at rest.
+  struct SharpEdge {
+    std::int32_t vertex[2];
+    std::int32_t opposite[2];  ///< third vertices of the two triangles there
+    std::int32_t element;      ///< one that has the edge
+    bool goes_on[2];           ///< another sharp edge goes on there within 30° of straight on
+  };
+  std::vector<SharpEdge> sharp_edge;  ///< body by body
+  double mean_edge = 0.0;             ///< of all elements, m: the cell of the hash
 };
 
 struct Scene;

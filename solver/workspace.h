@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/contacts.h"
+#include "solver/edge_contacts.h"
 #include "solver/pair_contacts.h"
 #include "solver/phases/spatial_hash.h"
 #include "solver/state.h"
@@ -65,6 +66,7 @@ struct PairSearch {
     std::int32_t candidate_begin, candidate_end;
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
+    double near_reach;  ///< m: up to this distance at the reference `near` names all
   };
   std::vector<Group> group;  ///< by key
   struct Near {
@@ -78,6 +80,15 @@ struct PairSearch {
     double radius;  ///< m
   };
   std::vector<Ball> ball;
+
+  struct EdgeBox {
+    Eigen::AlignedBox3d box;
+    std::int32_t edge, body;
+  };
+  std::vector<EdgeBox> edge_box;           ///< scratch of the search for edges that cross
+  bool edges_listed = false;               ///< whether the next are of the present lists
+  std::vector<ContactKey> edge_candidate;  ///< pairs of sharp edges, in order
+  std::vector<Vec3> start;                 ///< x_t0 of the vertices at such edges, m
 
   std::vector<int> level;  ///< per contact: of the breadth-first depth propagation
 };
@@ -97,7 +108,9 @@ struct Workspace {
   FrictionMemory memory;           ///< the memory being written
   PairContacts pairs;              ///< between bodies, of the last step
   FrictionMemory pair_friction;    ///< the memory being written
-  ConjugateScratch conjugate, pair_conjugate;
+  EdgeContacts edges;              ///< between crossing edges, of the last step
+  FrictionMemory edge_friction;    ///< the memory being written
+  ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
   std::vector<double> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   PairSearch search;
   std::uint64_t contact_updates = 0;      ///< summed over steps

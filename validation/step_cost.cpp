@@ -47,7 +47,7 @@ void StepCost::add_step(const Workspace& workspace) {
   ++steps_;
   if (workspace.phase_seconds == nullptr) return;
   ++timed_steps_;
-  note_contact_time(workspace.contacts.size() + workspace.pairs.size());
+  note_contact_time(workspace.contacts.size() + workspace.pairs.size() + workspace.edges.size());
 }
 
 // Normal force and friction of the step just timed, per contact, less what reading the clock costs.

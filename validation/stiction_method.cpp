@@ -25,6 +25,7 @@ const Words<PairWeights> kWeights = {{"triangle", PairWeights::kTriangle},
                                      {"tetrahedron", PairWeights::kTetrahedron}};
 const Words<DepthRule> kDepth = {{"projection", DepthRule::kProjection},
                                  {"consistent", DepthRule::kConsistent}};
+const Words<PairFace> kFace = {{"nearest", PairFace::kNearest}, {"opposed", PairFace::kOpposed}};
 const Words<PairKey> kKey = {{"body", PairKey::kBody}, {"triangle", PairKey::kTriangle}};
 const Words<bool> kBound = {{"transmitted", false}, {"literal", true}};
 const Words<bool> kOrder = {{"normals-first", true}, {"interleaved", false}};
@@ -75,8 +76,11 @@ Options preset(const std::string& method) {
   pairs.gain = NormalGain::kPaper;
   pairs.weights = PairWeights::kTriangle;
   pairs.normals_first = false;
+  pairs.face = PairFace::kNearest;
+  pairs.edges = false;
   pairs.hysteresis = 0.0;
   pairs.tie_margin = 0.0;
+  pairs.border_margin = 0.0;
   if (method == "paper") {
     options.rule = "fixed-point";
     return options;
@@ -115,13 +119,16 @@ void read_method(SettingsReader& reader, Options& options) {
   pairs.harmonic_gain = reader.number("kappa", pairs.harmonic_gain);
   read_word(reader, "weights", kWeights, pairs.weights);
   read_word(reader, "depth", kDepth, pairs.depth);
+  read_word(reader, "face", kFace, pairs.face);
   read_word(reader, "key", kKey, pairs.key);
+  read_word(reader, "edges", kSwitch, pairs.edges);
   read_word(reader, "post-correction", kSwitch, pairs.post_correction);
   read_word(reader, "reaction", kSwitch, pairs.friction_reaction);
   read_word(reader, "bound", kBound, pairs.literal_bound);
   read_word(reader, "order", kOrder, pairs.normals_first);
   pairs.hysteresis = reader.number("hysteresis", pairs.hysteresis);
   pairs.tie_margin = reader.number("tie", pairs.tie_margin);
+  pairs.border_margin = reader.number("border", pairs.border_margin);
   pairs.depth_noise = reader.number("depth-noise", pairs.depth_noise);
   read_word(reader, "count-hysteresis", kSwitch, pairs.count_hysteresis);
 }
@@ -152,12 +159,15 @@ Settings method_settings(const Options& options, bool with_pairs) {
   if (pairs.gain == NormalGain::kHarmonic) all["kappa"] = fmt::format("{}", pairs.harmonic_gain);
   all["weights"] = word_of(kWeights, pairs.weights);
   all["depth"] = word_of(kDepth, pairs.depth);
+  all["face"] = word_of(kFace, pairs.face);
+  all["edges"] = word_of(kSwitch, pairs.edges);
   all["key"] = word_of(kKey, pairs.key);
   all["post-correction"] = word_of(kSwitch, pairs.post_correction);
   all["reaction"] = word_of(kSwitch, pairs.friction_reaction);
   all["order"] = word_of(kOrder, pairs.normals_first);
   all["hysteresis"] = fmt::format("{}", pairs.hysteresis);
   all["tie"] = fmt::format("{}", pairs.tie_margin);
+  all["border"] = fmt::format("{}", pairs.border_margin);
   if (pairs.depth_noise > 0.0) all["depth-noise"] = fmt::format("{}", pairs.depth_noise);
   if (pairs.literal_bound) all["bound"] = word_of(kBound, true);
   if (pairs.hysteresis > 0.0 && !pairs.count_hysteresis) all["count-hysteresis"] = "off";
@@ -180,6 +190,13 @@ std::map<std::string, std::string> method_settings_help() {
       {"kappa", "κ₀ of harmonic, dimensionless (default 1)"},
       {"weights", "where reactions act: tetrahedron (quiet) or triangle (paper)"},
       {"depth", "projection (default) or consistent"},
+      {"face",
+       "what a depth is measured to: the nearest face, or opposed (quiet): the nearest of those "
+       "that the vertex can rest on"},
+      {"border",
+       "how far beyond the border of its face a contact is kept, in mean edges (quiet: 1e-3; "
+       "paper: 0)"},
+      {"edges", "contacts of crossing edges, with normals=harmonic: on (quiet) or off (paper)"},
       {"key", "of a contact's memory: body (default) or triangle"},
       {"post-correction", "on (default) or off (old)"},
       {"reaction", "friction on the partners: on (default) or off (old)"},

@@ -63,25 +63,18 @@ class ConjugateSide {
 };
 
 /// Sweeps at most `sweeps` times, accelerating in between, until a sweep takes away no more slip
-/// than `tolerance` (m/s). `sweep(first)` does one. Returns the sweeps done. Pair contacts and
-/// obstacle contacts share one β.
-template <class Pairs, class Obstacles, class Sweep>
-int conjugate_sweeps(const Pairs& pairs, const Obstacles& obstacles, Workspace& workspace,
-                     int sweeps, double tolerance, const Sweep& sweep) {
-  ConjugateSide pair_side(pairs, workspace.pair_conjugate, workspace.velocity);
-  ConjugateSide obstacle_side(obstacles, workspace.conjugate, workspace.velocity);
+/// than `tolerance` (m/s). `sweep(first)` does one. Returns the sweeps done. All sides share one β.
+template <class Sweep, class... Sides>
+int conjugate_sweeps(int sweeps, double tolerance, const Sweep& sweep, Sides&... side) {
   double last = 0.0;  // no direction yet: β = 0
   for (int s = 0; s + 1 < sweeps; ++s) {
-    pair_side.before_sweep();
-    obstacle_side.before_sweep();
+    (side.before_sweep(), ...);
     sweep(s == 0);
     SweepChange change;
-    pair_side.add_change(change);
-    obstacle_side.add_change(change);
+    (side.add_change(change), ...);
     if (change.slip <= tolerance) return s + 1;
     const double beta = change.power <= last ? change.power / last : 0.0;
-    pair_side.accelerate(beta);
-    obstacle_side.accelerate(beta);
+    (side.accelerate(beta), ...);
     last = change.power;
   }
   sweep(sweeps == 1);

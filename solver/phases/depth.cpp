@@ -22,6 +22,30 @@ struct Projection {
   std::int32_t triangle;
 };
 
+Vec3 outward_normal(const Triangle& triangle, const std::vector<Vec3>& x) {
+  const Vec3& a = x[static_cast<std::size_t>(triangle.vertex[0])];
+  const Vec3& b = x[static_cast<std::size_t>(triangle.vertex[1])];
+  const Vec3& c = x[static_cast<std::size_t>(triangle.vertex[2])];
+  return (b - a).cross(c - a).normalized();
+}
+
+// Whether the vertex can rest on a face with this outward normal: its own surface lies before the
+// face's plane, in so far as the edges of that surface that end at the vertex do.
+bool can_rest_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t vertex,
+                 const Vec3& normal) {
+  // Sine of the angle by which an edge may lead behind the plane: surfaces bend, and a face that
+  // is the wrong one stands across.
+  constexpr double kBehind = 0.5;
+  const auto v = static_cast<std::size_t>(vertex);
+  for (std::int32_t k = topology.neighbour_begin[v]; k < topology.neighbour_begin[v + 1]; ++k) {
+    const Vec3 edge =
+        x[static_cast<std::size_t>(topology.neighbour[static_cast<std::size_t>(k)])] - x[v];
+    const double along = normal.dot(edge);
+    if (along < 0.0 && along * along > kBehind * kBehind * edge.squaredNorm()) return false;
+  }
+  return true;
+}
+
 Projection project_on(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
                       std::int32_t t) {
   const Triangle& triangle = topology.triangle[static_cast<std::size_t>(t)];
@@ -36,6 +60,7 @@ struct Nearest {
   const Topology& topology;
   const std::vector<Vec3>& x;
   const Vec3& point;
+  std::int32_t resting = -1;  // only triangles that this vertex can rest on; −1: any
   Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
   double reach = std::numeric_limits<double>::infinity();  // distance of the best
 
@@ -43,6 +68,11 @@ struct Nearest {
     const Projection other = project_on(topology, x, point, t);
     const double nearer = other.nearest.distance2 - best.nearest.distance2;
     if (nearer < 0.0 || (nearer == 0.0 && t < best.triangle)) {
+      if (resting >= 0 &&
+          !can_rest_on(topology, x, resting,
+                       outward_normal(topology.triangle[static_cast<std::size_t>(t)], x))) {
+        return;
+      }
       best = other;
       reach = std::sqrt(best.nearest.distance2);
     }
@@ -50,31 +80,33 @@ struct Nearest {
 };
 
 // Of the triangles of the group's list: in the order of their distances at the reference, until
-// what vertex and triangles have moved since can't make the next one the nearest.
+// what vertex and triangles have moved since can't make the next one the nearest. None (−1) where
+// the list need not name the nearest that is asked for.
 Projection project_by_list(const Topology& topology, const PairSearch& search,
                            const PairSearch::Group& group, const Vec3& point,
-                           const PairContact& contact) {
+                           const PairContact& contact, std::int32_t resting) {
   const auto vertex = static_cast<std::size_t>(group.key >> 32);
   const auto body = static_cast<std::size_t>(group.key & 0xffffffffu);
   // Far above the round-off of a distance.
   const double rounding = 1e-9 * search.skin + 1e-14 * point.norm();
   const double moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
-  Nearest nearest{topology, search.predicted, point};
+  Nearest nearest{topology, search.predicted, point, resting};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
   for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
     const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
     if (near.distance - moved > nearest.reach) break;
     if (near.triangle != contact.triangle) nearest.consider(near.triangle);
   }
+  if (resting >= 0 && nearest.reach + moved > group.near_reach) nearest.best.triangle = -1;
   return nearest.best;
 }
 
 // Of all triangles near the contact's element, or of the body's where none is near. Begins with
 // that of the last step, if there was one, so that most others are out of reach.
 Projection project_by_balls(const Topology& topology, const PairSearch& search, const Vec3& point,
-                            const PairContact& contact) {
+                            const PairContact& contact, std::int32_t resting) {
   constexpr double kRounding = 1.0 + 1e-12;
-  Nearest nearest{topology, search.predicted, point};
+  Nearest nearest{topology, search.predicted, point, resting};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
   const auto consider = [&](std::int32_t t) {
     const PairSearch::Ball& ball = search.ball[static_cast<std::size_t>(t)];
@@ -100,34 +132,52 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
 
 // Nearest surface triangle of the penetrated body, of equals that of the lowest number.
 Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
-                   const Vec3& point, const PairContact& contact) {
+                   const Vec3& point, const PairContact& contact, std::int32_t resting = -1) {
   if (group != nullptr && group->near_element < 0) {
     list_nearest(topology, contact.element, *group, search);
   }
-  return group != nullptr && group->near_element == contact.element
-             ? project_by_list(topology, search, *group, point, contact)
-             : project_by_balls(topology, search, point, contact);
-}
-
-// As `project`, but keeps the last step's triangle while its distance is within (1 + margin) of the
-// nearest one's.
-Projection project_again(const Topology& topology, PairSearch& search, PairSearch::Group* group,
-                         const Vec3& point, const PairContact& contact, double margin) {
-  const Projection best = project(topology, search, group, point, contact);
-  if (margin == 0.0 || contact.triangle < 0 || contact.triangle == best.triangle ||
-      best.triangle < 0) {
-    return best;
+  if (group != nullptr && group->near_element == contact.element) {
+    const Projection found = project_by_list(topology, search, *group, point, contact, resting);
+    if (found.triangle >= 0) return found;
   }
-  const Projection last = project_on(topology, search.predicted, point, contact.triangle);
-  const double farthest2 = (1.0 + margin) * (1.0 + margin) * best.nearest.distance2;
-  return last.nearest.distance2 <= farthest2 ? last : best;
+  return project_by_balls(topology, search, point, contact, resting);
 }
 
-Vec3 outward_normal(const Triangle& triangle, const std::vector<Vec3>& x) {
-  const Vec3& a = x[static_cast<std::size_t>(triangle.vertex[0])];
-  const Vec3& b = x[static_cast<std::size_t>(triangle.vertex[1])];
-  const Vec3& c = x[static_cast<std::size_t>(triangle.vertex[2])];
-  return (b - a).cross(c - a).normalized();
+// The last step's triangle while its distance is within (1 + margin) of the one found now.
+Projection keep_last(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+                     const PairContact& contact, double margin, const Projection& found) {
+  if (margin == 0.0 || contact.triangle < 0 || contact.triangle == found.triangle ||
+      found.triangle < 0) {
+    return found;
+  }
+  const Projection last = project_on(topology, x, point, contact.triangle);
+  const double farthest2 = (1.0 + margin) * (1.0 + margin) * found.nearest.distance2;
+  return last.nearest.distance2 <= farthest2 ? last : found;
+}
+
+struct Choice {
+  Projection projection;
+  bool passed_over;  // a nearer triangle, which the vertex can't rest on
+};
+
+// The triangle through which a vertex is pushed out. With `resting`, the vertex's number, the
+// nearest triangle counts only if it can rest on it; if it can on none, the nearest does.
+Choice choose_face(const Topology& topology, PairSearch& search, PairSearch::Group* group,
+                   const Vec3& point, const PairContact& contact, double margin,
+                   std::int32_t resting) {
+  const std::vector<Vec3>& x = search.predicted;
+  const auto keep = [&](const Projection& found) {
+    return keep_last(topology, x, point, contact, margin, found);
+  };
+  const Projection best = keep(project(topology, search, group, point, contact));
+  // That of the last step was asked then.
+  if (resting < 0 || best.triangle < 0 || best.triangle == contact.triangle ||
+      can_rest_on(topology, x, resting,
+                  outward_normal(topology.triangle[static_cast<std::size_t>(best.triangle)], x))) {
+    return {best, false};
+  }
+  const Projection other = keep(project(topology, search, group, point, contact, resting));
+  return other.triangle < 0 ? Choice{best, false} : Choice{other, true};
 }
 
 // Detection left the element's corners as partners.
@@ -161,6 +211,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   const auto inverse_mass = [&](std::int32_t v) {
     return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
   };
+  const double border = options.pairs.border_margin * scene.topology.mean_edge;
   std::size_t kept = 0;
   bool immovable = false;  // any contact that nothing can move
   // Contacts and groups are both in the order of their keys.
@@ -171,29 +222,38 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
     const bool known = group != last_group && group->key == contact.key;
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
     const bool open = contact.open;
-    const Projection projection =
-        project_again(scene.topology, workspace.search, known ? &*group : nullptr, point, contact,
-                      open ? 0.0 : options.pairs.tie_margin);
+    const auto resting = options.pairs.face == PairFace::kOpposed ? contact.vertex : -1;
+    const Choice choice = choose_face(scene.topology, workspace.search, known ? &*group : nullptr,
+                                      point, contact, options.pairs.tie_margin, resting);
+    const Projection& projection = choice.projection;
     if (projection.triangle < 0) continue;  // no number: nothing is nearest
     contact.triangle = projection.triangle;
     const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
     const double distance = std::sqrt(projection.nearest.distance2);
     contact.normal = outward_normal(triangle, x);
+    const double height =
+        contact.normal.dot(point - x[static_cast<std::size_t>(triangle.vertex[0])]);
     if (open) {
-      // Kept only above a face: beyond a border it has left.
-      if (!projection.nearest.inside || distance >= widest) continue;
+      // Kept above or below a face, or a hair beyond its border: beyond that it has left.
+      if (!projection.nearest.inside &&
+          projection.nearest.distance2 - height * height > border * border) {
+        continue;
+      }
+      if (height >= widest) continue;
       contact.element = triangle.element;
       set_corners(scene.elements, contact);
-      contact.depth = 0.0;
-    } else {
+      contact.depth = std::max(0.0, -height);
+    } else if (projection.nearest.inside || distance == 0.0) {
       contact.depth = distance;
-      if (!projection.nearest.inside && distance > 0.0) {
-        Vec3 foot = Vec3::Zero();
-        for (int k = 0; k < 3; ++k) {
-          foot += projection.nearest.weight[k] * x[static_cast<std::size_t>(triangle.vertex[k])];
-        }
-        contact.normal = (foot - point) / distance;
+    } else if (choice.passed_over) {
+      contact.depth = std::max(0.0, -height);
+    } else {
+      Vec3 foot = Vec3::Zero();
+      for (int k = 0; k < 3; ++k) {
+        foot += projection.nearest.weight[k] * x[static_cast<std::size_t>(triangle.vertex[k])];
       }
+      contact.depth = distance;
+      contact.normal = (foot - point) / distance;
     }
     set_partners(triangle, options, state, projection, contact);
     contact.inverse_mass = inverse_mass(contact.vertex);

@@ -12,6 +12,7 @@ namespace {
 Options with(PairWeights weights, DepthRule depth) {
   Options options;
   options.pairs.weights = weights;
+  options.pairs.face = PairFace::kNearest;
   options.pairs.depth = depth;
   return options;
 }
@@ -72,6 +73,59 @@ TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
   EXPECT_LT((normal_after(y, 0.5 * nearer / depth) - x).norm(), 1e-12) << "beyond the margin too";
 }
 
+// Two cubes of one cell, the upper one exactly on the lower one but for `depth`.
+SceneDescription flush_cubes(double depth) {
+  SceneDescription description;
+  description.bodies = {test::elastic_body(test::cube_mesh(1)),
+                        test::elastic_body(test::cube_mesh(1))};
+  description.bodies[1].mesh.vertices.row(2).array() += 1.0 - depth;
+  return description;
+}
+
+TEST(OpposedFace, OfFlushCubesIsTheOneTheyRestOn) {
+  const double depth = 1e-4;
+  const Scene scene = build_scene(flush_cubes(depth));
+  const auto across = [&](PairFace face) {
+    Options options;
+    options.pairs.face = face;
+    const test::Found found(scene, options, initial_state(scene));
+    int count = 0;
+    EXPECT_EQ(found.workspace.pairs.size(), 8u) << "four corners of each";
+    for (const PairContact& contact : found.workspace.pairs) {
+      if (std::abs(contact.normal.z()) < 0.5) {
+        ++count;
+      } else {
+        EXPECT_NEAR(contact.depth, depth, 1e-15);
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(across(PairFace::kOpposed), 0);
+  EXPECT_GT(across(PairFace::kNearest), 0) << "a corner is on a side wall, which is nearer";
+}
+
+TEST(BorderMargin, KeepsAVertexAHairBeyondItsFace) {
+  Scene scene = build_scene(flush_cubes(1e-4));
+  const auto contacts_after = [&](double shift) {
+    Options options;
+    State state = initial_state(scene);
+    const test::Found before(scene, options, state);
+    remember_pairs(before.workspace.pairs, scene.topology, state.pair_memory);
+    for (int v = scene.bodies[1].first_vertex; v < scene.vertex_count(); ++v) {
+      state.position[static_cast<std::size_t>(v)].x += Vec3(shift, shift, 0.0);
+    }
+    const test::Found after(scene, options, state);
+    for (const PairContact& contact : after.workspace.pairs) {
+      EXPECT_GT(std::abs(contact.normal.z()), 0.99);
+      EXPECT_NEAR(contact.depth, 1e-4, 1e-15);
+    }
+    return after.workspace.pairs.size();
+  };
+  const double margin = 1e-3 * scene.topology.mean_edge;
+  EXPECT_EQ(contacts_after(0.5 * margin), 8u);
+  EXPECT_EQ(contacts_after(2.0 * margin), 2u) << "one corner of each is in the other";
+}
+
 // The nearest of all triangles of the penetrated body, of equals the lowest number; and how many
 // are as near.
 struct BruteForce {
@@ -109,6 +163,7 @@ TEST_P(SlidingContact, ProjectsOnTheNearestTriangleAndOfEqualsOnTheLowest) {
   const Scene scene = build_scene(description);
   const Body& upper = scene.bodies[1];
   Options options;
+  options.pairs.face = PairFace::kNearest;
   options.pairs.hysteresis = 0.0;
   options.pairs.tie_margin = 0.0;
   Workspace kept;

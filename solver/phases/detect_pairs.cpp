@@ -3,7 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
+#include "solver/phases/crossing_edges.h"
+#include "solver/phases/edge_candidates.h"
 #include "solver/phases/pair_candidates.h"
 
 namespace stiction {
@@ -36,9 +39,9 @@ void add_contact(const Scene& scene, ContactKey key, std::int32_t element, std::
 
 // What of the candidates of one key holds the vertex: the tetrahedron that it is deepest in, the
 // lower number winning a tie; −1 for none. `last`, where it was in the last step or −1, is tried
-// first.
+// first, and stays while the vertex is in the body and no weight in `last` is below −`margin`.
 std::int32_t find_element(const Scene& scene, const PairSearch& search,
-                          const PairSearch::Group& group, std::int32_t last) {
+                          const PairSearch::Group& group, std::int32_t last, double margin) {
   const auto x = [&](std::int32_t v) -> const Vec3& {
     return search.predicted[static_cast<std::size_t>(v)];
   };
@@ -54,7 +57,9 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
       box.extend(x(v));
     return box.contains(point);
   };
-  if (last >= 0 && smallest_weight(last) > kInside) return last;
+  const double in_last =
+      last >= 0 ? smallest_weight(last) : -std::numeric_limits<double>::infinity();
+  if (in_last > kInside) return last;
   std::int32_t found = -1;
   double deepest = kOnBoundary;
   for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
@@ -66,13 +71,15 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
       deepest = weight;
     }
   }
-  return found;
+  return found >= 0 && margin > 0.0 && in_last >= -margin ? last : found;
 }
 
 // Tests the candidates, and merges what is found with the contacts of the last step that have only
 // just opened. Those are measured in the depth phase, which drops them when the gap is too wide.
 void merge_with_kept(const Scene& scene, const PairSearch& search, const PairMemory& last,
-                     bool keep_triangle, bool keep_open_ones, PairContacts& pairs) {
+                     const PairOptions& options, PairContacts& pairs) {
+  const bool keep_open_ones = options.hysteresis > 0.0;
+  const bool keep_triangle = keep_open_ones || options.tie_margin > 0.0;
   pairs.clear();
   const auto keep_open = [&](std::size_t old) {
     if (keep_open_ones)
@@ -87,7 +94,7 @@ void merge_with_kept(const Scene& scene, const PairSearch& search, const PairMem
       __builtin_prefetch(&scene.elements[static_cast<std::size_t>(last.element[old + kAhead])]);
     }
     const std::int32_t element =
-        find_element(scene, search, group, persists ? last.element[old] : -1);
+        find_element(scene, search, group, persists ? last.element[old] : -1, options.tie_margin);
     if (element >= 0) {
       add_contact(scene, key, element, persists && keep_triangle ? last.triangle[old] : -1, false,
                   pairs);
@@ -126,10 +133,9 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   for (std::size_t k = 0; k < state.position.size(); ++k) {
     search.predicted[k] = state.position[k].x + options.time_step * workspace.velocity[k].v;
   }
-  update_candidates(scene, search);
-  const bool keep_open = options.pairs.hysteresis > 0.0;
-  const bool keep_triangle = keep_open || options.pairs.tie_margin > 0.0;
-  merge_with_kept(scene, search, state.pair_memory, keep_triangle, keep_open, workspace.pairs);
+  if (update_candidates(scene, search)) search.edges_listed = false;
+  if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
+  merge_with_kept(scene, search, state.pair_memory, options.pairs, workspace.pairs);
 }
 
 }  // namespace stiction

@@ -95,6 +95,37 @@ struct PairSide {
   }
 };
 
+// The contacts of crossing edges.
+struct EdgeSide {
+  double dt;
+  double mu;
+  EdgeContacts& edges;
+
+  std::size_t size() const { return edges.size(); }
+  ContactKey key(std::size_t c) const { return edges[c].key; }
+  Vec3& force(std::size_t c) const { return edges[c].friction_force; }
+  ContactStatus& status(std::size_t c) const { return edges[c].status; }
+  const Vec3& normal(std::size_t c) const { return edges[c].normal; }
+  double bound(std::size_t c) const { return mutated(mu) * edges[c].normal_force; }
+  double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
+    return dt * edges[c].inverse_mass;
+  }
+  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+    const EdgeContact& contact = edges[c];
+    Vec3 v = Vec3::Zero();
+    for (int k = 0; k < 2; ++k) {
+      v += contact.own_weight[k] * velocity[static_cast<std::size_t>(contact.vertex[k])].v;
+    }
+    for (int k = 0; k < 4; ++k) {
+      v -= contact.weight[k] * velocity[static_cast<std::size_t>(contact.partner[k])].v;
+    }
+    return tangential(v, contact.normal);
+  }
+  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
+    stiction::apply(dt * force, edges[c], velocity);
+  }
+};
+
 // Moves the memory of the contacts that persist to their new places, both lists being in the order
 // of their keys, and resets it for the others.
 template <class Rule, class Side>
@@ -192,10 +223,13 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   std::vector<Velocity>& velocity = workspace.velocity;
   const ObstacleSide obstacles{scene, options.time_step, workspace.contacts};
   const PairSide pairs{options, scene.friction, workspace.pairs};
+  const EdgeSide edges{options.time_step, scene.friction, workspace.edges};
   const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
     carry_memory(rule, state.memory, obstacles, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
+    carry_memory(rule, state.edge_friction, edges, workspace.edge_friction);
     warm_start(rule, pairs, workspace.pair_friction, velocity);
+    warm_start(rule, edges, workspace.edge_friction, velocity);
     warm_start(rule, obstacles, workspace.memory, velocity);
     const auto sweep_all = [&](bool first) {
       sweep(rule, pairs, first, workspace.pair_friction, state.velocity, velocity,
@@ -204,11 +238,17 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
                 apply_normal_force(options, workspace.pairs[c], velocity);
               }
             });
-      sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, [](std::size_t) {});
+      const auto nothing = [](std::size_t) {};
+      sweep(rule, edges, first, workspace.edge_friction, state.velocity, velocity, nothing);
+      sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, nothing);
     };
     if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
-      workspace.sweeps += static_cast<std::uint64_t>(conjugate_sweeps(
-          pairs, obstacles, workspace, options.sweeps, options.friction.slip_tolerance, sweep_all));
+      ConjugateSide pair_side(pairs, workspace.pair_conjugate, velocity);
+      ConjugateSide edge_side(edges, workspace.edge_conjugate, velocity);
+      ConjugateSide obstacle_side(obstacles, workspace.conjugate, velocity);
+      workspace.sweeps += static_cast<std::uint64_t>(
+          conjugate_sweeps(options.sweeps, options.friction.slip_tolerance, sweep_all, pair_side,
+                           edge_side, obstacle_side));
     } else {
       for (int s = 0; s < options.sweeps; ++s) sweep_all(s == 0);
       workspace.sweeps += static_cast<std::uint64_t>(options.sweeps);
@@ -217,9 +257,11 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   demand(known, "the options were checked, so the friction rule exists");
   remember_status(obstacles, workspace.memory);
   remember_status(pairs, workspace.pair_friction);
+  remember_status(edges, workspace.edge_friction);
   std::swap(state.memory, workspace.memory);
   std::swap(state.pair_friction, workspace.pair_friction);
-  workspace.contact_updates += obstacles.size() + pairs.size();
+  std::swap(state.edge_friction, workspace.edge_friction);
+  workspace.contact_updates += obstacles.size() + pairs.size() + edges.size();
 }
 
 }  // namespace stiction

@@ -165,14 +165,14 @@ void group_candidates(PairSearch& search) {
     end = begin + 1;
     while (end < count && search.candidate[end].key == key) ++end;
     search.group.push_back(
-        {key, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), 0, 0, -1});
+        {key, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), 0, 0, -1, 0.0});
   }
 }
 
 }  // namespace
 
-void update_candidates(const Scene& scene, PairSearch& search) {
-  if (note_moves(scene, search)) return;
+bool update_candidates(const Scene& scene, PairSearch& search) {
+  if (note_moves(scene, search)) return false;
   search.scene = scene.serial;
   search.skin = kSkin * scene.topology.mean_edge;
   search.reference = search.predicted;
@@ -190,6 +190,7 @@ void update_candidates(const Scene& scene, PairSearch& search) {
   }
   bound_triangles(scene.topology, search);
   group_candidates(search);
+  return true;
 }
 
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
@@ -229,6 +230,7 @@ void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Gr
               return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
             });
   group.near_element = element;
+  group.near_reach = farthest;
   group.near_begin = static_cast<std::int32_t>(first);
   group.near_end = static_cast<std::int32_t>(search.near.size());
 }

@@ -17,8 +17,8 @@ namespace stiction {
 /// vertex has moved by more than the skin s along an axis since they were made; until then a step
 /// only tests what they name. What is found never depends on when they were made. They are made
 /// from the overlap of bodies' boxes by spatial hashing, linear in the primitives there; bodies
-/// that are apart are not looked at.
-void update_candidates(const Scene& scene, PairSearch& search);
+/// that are apart are not looked at. Returns whether they were made anew.
+bool update_candidates(const Scene& scene, PairSearch& search);
 
 /// Lists the triangles near an element to which the group's vertex may be nearest while the lists
 /// hold, as it is in that element:

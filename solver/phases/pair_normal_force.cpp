@@ -23,14 +23,40 @@ void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
   }
 }
 
+void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<double>& load) {
+  for (const EdgeContact& contact : edges) {
+    if (contact.depth == 0.0 && !count_kept) continue;
+    for (int k = 0; k < 2; ++k) {
+      load[static_cast<std::size_t>(contact.vertex[k])] += contact.own_weight[k];
+    }
+    for (int k = 0; k < 4; ++k) {
+      load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
+    }
+  }
+}
+
+// N/m of a vertex, 1/kg.
+double share(const Workspace& workspace, std::int32_t v) {
+  const auto p = static_cast<std::size_t>(v);
+  return workspace.load[p] * workspace.velocity[p].inverse_mass;
+}
+
+double own_share(const Workspace& workspace, const PairContact& contact) {
+  return share(workspace, contact.vertex);
+}
+
+double own_share(const Workspace& workspace, const EdgeContact& contact) {
+  return contact.own_weight[0] * share(workspace, contact.vertex[0]) +
+         contact.own_weight[1] * share(workspace, contact.vertex[1]);
+}
+
+template <class Contact>
 double harmonic_force(const PairOptions& options, double dt, const Workspace& workspace,
-                      const PairContact& contact) {
-  const auto share = [&](std::int32_t v) {
-    const auto p = static_cast<std::size_t>(v);
-    return workspace.load[p] * workspace.velocity[p].inverse_mass;
-  };
-  double inverse_mass = share(contact.vertex);
-  for (int k = 0; k < 4; ++k) inverse_mass += contact.weight[k] * share(contact.partner[k]);
+                      const Contact& contact) {
+  double inverse_mass = own_share(workspace, contact);
+  for (int k = 0; k < 4; ++k) {
+    inverse_mass += contact.weight[k] * share(workspace, contact.partner[k]);
+  }
   return options.harmonic_gain * contact.depth / (dt * dt * inverse_mass);
 }
 
@@ -72,6 +98,7 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
   const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
   workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()), 0.0);
   accumulate(workspace, harmonic, !harmonic || options.pairs.count_hysteresis, workspace.load);
+  accumulate(workspace.edges, options.pairs.count_hysteresis, workspace.load);
   if (harmonic) {
     for (const std::int32_t v : workspace.contacts.vertex) {
       workspace.load[static_cast<std::size_t>(v)] += 1.0;
@@ -87,9 +114,26 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
       contact.normal_force = corrects(options.pairs) ? 0.5 * force : force;
     }
   }
+  for (EdgeContact& contact : workspace.edges) {
+    contact.normal_force =
+        contact.depth > 0.0 ? harmonic_force(options.pairs, options.time_step, workspace, contact)
+                            : 0.0;
+    apply(options.time_step * contact.normal_force * contact.normal, contact, workspace.velocity);
+  }
   if (!options.pairs.normals_first) return;
   for (const PairContact& contact : workspace.pairs) {
     apply_normal_force(options, contact, workspace.velocity);
+  }
+}
+
+void apply(const Vec3& impulse, const EdgeContact& contact, std::vector<Velocity>& velocity) {
+  for (int k = 0; k < 2; ++k) {
+    Velocity& own = velocity[static_cast<std::size_t>(contact.vertex[k])];
+    own.v += contact.own_weight[k] * own.inverse_mass * impulse;
+  }
+  for (int k = 0; k < 4; ++k) {
+    Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
+    other.v -= contact.weight[k] * other.inverse_mass * impulse;
   }
 }
 

@@ -98,6 +98,7 @@ class StictionEngine final : public Engine {
                          .position = state_.position[v].x});
     }
     for (const PairContact& contact : workspace_.pairs) samples.push_back(sample_of(contact));
+    for (const EdgeContact& contact : workspace_.edges) samples.push_back(sample_of(contact));
     return samples;
   }
 
@@ -148,6 +149,7 @@ class StictionEngine final : public Engine {
     // Those of the step after the snapshot; there are none until the next step.
     workspace_.contacts.clear();
     workspace_.pairs.clear();
+    workspace_.edges.clear();
   }
 
  private:
@@ -181,6 +183,39 @@ class StictionEngine final : public Engine {
             .slip = slip - contact.normal.dot(slip) * contact.normal,
             .sticks = contact.status == ContactStatus::kStick,
             .position = state_.position[i].x,
+            .arm = arm};
+  }
+
+  ContactSample sample_of(const EdgeContact& contact) const {
+    const double dt = options_.time_step;
+    Vec3 position = Vec3::Zero(), slip = Vec3::Zero(), arm = Vec3::Zero();
+    const auto add = [&](double weight, std::int32_t vertex) {
+      const auto v = static_cast<std::size_t>(vertex);
+      slip += weight * state_.velocity[v].v;
+      arm += weight * (state_.position[v].x - dt * state_.velocity[v].v);
+    };
+    for (int k = 0; k < 2; ++k) {
+      position += contact.own_weight[k] *
+                  state_.position[static_cast<std::size_t>(contact.vertex[k])].x;
+      add(contact.own_weight[k], contact.vertex[k]);
+    }
+    for (int k = 0; k < 4; ++k) add(-contact.weight[k], contact.partner[k]);
+    // Edges are numbered behind the vertices.
+    const auto edge_a = static_cast<std::int64_t>(contact.key >> 32);
+    const auto edge_b = static_cast<std::int64_t>(contact.key & 0xffffffffu);
+    return {.body = body_of(contact.vertex[0]),
+            .obstacle = static_cast<std::size_t>(
+                scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
+            .against_body = true,
+            .point = scene_.vertex_count() + edge_a,
+            .facet = static_cast<std::int64_t>(scene_.topology.triangle.size()) + edge_b,
+            .normal = contact.normal,
+            .gap = -contact.depth,
+            .normal_force = contact.normal_force,
+            .friction_force = contact.friction_force,
+            .slip = slip - contact.normal.dot(slip) * contact.normal,
+            .sticks = contact.status == ContactStatus::kStick,
+            .position = position,
             .arm = arm};
   }
 
