@@ -160,11 +160,37 @@ struct Choice {
   bool passed_over;  // a nearer triangle, which the vertex can't rest on
 };
 
+// How far the vertex has come towards the triangle in this step, m, at most.
+double approach(const Topology& topology, const std::vector<Vec3>& x, const State& state,
+                std::int32_t vertex, std::int32_t triangle) {
+  const auto moved = [&](std::int32_t v) -> Vec3 {
+    return x[static_cast<std::size_t>(v)] - state.position[static_cast<std::size_t>(v)].x;
+  };
+  Vec3 of_triangle = Vec3::Zero();
+  for (const std::int32_t v : topology.triangle[static_cast<std::size_t>(triangle)].vertex) {
+    of_triangle += moved(v) / 3.0;
+  }
+  return (moved(vertex) - of_triangle).norm();
+}
+
+// Whether a contact that was with one triangle goes on with another.
+bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t from,
+             std::int32_t to) {
+  constexpr double kSameFace = 0.87;  // cosine of 30°
+  const auto normal = [&](std::int32_t t) {
+    return outward_normal(topology.triangle[static_cast<std::size_t>(t)], x);
+  };
+  return from == to || (from >= 0 && normal(from).dot(normal(to)) > kSameFace);
+}
+
 // The triangle through which a vertex is pushed out. With `resting`, the vertex's number, the
-// nearest triangle counts only if it can rest on it; if it can on none, the nearest does.
-Choice choose_face(const Topology& topology, PairSearch& search, PairSearch::Group* group,
-                   const Vec3& point, const PairContact& contact, double margin,
-                   std::int32_t resting) {
+// nearest triangle counts only if it can rest on it; else the nearest on which it can does, if the
+// contact was there before or can have come through it in this step.
+Choice choose_face(const Topology& topology, const State& state, PairSearch& search,
+                   PairSearch::Group* group, const Vec3& point, const PairContact& contact,
+                   double margin, std::int32_t resting) {
+  // In mean edges: how deep a vertex may stand that is not known yet.
+  constexpr double kDeepest = 1e-2;
   const std::vector<Vec3>& x = search.predicted;
   const auto keep = [&](const Projection& found) {
     return keep_last(topology, x, point, contact, margin, found);
@@ -177,7 +203,14 @@ Choice choose_face(const Topology& topology, PairSearch& search, PairSearch::Gro
     return {best, false};
   }
   const Projection other = keep(project(topology, search, group, point, contact, resting));
-  return other.triangle < 0 ? Choice{best, false} : Choice{other, true};
+  if (other.triangle < 0) return {best, false};
+  const bool known = goes_on(topology, x, contact.triangle, other.triangle);
+  const double deepest = kDeepest * topology.mean_edge;
+  if (known || std::sqrt(other.nearest.distance2) <=
+                   deepest + approach(topology, x, state, resting, other.triangle)) {
+    return {other, true};
+  }
+  return {best, false};
 }
 
 // Detection left the element's corners as partners.
@@ -223,10 +256,12 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
     const bool open = contact.open;
     const auto resting = options.pairs.face == PairFace::kOpposed ? contact.vertex : -1;
-    const Choice choice = choose_face(scene.topology, workspace.search, known ? &*group : nullptr,
-                                      point, contact, options.pairs.tie_margin, resting);
+    const Choice choice =
+        choose_face(scene.topology, state, workspace.search, known ? &*group : nullptr, point,
+                    contact, options.pairs.tie_margin, resting);
     const Projection& projection = choice.projection;
     if (projection.triangle < 0) continue;  // no number: nothing is nearest
+    const std::int32_t last = contact.triangle;
     contact.triangle = projection.triangle;
     const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
     const double distance = std::sqrt(projection.nearest.distance2);
@@ -240,6 +275,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
         continue;
       }
       if (height >= widest) continue;
+      if (-height >= widest && !goes_on(scene.topology, x, last, contact.triangle)) continue;
       contact.element = triangle.element;
       set_corners(scene.elements, contact);
       contact.depth = std::max(0.0, -height);
