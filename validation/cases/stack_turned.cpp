@@ -15,19 +15,20 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-StackSetup turned(double turn) {
+StackSetup turned(double turn, int cells) {
   StackSetup setup;
   setup.boxes = 10;
+  setup.cells = cells;
   setup.ground = Ground::kSlab;
   setup.tan_slope = std::tan(2.0 * kDegree);
   for (int k = 0; k < setup.boxes; ++k) setup.turns.push_back(turn * (k + 1));
   return setup;
 }
 
-void run_turned(CaseRun& run, const std::vector<double>& turns, const Asked& asked) {
+void run_turned(CaseRun& run, const std::vector<double>& turns, int cells, const Asked& asked) {
   std::vector<RestOutcome> outcomes;
   for (const double turn : turns) {
-    const StackSetup setup = turned(turn);
+    const StackSetup setup = turned(turn, cells);
     const RestScene scene{.words = fmt::format("turned by {:.1f}° a cube", turn / kDegree),
                           .problem = stack_problem(setup)};
     for (RestOutcome& outcome :
@@ -52,15 +53,21 @@ std::vector<Case> cases_stack_turned() {
   for (const double degrees : {1.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 25.0, 35.0, 45.0}) {
     ten.push_back(degrees * kDegree);
   }
-  return {{.name = "stack/turned/n=10",
-           .title = "ten cubes, each turned 7° further than the one below, rest at 2°",
-           .variants = {{{"method", "quiet"}}},
-           .run = [](CaseRun& run) { run_turned(run, {7.0 * kDegree}, kOnce); }},
-          {.name = "stack/turned/n=10/doubled",
-           .title = "ten stacks of ten turned cubes rest, in twice the window, with half the step",
-           .set = CaseSet::kFull,
-           .variants = {{{"method", "quiet"}}},
-           .run = [ten](CaseRun& run) { run_turned(run, ten, kDoubled); }}};
+  const auto stack = [](const std::string& name, const std::string& title, CaseSet set,
+                        const std::vector<double>& turns, int cells, const Asked& asked) {
+    return Case{.name = "stack/turned/" + name,
+                .title = title,
+                .set = set,
+                .variants = {{{"method", "quiet"}}},
+                .run = [=](CaseRun& run) { run_turned(run, turns, cells, asked); }};
+  };
+  return {stack("cells=1", "ten cubes, each turned 7° further than the one below, rest at 2°",
+                CaseSet::kDefault, {7.0 * kDegree}, 1, kOnce),
+          stack("cells=2", "ten turned cubes rest at 2°, two cells an edge", CaseSet::kFull,
+                {7.0 * kDegree}, 2, kOnce),
+          stack("ten", "ten stacks of ten turned cubes rest at 2°", CaseSet::kFull, ten, 1, kOnce),
+          stack("cells=2/doubled", "ten turned cubes rest, in twice the window, with half the step",
+                CaseSet::kFull, {7.0 * kDegree}, 2, kDoubled)};
 }
 
 }  // namespace stiction
