@@ -14,6 +14,7 @@ namespace {
 
 void run_sheets(CaseRun& run, Stance stance, bool backed) {
   constexpr double kDuration = 0.2;  // s: the sheet throws the cube back within 0.1 s
+  run.passages_are_noted();
   int silent = 0, spoken = 0, throws = 0;
   std::string where;
   Series passed{"passed (1) or not (0)", "1", "throw", "1", {}, {}};
