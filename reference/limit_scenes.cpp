@@ -26,6 +26,22 @@ LimitProblem box_on_incline(const Vector3d& size, double mass) {
   return problem;
 }
 
+LimitProblem box_stack(int boxes, const Vector3d& size) {
+  LimitProblem problem;
+  for (int k = 0; k < boxes; ++k) {
+    problem.bodies.push_back({1.0, Vector3d(0.0, 0.0, (k + 0.5) * size.z())});
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) {
+        problem.contacts.push_back({k, k == 0 ? kFixed : k - 1,
+                                    Vector3d(x * size.x(), y * size.y(), k * size.z()),
+                                    Vector3d::UnitZ(), 1.0});
+      }
+    }
+  }
+  problem.live_gravity = Vector3d(9.81, 0.0, 0.0);
+  return problem;
+}
+
 LimitProblem box_pyramid(int rows, double gap, bool touching) {
   LimitProblem problem;
   problem.live_gravity = Vector3d(9.81, 0.0, 0.0);

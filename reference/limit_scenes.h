@@ -12,6 +12,10 @@ namespace stiction::reference {
 /// Critical λ: min(μ, size_x / size_z).
 LimitProblem box_on_incline(const Eigen::Vector3d& size, double mass);
 
+/// `boxes` boxes of sides `size`, m, and equal mass, exactly on each other on the plane z = 0: four
+/// corner contacts a joint. Critical λ: min(μ, size_x / (boxes size_z)).
+LimitProblem box_stack(int boxes, const Eigen::Vector3d& size);
+
 /// Rows of n, n − 1, …, 1 cubes of edge 1 m and mass 1 kg, `gap` ≥ 0 (m) apart along x. With
 /// `touching` sides (and gap = 0) neighbours can push each other. Flat patches are given by their
 /// corners.

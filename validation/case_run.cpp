@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "validation/passage_watch.h"
 #include "validation/verdict.h"
 
 namespace stiction {
@@ -18,17 +20,38 @@ Settings merged(Settings base, const Settings& over) {
   return base;
 }
 
+bool is_old(const Settings& settings) {
+  const auto method = settings.find("method");
+  return method != settings.end() && method->second == "old";
+}
+
+// The first few of what may be hundreds.
+std::string joined(const std::vector<std::string>& sentences) {
+  constexpr std::size_t kTold = 3;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kTold, sentences.size()); ++k) {
+    text += (k == 0 ? "" : "; ") + sentences[k];
+  }
+  if (sentences.size() > kTold) text += fmt::format("; and {} more", sentences.size() - kTold);
+  return text;
+}
+
 }  // namespace
 
 Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
                        const Problem& problem)
-    : run_(run), engine_(kind.make(settings)) {
+    : run_(run),
+      engine_(kind.make(settings)),
+      watch_(std::make_unique<PassageWatch>(problem)),
+      contrast_(is_old(settings)) {
   engine_->load(problem);
   if (run_.keeps_frames_) recorder_.emplace(problem);
   run_.started(*engine_);
 }
 
 Simulation::~Simulation() {
+  if (engine_->steps_done() > 0) watch_->look(*engine_);
+  run_.passed(watch_->found(), contrast_);
   run_.ended(*engine_);
   if (recorder_ && recorder_->has_frames()) run_.recording_ = std::move(*recorder_).recording();
 }
@@ -47,9 +70,11 @@ void Simulation::advance(std::uint64_t steps) {
   const auto advance_until = [this](std::uint64_t step) {
     if (step > engine_->steps_done()) engine_->advance(step - engine_->steps_done());
   };
-  while (recorder_ && recorder_->due_step() <= target) {
-    advance_until(recorder_->due_step());
-    recorder_->take(*engine_);
+  const auto frame = [this] { return recorder_ ? recorder_->due_step() : Recorder::kNever; };
+  while (std::min(frame(), watch_->due_step()) <= target) {
+    advance_until(std::min(frame(), watch_->due_step()));
+    if (frame() <= engine_->steps_done()) recorder_->take(*engine_);
+    if (watch_->due_step() <= engine_->steps_done()) watch_->look(*engine_);
   }
   advance_until(target);
 }
@@ -77,8 +102,7 @@ std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Sett
 }
 
 void CaseRun::check(Check check) {
-  const auto method = settings_.find("method");
-  if (method != settings_.end() && method->second == "old") check.verdict = Verdict::kShown;
+  if (is_old(settings_)) check.verdict = Verdict::kShown;
   if (check.limit.empty()) check.limit = limit_;
   judge(check, tolerance_scale_);
   if (check.verdict != Verdict::kLimit) check.limit.clear();
@@ -116,6 +140,15 @@ void CaseRun::ended(const Engine& engine) {
   hash_.add(&hash, sizeof hash);
 }
 
+void CaseRun::passed(const std::vector<std::string>& passages, bool noted) {
+  if (passages.empty()) return;
+  if (noted || passages_noted_) {
+    note(joined(passages));
+  } else {
+    passages_.insert(passages_.end(), passages.begin(), passages.end());
+  }
+}
+
 Record CaseRun::record() const {
   Record record = record_;
   if (timed_contacts_ > 0.0) {
@@ -123,6 +156,10 @@ Record CaseRun::record() const {
   }
   if (record.cost.steps > 0) record.state_hash = fmt::format("{:016x}", hash_.value());
   record.verdict = combined_verdict(record.checks);
+  if (!passages_.empty()) {
+    record.verdict = Verdict::kError;
+    record.error = joined(passages_);
+  }
   return record;
 }
 

@@ -16,8 +16,10 @@
 namespace stiction {
 
 class CaseRun;
+class PassageWatch;
 
-/// An engine that has taken a problem. Its cost and state hash go into the case's record when the
+/// An engine that has taken a problem. Whether bodies pass through each other is watched from
+/// outside (passage_watch.h). Its cost and state hash go into the case's record when the
 /// object ends, so no simulated step is ever left out of the bill.
 class Simulation {
  public:
@@ -36,6 +38,10 @@ class Simulation {
   /// neither the state nor the cost changes.
   void record_frames(double interval);
 
+  /// This simulation stands for a method that is known to break: bodies that pass through each
+  /// other are a note in the record, not an error.
+  void shows_contrast() { contrast_ = true; }
+
   Engine& engine() { return *engine_; }
   const Engine& engine() const { return *engine_; }
 
@@ -43,6 +49,8 @@ class Simulation {
   CaseRun& run_;
   std::unique_ptr<Engine> engine_;
   std::optional<Recorder> recorder_;  // where the run keeps frames
+  std::unique_ptr<PassageWatch> watch_;
+  bool contrast_;
 };
 
 /// What a case is given to run with, and where it leaves what it found.
@@ -63,13 +71,16 @@ class CaseRun {
   /// From here on a check that fails is a known limit of the method, for this reason, which names
   /// what was measured.
   void known_limit(std::string why) { limit_ = std::move(why); }
+  /// The case counts passages itself: they are notes, not errors.
+  void passages_are_noted() { passages_noted_ = true; }
   void note(std::string text) { record_.notes.push_back(std::move(text)); }
   void add(Series series) { record_.series.push_back(std::move(series)); }
 
   const EngineKind& engine() const { return engine_; }
   const Settings& settings() const { return settings_; }
 
-  /// The record so far, verdict and cost included; environment left to the caller.
+  /// The record so far, verdict and cost included; environment left to the caller. An error if
+  /// bodies passed through each other.
   Record record() const;
   std::optional<Recording> take_recording() { return std::move(recording_); }
 
@@ -77,6 +88,7 @@ class CaseRun {
   friend class Simulation;
   void started(const Engine& engine);  // the record's settings are those of the first simulation
   void ended(const Engine& engine);
+  void passed(const std::vector<std::string>& passages, bool noted);
 
   EngineKind engine_;
   Settings settings_;
@@ -84,10 +96,12 @@ class CaseRun {
   std::string limit_;
   Record record_;
   bool settings_resolved_ = false;
+  bool passages_noted_ = false;
   bool keeps_frames_;
   bool recorded_ = false;  // a simulation of this case has been, or is being
   std::optional<Recording> recording_;
   Fnv1a hash_;
+  std::vector<std::string> passages_;
   double timed_contacts_ = 0.0;  // contact updates of engines that timed them
   double contact_seconds_ = 0.0;
 };

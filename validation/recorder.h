@@ -15,6 +15,8 @@ namespace stiction {
 /// that carry a force, the direction of gravity.
 class Recorder {
  public:
+  static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+
   /// Keeps the names, the gravity and the obstacles of the problem; those that move are not drawn.
   explicit Recorder(const Problem& problem);
 
@@ -33,8 +35,6 @@ class Recorder {
   Recording recording() && { return std::move(recording_); }
 
  private:
-  static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
-
   Recording recording_;
   Gravity gravity_;
   std::vector<std::vector<Eigen::Index>> shown_;  // vertices of each body that its surface names

@@ -14,8 +14,8 @@ namespace stiction {
 
 namespace {
 
-constexpr double kDensity = 1000.0;    // kg/m³
-const Vec3 kSlabSize{0.2, 0.2, 0.05};  // m
+constexpr double kDensity = 1000.0;                  // kg/m³
+const Vec3 kSlabSize{kSlabWidth, kSlabWidth, 0.05};  // m
 
 double in_degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
 

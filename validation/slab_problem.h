@@ -28,6 +28,8 @@ struct SlabSetup {
   double speed = 0.0;  ///< of the box downhill at t = 0, m/s
 };
 
+inline constexpr double kSlabWidth = 0.2;  ///< of the slab along x and y, m
+
 /// Unit vector along the slab in which gravity pulls the box.
 Vec3 slab_downhill(const SlabSetup& setup);
 

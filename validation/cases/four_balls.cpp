@@ -11,6 +11,7 @@
 #include "reference/limit_scenes.h"
 #include "validation/ball_pyramid_problem.h"
 #include "validation/case_run.h"
+#include "validation/energy_watch.h"
 #include "validation/incline_problem.h"
 #include "validation/methods.h"
 #include "validation/threshold.h"
@@ -23,7 +24,7 @@ namespace {
 // each question continues with its own μ.
 constexpr double kSettling = 0.3;
 constexpr double kSettled = 1.2;  // s: 0.3 s after the drag has faded out
-constexpr double kWatched = 0.3;  // s: at μ = 0.20 the top has sunk by 25 mm in that time
+constexpr double kWatched = 5.0;  // s: at μ = 0.20 the top has sunk by 25 mm within 0.3 s
 constexpr double kSunk = 0.05;    // of r
 
 struct Outcome {
@@ -32,7 +33,7 @@ struct Outcome {
   double spread = 0.0;       // m
   double ground_slip = 0.0;  // while it breaks, by normal force, m/s
   double outward = 0.0;      // … of the lower balls' centres, m/s
-  double kinetic = 0.0;      // at the end, J
+  double growth = 0.0;       // of the kinetic energy, second half of the window against the first
   // At the end, if it stands:
   double rigid = 0.0;                  // critical μ of smooth balls with centres there
   reference::LimitBracket contacts{};  // … of the contacts that carry a load
@@ -71,15 +72,18 @@ class Pyramid {
     const auto simulation = simulate(friction);
     Engine& engine = simulation->engine();
     engine.restore(start_);
-    simulation->record_frames(0.01);
+    simulation->record_frames(0.02);
     const std::string at = fmt::format("μ = {:.2f}", friction);
     Series height{"top ball sunk, " + at, "m", "time", "s", {}, {}};
     Series slip{"ground slip, " + at, "m/s", "time", "s", {}, {}};
     Series speed{"lower balls' speed, " + at, "m/s", "time", "s", {}, {}};
     Outcome outcome;
     int breaking = 0;
-    for (int k = 1; k <= 60; ++k) {
-      simulation->advance_to(kSettled + kWatched * k / 60.0);
+    EnergyWatch energy(kSettled, kSettled + kWatched, pyramid_mass());
+    for (int k = 1; k <= 2 * EnergyWatch::kSamples; ++k) {
+      simulation->advance_to(kSettled + kWatched * k / (2.0 * EnergyWatch::kSamples));
+      energy.add(simulation->time(), engine.energies().kinetic);
+      if (k % 2 != 0) continue;  // every 5 ms
       const PyramidShape shape = pyramid_shape(engine);
       outcome.sunk = shape_.top_height - shape.top_height;
       outcome.spread = shape.spread - shape_.spread;
@@ -101,7 +105,7 @@ class Pyramid {
       outcome.ground_slip /= breaking;
       outcome.outward /= breaking;
     }
-    outcome.kinetic = engine.energies().kinetic;
+    outcome.growth = energy.growth();
     if (outcome.stands) {
       outcome.rigid = pyramid_shape(engine).critical_friction();
       outcome.contacts = reference::critical_friction(limit_problem(engine, setup_));
@@ -115,6 +119,12 @@ class Pyramid {
   }
 
  private:
+  double pyramid_mass() const {
+    double mass = 0.0;
+    for (const ProblemBody& body : ball_pyramid_problem(setup_).bodies) mass += body.mass;
+    return mass;
+  }
+
   std::unique_ptr<Simulation> simulate(double friction) {
     BallPyramidSetup setup = setup_;
     setup.friction = friction;
@@ -172,7 +182,17 @@ void check_paper(CaseRun& run, Pyramid& pyramid, const BallPyramidSetup& setup) 
              .expected = 1.0,
              .tolerance = 0.0,
              .reason = "yes or no",
-             .worst = fmt::format("top ball sank {:.2f} mm", 1e3 * above.sunk)});
+             .worst = fmt::format("top ball sank {:.2f} mm in {} s", 1e3 * above.sunk, kWatched)});
+  run.check({.quantity = "growth of kinetic energy at μ = 0.24",
+             .unit = "1",
+             .claim = "… and while it stands it gains no energy",
+             .formula = "max(0, ⟨K⟩(second half)/⟨K⟩(first half) − 1) = 0",
+             .source = "static equilibrium: nothing does work on what rests",
+             .kind = ReferenceKind::kAnalytic,
+             .value = std::max(0.0, above.growth),
+             .expected = 0.0,
+             .tolerance = EnergyWatch::allowance(),
+             .reason = "an undamped vibration's mean over 1000 samples scatters so: 3/√1000"});
   run.check({.quantity = "stands at μ = 0.20",
              .unit = "1",
              .claim = "it breaks for μ = 0.20: the top ball sinks and parts the lower ones",

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/stack_problem.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "reference/box_mesh.h"
+#include "reference/limit_scenes.h"
+#include "validation/incline_problem.h"
+
+namespace stiction {
+
+namespace {
+
+// As many cells as make them about as large as the boxes' along x.
+Eigen::Vector3i cells_of(const Vec3& size, const StackSetup& setup) {
+  const double cell = setup.size.x() / setup.cells;
+  return (size / cell).array().round().cast<int>().max(1);
+}
+
+ProblemBody ground_of(const StackSetup& setup) {
+  Vec3 size = setup.size;
+  if (setup.ground == Ground::kSlab) size = size.cwiseProduct(Vec3(3.0, 3.0, 0.5));
+  ProblemBody slab;
+  slab.name = setup.ground == Ground::kSlab ? "slab" : "base";
+  Eigen::Vector3i cells = cells_of(size, setup);
+  if (setup.ground == Ground::kSlab) cells.z() = 1;
+  slab.shape = MeshShape{reference::box_mesh(size, cells)};
+  slab.mass = setup.density * size.prod();
+  slab.elasticity = setup.elasticity;
+  slab.position = Vec3(0.0, 0.0, -0.5 * size.z());
+  slab.held = HeldPart{slab.position, Vec3::UnitZ()};
+  return slab;
+}
+
+}  // namespace
+
+std::string word(Ground ground) {
+  switch (ground) {
+    case Ground::kRigid:
+      return "rigid";
+    case Ground::kSlab:
+      return "slab";
+    case Ground::kFlush:
+      return "flush-base";
+  }
+  return {};
+}
+
+Problem stack_problem(const StackSetup& setup) {
+  Problem problem;
+  problem.name = "stack";
+  const TetMesh mesh = reference::box_mesh(setup.size, cells_of(setup.size, setup));
+  for (int k = 0; k < setup.boxes; ++k) {
+    ProblemBody box;
+    box.name = fmt::format("box {}", k + 1);
+    box.shape = MeshShape{mesh};
+    box.mass = setup.density * setup.size.prod() * (k + 1 == setup.boxes ? setup.top_density : 1.0);
+    box.elasticity = setup.elasticity;
+    box.position = Vec3(0.0, 0.0, setup.size.z() * (k + 0.5));
+    if (!setup.turns.empty()) {
+      box.rotation = Eigen::AngleAxisd(setup.turns.at(static_cast<std::size_t>(k)), Vec3::UnitZ());
+    }
+    problem.bodies.push_back(box);
+  }
+  if (setup.ground == Ground::kRigid) {
+    problem.obstacles = {{.name = "ground", .friction = setup.friction}};
+  } else {
+    problem.bodies.push_back(ground_of(setup));
+  }
+  problem.friction = setup.friction;
+  const double cosine = 1.0 / std::hypot(1.0, setup.tan_slope);
+  const Vec3 into(0.0, 0.0, -kStandardGravity * cosine);
+  const Vec3 full = into + Vec3(kStandardGravity * cosine * setup.tan_slope, 0.0, 0.0);
+  problem.gravity = {{0.0, kStackPressed, kStackTilts, kStackTilted},
+                     {Vec3::Zero(), into, into, full}};
+  problem.drag = setup.drag;
+  return problem;
+}
+
+double critical_tan(const StackSetup& setup) {
+  return reference::critical_load(reference::box_stack(setup.boxes, setup.size), setup.friction)
+      .lower;
+}
+
+std::string stack_words(const StackSetup& setup) {
+  return fmt::format("{} boxes at {:.2f}°, {} cell{} an edge", setup.boxes,
+                     std::atan(setup.tan_slope) * 180.0 / std::numbers::pi, setup.cells,
+                     setup.cells == 1 ? "" : "s");
+}
+
+}  // namespace stiction
