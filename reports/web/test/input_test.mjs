@@ -54,7 +54,7 @@ test("nothing to show is refused in words", () => {
 });
 
 test("a newer schema is named", () => {
-  refused([make_run(lines_of([record({ schema_version: 3 })]))], /schema version 3 is newer/);
+  refused([make_run(lines_of([record({ schema_version: 4 })]))], /schema version 4 is newer/);
 });
 
 test("a run that was cut off is shown with a warning", () => {
