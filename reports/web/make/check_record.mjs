@@ -57,7 +57,7 @@ function object(required, optional = {}) {
     if (!is_object(value)) return "expected an object";
     for (const { name, check, absent } of fields) {
       const here = path === null ? null : path ? `${path}.${name}` : name;
-      if (!(name in value)) {
+      if (value[name] === undefined) {
         if (absent === undefined) return `${here}: the required field is missing`;
         value[name] = absent();
         continue;
@@ -73,7 +73,7 @@ const verdict = word("pass", "fail", "limit", "refuted", "error", "not-applicabl
 const empty_text = () => "";
 const empty_list = () => [];
 const empty_map = () => ({});
-const no_band = () => null;
+const no_band = () => undefined;
 
 const check = object(
   {
@@ -163,7 +163,7 @@ export function fault_of(value) {
   }
   if (record(value, null)) return record(value, "");
   for (const [i, one] of value.checks.entries()) {
-    if ((one.expected_low === null) !== (one.expected_high === null))
+    if ((one.expected_low === undefined) !== (one.expected_high === undefined))
       return `checks[${i}]: has one end of a band only`;
     if (one.cause === "") one.cause = one.limit;
     delete one.limit;

@@ -69,8 +69,8 @@ function row_of(texts, { record, run, part }) {
           number(check.tolerance),
           number(check.digits),
           text(check.verdict),
-          check.expected_low === null ? null : number(check.expected_low),
-          check.expected_high === null ? null : number(check.expected_high),
+          check.expected_low === undefined ? null : number(check.expected_low),
+          check.expected_high === undefined ? null : number(check.expected_high),
         ]
       : 0,
   ];
