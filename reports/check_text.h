@@ -18,8 +18,14 @@ std::string error_text(const Check& check);
 std::string tolerance_text(const Check& check);
 
 /// "stopping distance: measured 0.31 m, expected 0.3 m (analytic), error 0.033 rel, tolerance 0.001
-/// rel".
+/// rel", and what its band says.
 std::string check_sentence(const Check& check);
+
+/// What a band says of the value, to follow a verdict or a value: ", as expected in [1e-6, 1e-5]
+/// m",
+/// ", worse than expected [1e-6, 1e-5] m", ", better than known [1e-6, 1e-5] m: raise the bar".
+/// Empty without a band.
+std::string band_text(const Check& check);
 
 /// "dt=0.001 rule=fixed-point"; empty for no settings.
 std::string settings_text(const std::map<std::string, std::string>& settings);

@@ -20,6 +20,27 @@ TEST(CheckText, RelativeErrorSaysSo) {
             "tolerance 0.0001 rel");
 }
 
+// As band_text() of the page, web/test/model_test.mjs.
+TEST(CheckText, ABandSaysOnWhichSideAValueLies) {
+  const auto banded = [](double value, Verdict verdict) {
+    Check check = test::limit_record().checks.front();
+    check.band = Band{0.31, 0.35};
+    check.value = value;
+    check.verdict = verdict;
+    return band_text(check);
+  };
+  EXPECT_EQ(banded(0.32, Verdict::kRefuted), ", as expected in [0.31, 0.35] m");
+  EXPECT_EQ(banded(3e5, Verdict::kFail), ", worse than expected [0.31, 0.35] m");
+  EXPECT_EQ(banded(0.28, Verdict::kFail), ", worse than expected [0.31, 0.35] m")
+      << "farther on the other side";
+  EXPECT_EQ(banded(0.3001, Verdict::kFail), ", better than known [0.31, 0.35] m: raise the bar");
+  EXPECT_EQ(banded(0.32, Verdict::kFail), ", better than known [0.31, 0.35] m: raise the bar")
+      << "it holds its claim";
+  EXPECT_EQ(banded(test::kNan, Verdict::kFail),
+            ", no number where it is expected in [0.31, 0.35] m");
+  EXPECT_EQ(band_text(test::failing_check()), "");
+}
+
 TEST(CheckText, HostileTextStaysOnOneLine) {
   const std::string text = check_sentence(test::hostile_record().checks.front());
   EXPECT_EQ(text.find_first_of("\n\r\t\x1b"), std::string::npos);

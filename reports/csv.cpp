@@ -11,11 +11,11 @@
 namespace stiction {
 namespace {
 
-constexpr std::size_t kCheckColumns = 17;
+constexpr std::size_t kCheckColumns = 19;
 constexpr std::string_view kHeader =
     "case,title,engine,settings,case_verdict,case_error,"
     "quantity,unit,claim,formula,source,kind,value,expected,error,relative,scale,tolerance,reason,"
-    "digits,worst,limit,verdict,"
+    "digits,worst,expected_low,expected_high,cause,verdict,"
     "cpu_seconds,steps,contact_updates,ns_per_contact_update,state_hash,"
     "revision,toolchain,machine,date";
 
@@ -41,11 +41,13 @@ std::string case_cells(const Record& record) {
 }
 
 std::string check_cells(const Check& check) {
-  return row({check.quantity, check.unit, check.claim, check.formula, check.source,
-              to_string(check.kind), format_exact(check.value), format_exact(check.expected),
-              format_exact(check.error), check.relative ? "true" : "false",
-              format_exact(check.scale), format_exact(check.tolerance), check.reason,
-              format_exact(check.digits), check.worst, check.limit, to_string(check.verdict)});
+  return row(
+      {check.quantity, check.unit, check.claim, check.formula, check.source, to_string(check.kind),
+       format_exact(check.value), format_exact(check.expected), format_exact(check.error),
+       check.relative ? "true" : "false", format_exact(check.scale), format_exact(check.tolerance),
+       check.reason, format_exact(check.digits), check.worst,
+       check.band ? format_exact(check.band->low) : "",
+       check.band ? format_exact(check.band->high) : "", check.cause, to_string(check.verdict)});
 }
 
 std::string run_cells(const Record& record) {

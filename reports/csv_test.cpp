@@ -69,6 +69,15 @@ TEST(Csv, OneRowPerCheck) {
   EXPECT_EQ(second.at("digits"), "4.4");
 }
 
+TEST(Csv, ABandHasTwoColumnsEmptyWithoutOne) {
+  const Rows rows = parsed(csv_table({test::refuted_record()}));
+  EXPECT_EQ(named(rows, 1).at("verdict"), "refuted");
+  EXPECT_EQ(named(rows, 1).at("expected_low"), "0.305");
+  EXPECT_EQ(named(rows, 1).at("expected_high"), "0.32");
+  EXPECT_EQ(named(rows, 1).at("cause"), "normal forces never settle");
+  EXPECT_EQ(named(rows, 2).at("expected_low"), "");
+}
+
 TEST(Csv, ARecordWithoutChecksHasARow) {
   const Rows rows = parsed(csv_table({test::error_record()}));
   ASSERT_EQ(rows.size(), 2u);

@@ -50,7 +50,8 @@ std::string time_text(double seconds) {
 
 std::string counts(const Tally& tally) {
   return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}" time="{}")",
-                     tally.records(), tally.fail, tally.error, tally.not_applicable + tally.limit,
+                     tally.records(), tally.fail, tally.error,
+                     tally.not_applicable + tally.limit + tally.refuted,
                      time_text(tally.cpu_seconds));
 }
 
@@ -66,6 +67,7 @@ std::string failure(const Record& record) {
   std::string text = fmt::format("      <failure message=\"{}\" type=\"fail\">claim: {}\n",
                                  escaped(check_sentence(*worst)), escaped(worst->claim));
   text += "tolerance: " + escaped(worst->reason) + "\n";
+  if (worst->band) text += "cause of the band: " + escaped(worst->cause) + "\n";
   if (!worst->worst.empty()) text += "worst offender: " + escaped(worst->worst) + "\n";
   return text + notes_lines(record) + "</failure>\n";
 }
@@ -79,10 +81,14 @@ std::string outcome(const Record& record) {
     case Verdict::kNotApplicable:
       return fmt::format("      <skipped message=\"{}\"/>\n",
                          record.notes.empty() ? "not applicable" : escaped(record.notes.front()));
-    case Verdict::kLimit: {
+    case Verdict::kLimit:
+    case Verdict::kRefuted: {
       const Check* worst = worst_check(record.checks);
-      return fmt::format("      <skipped message=\"falls short, as known: {}\"/>\n",
-                         worst == nullptr ? "" : escaped(worst->limit));
+      if (worst == nullptr) return "      <skipped message=\"no check decides\"/>\n";
+      return fmt::format(
+          "      <skipped message=\"{}{}: {}\"/>\n",
+          record.verdict == Verdict::kLimit ? "falls short" : "a claim of the paper is refuted",
+          escaped(band_text(*worst)), escaped(worst->cause));
     }
     case Verdict::kPass:
     case Verdict::kShown:

@@ -157,11 +157,22 @@ TEST(Junit, NoRecords) {
   EXPECT_EQ(StrictXml(junit_xml({})).elements(), std::vector<std::string>{"testsuites"});
 }
 
-TEST(JunitXml, SkipsWhatFallsShortAsKnown) {
-  const std::string xml = junit_xml({test::limit_record()});
+TEST(JunitXml, SkipsWhatFallsShortAsExpected) {
+  const std::string xml = junit_xml({test::limit_record(), test::refuted_record()});
   EXPECT_NO_THROW(StrictXml(xml).elements());
-  EXPECT_TRUE(has(xml, "<skipped message=\"falls short, as known: normal forces never settle\"/>"));
+  EXPECT_TRUE(has(xml,
+                  "<skipped message=\"falls short, as expected in [0.305, 0.32] m: normal forces "
+                  "never settle\"/>"));
+  EXPECT_TRUE(has(xml, "<skipped message=\"a claim of the paper is refuted, as expected in"));
   EXPECT_TRUE(has(xml, "failures=\"0\""));
+  EXPECT_TRUE(has(xml, "skipped=\"2\""));
+}
+
+TEST(JunitXml, FailsOutsideTheBand) {
+  const std::string xml = junit_xml({test::outside_record(3e5)});
+  EXPECT_NO_THROW(StrictXml(xml).elements());
+  EXPECT_TRUE(has(xml, "worse than expected [0.305, 0.32] m"));
+  EXPECT_TRUE(has(xml, "cause of the band: normal forces never settle"));
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ std::string overview(const std::vector<Family>& families) {
                        {"pass", kRight},
                        {"fail", kRight},
                        {"limit", kRight},
+                       {"refuted", kRight},
                        {"error", kRight},
                        {"not applicable", kRight},
                        {"shown", kRight},
@@ -64,8 +65,8 @@ std::string overview(const std::vector<Family>& families) {
     }
     const auto count = [](std::size_t n) { return n == 0 ? std::string() : std::to_string(n); };
     table.add_row({markdown_escaped(family.name), count(tally.pass), count(tally.fail),
-                   count(tally.limit), count(tally.error), count(tally.not_applicable),
-                   count(tally.shown),
+                   count(tally.limit), count(tally.refuted), count(tally.error),
+                   count(tally.not_applicable), count(tally.shown),
                    fewest == std::numeric_limits<double>::infinity() ? "" : format_digits(fewest),
                    format_seconds(tally.cpu_seconds)});
   }
@@ -90,6 +91,7 @@ std::string attention(const Record& record) {
     item("Claim", check.claim);
     item("Worst offender", check.worst);
     item("Why this tolerance", check.reason);
+    if (check.band) item("Cause of the band", check.cause);
   }
   for (const std::string& note : record.notes) {
     text += fmt::format("- Note: {}\n", markdown_escaped(note));
@@ -107,9 +109,10 @@ constexpr const char* kHowToRead =
     "precise arithmetic; *self-converged*: the limit of this program's own refinement; *external*: "
     "published or measured elsewhere; *golden*: an earlier result of this program, which proves "
     "sameness and not truth.\n"
-    "- *limit*: the check fails, and the case says beforehand why the method must fall short: it "
-    "is "
-    "no news, and doesn't make the run fail.\n"
+    "- *limit*: the claim does not hold, but the value lies in a band that was stated beforehand "
+    "with its measured cause. *refuted*: likewise, and the claim is one of the paper, tested and "
+    "found not to hold. Neither makes the run fail; a value outside its band does, on either side: "
+    "a better one means that the band has to be drawn anew.\n"
     "- *shown* is reported beside the verdicts and decides none; *not applicable* means that the "
     "engine cannot do what the case asks.\n"
     "- A CPU time counts the engine's steps; ns per contact update counts the contact phases only. "

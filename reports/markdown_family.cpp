@@ -83,7 +83,7 @@ void for_checks(const Family& family, const ClaimKey& key, Visit visit) {
   }
 }
 
-std::string claim_text(const ClaimKey& key, const SharedTexts& reasons, const SharedTexts& limits) {
+std::string claim_text(const ClaimKey& key, const SharedTexts& reasons, const SharedTexts& causes) {
   const auto& [claim, formula, kind, source] = key;
   std::string text =
       fmt::format("**Claim.** {}\n\n", claim.empty() ? "(none given)" : markdown_escaped(claim));
@@ -95,17 +95,17 @@ std::string claim_text(const ClaimKey& key, const SharedTexts& reasons, const Sh
     text += fmt::format("- Tolerance{}: {}\n", mark.empty() ? "" : " (" + mark + ")",
                         markdown_escaped(reason.text));
   }
-  for (const SharedTexts::Entry& limit : limits.entries()) {
-    text += fmt::format("- Known limit: {}\n", markdown_escaped(limit.text));
+  for (const SharedTexts::Entry& cause : causes.entries()) {
+    text += fmt::format("- Cause: {}\n", markdown_escaped(cause.text));
   }
   return text + "\n";
 }
 
 std::string claim_section(const Family& family, const ClaimKey& key) {
-  SharedTexts reasons, limits;
+  SharedTexts reasons, causes;
   for_checks(family, key, [&](const Record& record, const Check& check) {
     reasons.add(check.reason, record.case_name);
-    if (check.verdict == Verdict::kLimit) limits.add(check.limit, record.case_name);
+    causes.add(check.cause, record.case_name);
   });
   MarkdownTable table({{"case"},
                        {"quantity"},
@@ -124,9 +124,10 @@ std::string claim_section(const Family& family, const ClaimKey& key) {
          markdown_escaped(with_unit(format_value(check.expected), check.unit)),
          markdown_escaped(error_text(check)), format_digits(check.digits),
          markdown_escaped(tolerance_text(check)) + (mark.empty() ? "" : " (" + mark + ")"),
-         markdown_verdict(check.verdict), markdown_escaped(check.worst)});
+         markdown_verdict(check.verdict) + markdown_escaped(band_text(check)),
+         markdown_escaped(check.worst)});
   });
-  return claim_text(key, reasons, limits) + table.text();
+  return claim_text(key, reasons, causes) + table.text();
 }
 
 std::string notes_list(const Family& family) {

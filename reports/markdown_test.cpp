@@ -145,12 +145,21 @@ TEST(MarkdownReport, ARecordWithoutChecksKeepsItsReason) {
   EXPECT_TRUE(has(report, "the engine has no deformable obstacles"));
 }
 
-TEST(MarkdownReport, TellsAKnownLimitWithItsReason) {
-  const std::string report = markdown_report({test::limit_record()}, "Limits");
-  EXPECT_NE(report.find("0 fail, 1 limit"), std::string::npos);
-  EXPECT_NE(report.find("*limit*"), std::string::npos);
-  EXPECT_NE(report.find("- Known limit: normal forces never settle"), std::string::npos);
-  EXPECT_EQ(report.find("## What failed"), std::string::npos);
+TEST(MarkdownReport, TellsWhatFallsShortWithItsBandAndCause) {
+  const std::string report =
+      markdown_report({test::limit_record(), test::refuted_record()}, "Limits");
+  EXPECT_TRUE(has(report, "0 fail, 1 limit, 1 refuted"));
+  EXPECT_TRUE(has(report, "*limit*, as expected in \\[0.305, 0.32\\] m"));
+  EXPECT_TRUE(has(report, "*refuted*, as expected in"));
+  EXPECT_TRUE(has(report, "- Cause: normal forces never settle"));
+  EXPECT_FALSE(has(report, "## What failed"));
+}
+
+TEST(MarkdownReport, TellsWhatLiesOutsideItsBand) {
+  const std::string report = markdown_report({test::outside_record(0.2)}, "Limits");
+  EXPECT_TRUE(has(report, "## What failed"));
+  EXPECT_TRUE(has(report, "worse than expected \\[0.305, 0.32\\] m"));
+  EXPECT_TRUE(has(report, "Cause of the band: normal forces never settle"));
 }
 
 }  // namespace

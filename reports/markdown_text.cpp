@@ -76,6 +76,8 @@ std::string markdown_verdict(Verdict verdict) {
       return "**ERROR**";
     case Verdict::kLimit:
       return "*limit*";
+    case Verdict::kRefuted:
+      return "*refuted*";
     case Verdict::kNotApplicable:
       return "not applicable";
     case Verdict::kPass:

@@ -14,9 +14,10 @@ namespace {
 template <typename Enum, std::size_t kCount>
 using Words = std::array<std::pair<Enum, std::string_view>, kCount>;
 
-constexpr Words<Verdict, 6> kVerdictWords{{{Verdict::kPass, "pass"},
+constexpr Words<Verdict, 7> kVerdictWords{{{Verdict::kPass, "pass"},
                                            {Verdict::kFail, "fail"},
                                            {Verdict::kLimit, "limit"},
+                                           {Verdict::kRefuted, "refuted"},
                                            {Verdict::kNotApplicable, "not-applicable"},
                                            {Verdict::kShown, "shown"},
                                            {Verdict::kError, "error"}}};
@@ -47,10 +48,12 @@ std::optional<Enum> value_of(const Words<Enum, kCount>& words, const std::string
 int severity(Verdict verdict) {
   switch (verdict) {
     case Verdict::kError:
-      return 5;
+      return 6;
     case Verdict::kFail:
-      return 4;
+      return 5;
     case Verdict::kLimit:
+      return 4;
+    case Verdict::kRefuted:
       return 3;
     case Verdict::kPass:
       return 2;

@@ -14,9 +14,17 @@ enum class ReferenceKind { kAnalytic, kExactComputed, kSelfConverged, kExternal,
 
 /// Outcome of one check, and of a record as the worst of its checks. `kShown` marks a quantity that
 /// is reported beside the verdicts (the old method, a literal reading) and never decides one.
-/// `kLimit` marks a check that fails, and of which `Check::limit` says beforehand why it must: it
-/// is reported as short of the claim, but is no news.
-enum class Verdict { kPass, kFail, kLimit, kNotApplicable, kShown, kError };
+/// `kLimit` and `kRefuted` mark a check whose claim does not hold, but whose value lies in a band
+/// that was stated beforehand with its cause (`Check::band`, `Check::cause`): a shortfall of the
+/// method, or a claim of the paper that was tested and found not to hold. Outside the band, on
+/// either side, it fails.
+enum class Verdict { kPass, kFail, kLimit, kRefuted, kNotApplicable, kShown, kError };
+
+/// Where a value is expected that falls short of its claim; both ends belong to it.
+struct Band {
+  double low = 0.0;   ///< in the check's unit
+  double high = 0.0;  ///< in the check's unit; infinite for what diverges
+};
 
 /// One quantity held against its expected value.
 struct Check {
@@ -26,16 +34,17 @@ struct Check {
   std::string formula{};   ///< closed form in Unicode maths; may be empty
   std::string source{};    ///< bibliography key or derivation
   ReferenceKind kind = ReferenceKind::kAnalytic;
-  double value = 0.0;      ///< measured, in `unit`
-  double expected = 0.0;   ///< in `unit`
-  double error = 0.0;      ///< value − expected, or its ratio to `scale` when `relative`
-  bool relative = false;   ///< error and tolerance are relative to |scale|
-  double scale = 1.0;      ///< what a relative error is relative to, in `unit`
-  double tolerance = 0.0;  ///< |error| ≤ tolerance holds; same unit as `error`
-  std::string reason{};    ///< derivation of the tolerance
-  double digits = 0.0;     ///< −log10 of the relative error, capped at 16
-  std::string worst{};     ///< where the worst offender stood; may be empty
-  std::string limit{};     ///< why the method is known to fall short of this; else empty
+  double value = 0.0;          ///< measured, in `unit`
+  double expected = 0.0;       ///< in `unit`
+  double error = 0.0;          ///< value − expected, or its ratio to `scale` when `relative`
+  bool relative = false;       ///< error and tolerance are relative to |scale|
+  double scale = 1.0;          ///< what a relative error is relative to, in `unit`
+  double tolerance = 0.0;      ///< |error| ≤ tolerance holds; same unit as `error`
+  std::string reason{};        ///< derivation of the tolerance
+  double digits = 0.0;         ///< −log10 of the relative error, capped at 16
+  std::string worst{};         ///< where the worst offender stood; may be empty
+  std::optional<Band> band{};  ///< where the value is expected, short of its claim; mostly nowhere
+  std::string cause{};         ///< why, as measured; empty without a band
   Verdict verdict = Verdict::kFail;
 };
 
@@ -78,12 +87,13 @@ struct Environment {
 
 /// One record: case × engine × settings. Written as one line of JSON (reports/schema.md).
 struct Record {
-  static constexpr int kSchemaVersion = 2;
+  static constexpr int kSchemaVersion = 3;
 
   std::string case_name{};  ///< path-like, e.g. "incline/threshold/mu=0.3/azimuth=30"
   std::string title{};      ///< one line for people
   std::string engine{};     ///< e.g. "stiction"
   std::map<std::string, std::string> settings{};  ///< of the engine, e.g. rule → fixed-point
+  std::string variant{};  ///< of the case, e.g. "method=paper rule=secant"; empty for a user's own
   std::vector<Check> checks{};
   std::vector<std::string> notes{};  ///< what a reader must know: why a case fails, what limits it
   std::vector<Series> series{};
@@ -96,8 +106,8 @@ struct Record {
   std::string frames{};  ///< file in the run's folder with a Recording (frames.h); may be empty
 };
 
-/// Worst of a record's checks: error, then fail, then limit, then pass. When nothing decides:
-/// kShown if a check is shown, otherwise (an empty list too) kNotApplicable.
+/// Worst of a record's checks: error, then fail, then limit, then refuted, then pass. When nothing
+/// decides: kShown if a check is shown, otherwise (an empty list too) kNotApplicable.
 Verdict combined_verdict(const std::vector<Check>& checks);
 
 /// The check that decides: of those with the worst verdict (order as above), the one whose |error|

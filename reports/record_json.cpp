@@ -34,23 +34,28 @@ OrderedJson numbers(const std::vector<double>& values) {
 }
 
 OrderedJson check_json(const Check& check) {
-  return {{"quantity", check.quantity},
-          {"unit", check.unit},
-          {"claim", check.claim},
-          {"formula", check.formula},
-          {"source", check.source},
-          {"kind", to_string(check.kind)},
-          {"value", number(check.value)},
-          {"expected", number(check.expected)},
-          {"error", number(check.error)},
-          {"relative", check.relative},
-          {"scale", number(check.scale)},
-          {"tolerance", number(check.tolerance)},
-          {"reason", check.reason},
-          {"digits", number(check.digits)},
-          {"worst", check.worst},
-          {"limit", check.limit},
-          {"verdict", to_string(check.verdict)}};
+  OrderedJson json = {{"quantity", check.quantity},
+                      {"unit", check.unit},
+                      {"claim", check.claim},
+                      {"formula", check.formula},
+                      {"source", check.source},
+                      {"kind", to_string(check.kind)},
+                      {"value", number(check.value)},
+                      {"expected", number(check.expected)},
+                      {"error", number(check.error)},
+                      {"relative", check.relative},
+                      {"scale", number(check.scale)},
+                      {"tolerance", number(check.tolerance)},
+                      {"reason", check.reason},
+                      {"digits", number(check.digits)},
+                      {"worst", check.worst},
+                      {"cause", check.cause},
+                      {"verdict", to_string(check.verdict)}};
+  if (check.band) {
+    json["expected_low"] = number(check.band->low);
+    json["expected_high"] = number(check.band->high);
+  }
+  return json;
 }
 
 OrderedJson series_json(const Series& series) {
@@ -104,6 +109,16 @@ std::string optional_text(const JsonField& parent, const char* name) {
   return parent.has(name) ? parent[name].text() : std::string();
 }
 
+// Version 2 had a cause without a band, called `limit`.
+std::string read_cause(const JsonField& field) {
+  return optional_text(field, field.has("limit") ? "limit" : "cause");
+}
+
+std::optional<Band> read_band(const JsonField& field) {
+  if (!field.has("expected_low") && !field.has("expected_high")) return std::nullopt;
+  return Band{field["expected_low"].real(), field["expected_high"].real()};
+}
+
 Check read_check(const JsonField& field) {
   Check check;
   check.quantity = field["quantity"].text();
@@ -121,7 +136,8 @@ Check read_check(const JsonField& field) {
   check.reason = field["reason"].text();
   check.digits = field["digits"].real();
   check.worst = optional_text(field, "worst");
-  check.limit = optional_text(field, "limit");
+  check.band = read_band(field);
+  check.cause = read_cause(field);
   check.verdict = field["verdict"].word(parse_verdict);
   return check;
 }
@@ -176,6 +192,7 @@ Record read_record(const JsonField& field) {
   record.title = optional_text(field, "title");
   record.engine = field["engine"].text();
   if (field.has("settings")) record.settings = field["settings"].map(read_text);
+  record.variant = optional_text(field, "variant");
   record.verdict = field["verdict"].word(parse_verdict);
   record.error = optional_text(field, "error");
   record.checks = field["checks"].list(read_check);
@@ -199,6 +216,7 @@ std::string to_json_line(const Record& record) {
                             {"title", record.title},
                             {"engine", record.engine},
                             {"settings", std::move(settings)},
+                            {"variant", record.variant},
                             {"verdict", to_string(record.verdict)},
                             {"error", record.error},
                             {"checks", array_of(record.checks, check_json)},

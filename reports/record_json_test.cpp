@@ -92,7 +92,12 @@ TEST(RecordJson, EveryFieldArrives) {
     EXPECT_EQ(a.reason, b.reason);
     EXPECT_EQ(a.digits, b.digits);
     EXPECT_EQ(a.worst, b.worst);
-    EXPECT_EQ(a.limit, b.limit);
+    ASSERT_EQ(a.band.has_value(), b.band.has_value());
+    if (a.band) {
+      EXPECT_EQ(a.band->low, b.band->low);
+      EXPECT_EQ(a.band->high, b.band->high);
+    }
+    EXPECT_EQ(a.cause, b.cause);
     EXPECT_EQ(a.verdict, b.verdict);
   }
 }
@@ -246,6 +251,40 @@ TEST(RecordJson, AnotherSchemaVersionIsRefused) {
     const auto line = edited([&](auto& json) { json["schema_version"] = version; });
     EXPECT_NE(message_of_line(line).find("schema_version: version"), std::string::npos);
   }
+}
+
+TEST(RecordJson, ABandReadsBackInfinitiesIncluded) {
+  Record record = test::refuted_record();
+  record.checks.front().band->high = test::kInf;
+  const Record copy = from_json_line(to_json_line(record), "line");
+  ASSERT_TRUE(copy.checks.front().band.has_value());
+  EXPECT_EQ(copy.checks.front().band->low, 0.305);
+  EXPECT_EQ(copy.checks.front().band->high, test::kInf);
+  EXPECT_EQ(copy.checks.front().verdict, Verdict::kRefuted);
+  EXPECT_EQ(copy.variant, "method=paper");
+  EXPECT_EQ(to_json_line(test::passing_record()).find("expected_low"), std::string::npos)
+      << "no band, no field";
+}
+
+TEST(RecordJson, HalfABandIsRefused) {
+  auto json = nlohmann::json::parse(to_json_line(test::limit_record()));
+  json["checks"][0].erase("expected_high");
+  EXPECT_EQ(message_of_line(json.dump()),
+            "records.jsonl:7: checks[0].expected_high: the required field is missing");
+}
+
+TEST(RecordJson, ReadsTheLimitOfVersionTwoAsACause) {
+  auto json = nlohmann::json::parse(to_json_line(test::limit_record()));
+  json["schema_version"] = 2;
+  json.erase("variant");
+  for (const char* field : {"cause", "expected_low", "expected_high"}) {
+    json["checks"][0].erase(field);
+  }
+  json["checks"][0]["limit"] = "never settles";
+  const Record record = from_json_line(json.dump(), "line");
+  EXPECT_EQ(record.verdict, Verdict::kLimit);
+  EXPECT_EQ(record.checks.front().cause, "never settles");
+  EXPECT_FALSE(record.checks.front().band.has_value());
 }
 
 TEST(RecordJson, WhatIsNoObject) {

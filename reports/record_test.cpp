@@ -18,15 +18,17 @@ Check check_with(Verdict verdict, double error = 0.0, double tolerance = 1.0) {
   return check;
 }
 
-constexpr Verdict kVerdicts[] = {Verdict::kPass,          Verdict::kFail,  Verdict::kLimit,
-                                 Verdict::kNotApplicable, Verdict::kShown, Verdict::kError};
+constexpr Verdict kVerdicts[] = {Verdict::kPass,    Verdict::kFail,          Verdict::kLimit,
+                                 Verdict::kRefuted, Verdict::kNotApplicable, Verdict::kShown,
+                                 Verdict::kError};
 constexpr ReferenceKind kKinds[] = {ReferenceKind::kAnalytic, ReferenceKind::kExactComputed,
                                     ReferenceKind::kSelfConverged, ReferenceKind::kExternal,
                                     ReferenceKind::kGolden};
 
 TEST(CombinedVerdict, IsTheWorstWhateverTheOrder) {
   const std::vector<Verdict> rising = {Verdict::kNotApplicable, Verdict::kShown, Verdict::kPass,
-                                       Verdict::kLimit,         Verdict::kFail,  Verdict::kError};
+                                       Verdict::kRefuted,       Verdict::kLimit, Verdict::kFail,
+                                       Verdict::kError};
   for (std::size_t worst = 0; worst < rising.size(); ++worst) {
     for (std::size_t other = 0; other <= worst; ++other) {
       const Check a = check_with(rising[worst]);

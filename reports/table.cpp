@@ -15,7 +15,7 @@
 namespace stiction {
 namespace {
 
-constexpr std::size_t kVerdictWidth = 5;    // "ERROR"
+constexpr std::size_t kVerdictWidth = 7;    // "refuted"
 constexpr std::size_t kValueWidth = 12;     // "-1.23457e-05"
 constexpr std::size_t kErrorWidth = 12;     // "-1.2e-05 rel"
 constexpr std::size_t kLeastQuantity = 15;  // the heading
@@ -41,6 +41,8 @@ std::string_view verdict_word(Verdict verdict) {
       return "FAIL";
     case Verdict::kLimit:
       return "limit";
+    case Verdict::kRefuted:
+      return "refuted";
     case Verdict::kNotApplicable:
       return "n/a";
     case Verdict::kShown:
@@ -59,6 +61,7 @@ std::string_view colour_code(Verdict verdict) {
     case Verdict::kError:
       return "\033[1;31m";  // bold red
     case Verdict::kLimit:
+    case Verdict::kRefuted:
       return "\033[33m";  // yellow
     case Verdict::kNotApplicable:
     case Verdict::kShown:
@@ -133,7 +136,7 @@ std::string record_name(const Record& record) {
 }
 
 std::string failure_block(const Record& record, const TableStyle& style) {
-  constexpr std::size_t kTextIndent = 7;  // behind "ERROR  "
+  constexpr std::size_t kTextIndent = kVerdictWidth + 2;
   std::string text = verdict_cell(record.verdict, style) + "  " + record_name(record) + "\n";
   text += block("", record.error, kTextIndent, style);
   for (const Check& check : record.checks) {
@@ -141,6 +144,7 @@ std::string failure_block(const Record& record, const TableStyle& style) {
     text += block("", check_sentence(check), kTextIndent, style);
     text += block("worst at:  ", check.worst, kTextIndent + 2, style);
     text += block("tolerance: ", check.reason, kTextIndent + 2, style);
+    if (check.band) text += block("cause of the band: ", check.cause, kTextIndent + 2, style);
   }
   for (const std::string& note : record.notes) text += block("note: ", note, kTextIndent, style);
   return text;
@@ -167,6 +171,9 @@ std::string table_rows(const Record& record, const TableStyle& style) {
          format_value(check.expected), format_error(check.error) + (check.relative ? " rel" : ""),
          format_digits(check.digits), format_error(check.tolerance)},
         style);
+    // What follows the comma stands under the quantity.
+    const std::size_t indent = kIndent.size() + kVerdictWidth + layout_of(style).gap.size();
+    if (check.band) rows += block("", band_text(check).substr(2), indent, style);
   }
   if (record.verdict == Verdict::kError || record.checks.empty()) {
     std::string why = record.error;

@@ -48,10 +48,10 @@ TEST(Table, ALinePerCheckUnderItsCase) {
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].starts_with("incline/below/mu=0.3  dt=0.001 rule=fixed-point"));
   EXPECT_TRUE(lines[0].ends_with("41.5 ns"));
-  EXPECT_TRUE(lines[1].starts_with("  FAIL   stopping distance [m]"));
+  EXPECT_TRUE(lines[1].starts_with("  FAIL     stopping distance [m]"));
   for (const char* part : {"0.31", "0.3", "0.01", "1.5", "0.0001"})
     EXPECT_TRUE(has(lines[1], part));
-  EXPECT_TRUE(lines[2].starts_with("  pass   critical slope, tan θ [1]"));
+  EXPECT_TRUE(lines[2].starts_with("  pass     critical slope, tan θ [1]"));
   EXPECT_TRUE(has(lines[2], "4e-05 rel"));
 }
 
@@ -94,13 +94,25 @@ TEST(Table, ColourAddsOnlyColour) {
   }
 }
 
+TEST(Table, ABandStandsBelowItsCheck) {
+  for (const std::size_t width : {40u, 77u, 96u, 140u}) {
+    const std::string rows = table_rows(test::refuted_record(), {width, false});
+    EXPECT_TRUE(has(rows, "  refuted"));
+    EXPECT_TRUE(has(rows, "as expected in")) << rows;
+  }
+  EXPECT_TRUE(has(table_rows(test::outside_record(0.30001), {}), "raise the bar"));
+  const std::string summary = closing_summary({test::outside_record(7.0)}, {200, false});
+  EXPECT_TRUE(has(summary, "worse than expected [0.305, 0.32] m"));
+  EXPECT_TRUE(has(summary, "cause of the band: normal forces never settle"));
+}
+
 TEST(Table, ARecordWithoutChecksSaysWhy) {
-  EXPECT_TRUE(has(table_rows(test::error_record(), {}), "ERROR  the time step 0.1 s is above"));
+  EXPECT_TRUE(has(table_rows(test::error_record(), {}), "ERROR    the time step 0.1 s is above"));
   EXPECT_TRUE(has(table_rows(test::not_applicable_record(), {}),
-                  "n/a    the engine has no deformable obstacles"));
+                  "n/a      the engine has no deformable obstacles"));
   Record silent = test::not_applicable_record();
   silent.notes.clear();
-  EXPECT_TRUE(has(table_rows(silent, {}), "n/a    no checks"));
+  EXPECT_TRUE(has(table_rows(silent, {}), "n/a      no checks"));
 }
 
 TEST(Table, TextFromRecordsCannotSteerTheTerminal) {
@@ -123,9 +135,10 @@ TEST(ClosingSummary, ListsFailuresOnly) {
   EXPECT_TRUE(has(summary, "worst at:  vertex 17 at t = 0.42 s"));
   EXPECT_TRUE(has(summary, "tolerance: v₀Δt/2, the bias of symplectic Euler"));
   EXPECT_TRUE(has(summary, "note: Fails until the stop is resolved"));
-  EXPECT_TRUE(has(summary, "ERROR  incline/above/mu=0.9"));
+  EXPECT_TRUE(has(summary, "ERROR    incline/above/mu=0.9"));
   EXPECT_TRUE(has(summary, "stability limit of element 3"));
-  EXPECT_TRUE(has(summary, "1 pass, 1 fail, 0 limit, 1 error, 1 not applicable, 0 shown\n"));
+  EXPECT_TRUE(
+      has(summary, "1 pass, 1 fail, 0 limit, 0 refuted, 1 error, 1 not applicable, 0 shown\n"));
   EXPECT_TRUE(has(summary, "CPU 0.75 s, 36,000 steps"));
 }
 

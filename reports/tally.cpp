@@ -18,6 +18,9 @@ void Tally::add(const Record& record) {
     case Verdict::kLimit:
       ++limit;
       break;
+    case Verdict::kRefuted:
+      ++refuted;
+      break;
     case Verdict::kError:
       ++error;
       break;
@@ -40,9 +43,9 @@ Tally tally_of(const std::vector<Record>& records) {
 }
 
 std::string verdicts_text(const Tally& tally) {
-  return fmt::format("{} pass, {} fail, {} limit, {} error, {} not applicable, {} shown",
-                     tally.pass, tally.fail, tally.limit, tally.error, tally.not_applicable,
-                     tally.shown);
+  return fmt::format(
+      "{} pass, {} fail, {} limit, {} refuted, {} error, {} not applicable, {} shown", tally.pass,
+      tally.fail, tally.limit, tally.refuted, tally.error, tally.not_applicable, tally.shown);
 }
 
 std::string cost_text(const Tally& tally) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include "validation/runner.h"
@@ -41,6 +42,36 @@ TEST(CaseCatalog, HasEachClaimOfTheInclineFamily) {
         "incline/at-critical/*", "incline/above/*", "incline/level/stop/*", "incline/restick/*",
         "half-space/*"}) {
     EXPECT_NO_THROW(select_jobs(case_catalog(), {.globs = {glob}})) << glob;
+  }
+}
+
+// A row whose case or variant is gone excuses nothing and misleads its readers. Whether a case
+// still measures the quantity shows when it runs (CaseRun::demand_expected_checks).
+TEST(CaseCatalog, HasACaseAndVariantForEachExpectationOfAnEngine) {
+  const std::vector<Case> cases = case_catalog();
+  for (const EngineKind& engine : engine_catalog()) {
+    for (const Expectation& row : engine.expectations) {
+      const bool met = std::any_of(cases.begin(), cases.end(), [&](const Case& one) {
+        return std::any_of(one.variants.begin(), one.variants.end(), [&](const Settings& variant) {
+          return !expectations_of({row}, one.name, variant_text(variant)).empty();
+        });
+      });
+      EXPECT_TRUE(met) << engine.name << ": " << row.cases << "  " << row.variant << "  "
+                       << row.quantity;
+    }
+  }
+}
+
+TEST(CaseCatalog, HasExpectationsThatSayWhereAndWhy) {
+  for (const EngineKind& engine : engine_catalog()) {
+    for (const Expectation& row : engine.expectations) {
+      const std::string name = std::string(row.cases) + "  " + row.variant + "  " + row.quantity;
+      EXPECT_LE(row.band.low, row.band.high) << name;
+      EXPECT_TRUE(std::isfinite(row.band.low)) << name;
+      EXPECT_TRUE(row.verdict == Verdict::kLimit || row.verdict == Verdict::kRefuted) << name;
+      EXPECT_GE(std::string(row.cause.text).size(), 40u) << name << ": a cause is measured";
+      EXPECT_GE(std::string(row.width.text).size(), 20u) << name << ": a width has a rule";
+    }
   }
 }
 

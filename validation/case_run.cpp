@@ -95,6 +95,11 @@ CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double
   record_.title = which.title;
   record_.engine = engine_.name;
   record_.settings = settings_;
+  const auto& variants = which.variants;
+  if (std::find(variants.begin(), variants.end(), settings_) == variants.end()) return;
+  record_.variant = variant_text(settings_);
+  if (tolerance_scale_ != 1.0) return;
+  expectations_ = expectations_of(engine_.expectations, which.name, record_.variant);
 }
 
 std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Settings& extra) {
@@ -102,11 +107,24 @@ std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Sett
 }
 
 void CaseRun::check(Check check) {
-  if (is_old(settings_)) check.verdict = Verdict::kShown;
-  if (check.limit.empty()) check.limit = limit_;
-  judge(check, tolerance_scale_);
-  if (check.verdict != Verdict::kLimit) check.limit.clear();
+  quantities_.insert(check.quantity);
+  if (const Expectation* known = find_expectation(expectations_, check.quantity)) {
+    expect(check, *known);
+    judge(check, tolerance_scale_, known->verdict);
+  } else {
+    if (is_old(settings_)) check.verdict = Verdict::kShown;
+    judge(check, tolerance_scale_);
+  }
   record_.checks.push_back(std::move(check));
+}
+
+void CaseRun::demand_expected_checks() {
+  for (const Expectation& row : expectations_) {
+    if (quantities_.count(row.quantity) > 0) continue;
+    Check unmet = unmet_check(row);
+    judge(unmet, tolerance_scale_);
+    record_.checks.push_back(std::move(unmet));
+  }
 }
 
 void CaseRun::started(const Engine& engine) {

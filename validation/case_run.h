@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -57,7 +58,8 @@ class Simulation {
 class CaseRun {
  public:
   /// `settings` are the variant's with the user's over them. A tolerance is multiplied by
-  /// `tolerance_scale` before it is compared.
+  /// `tolerance_scale` before it is compared. The engine's expectations hold where the settings are
+  /// those of one of the case's variants and the scale is 1.
   CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale,
           bool keeps_frames = false);
 
@@ -65,14 +67,16 @@ class CaseRun {
   std::unique_ptr<Simulation> simulate(const Problem& problem, const Settings& extra = {});
 
   /// Fills in error, digits and verdict from value, expected and tolerance, and keeps the check.
-  /// |error| ≤ tolerance passes; a value that is no number fails. Of the old method (`method=old`)
-  /// every check is only shown: it stands in the table for contrast and decides nothing.
+  /// |error| ≤ tolerance passes; a value that is no number fails; a check of which the engine's
+  /// table expects a shortfall is judged by its band (verdict.h). Of the old method (`method=old`)
+  /// a check without an expectation is only shown: it stands in the table for contrast and decides
+  /// nothing.
   void check(Check check);
-  /// From here on a check that fails is a known limit of the method, for this reason, which names
-  /// what was measured.
-  void known_limit(std::string why) { limit_ = std::move(why); }
   /// The case counts passages itself: they are notes, not errors.
   void passages_are_noted() { passages_noted_ = true; }
+  /// To be called once the case has run to its end: an expectation that no check met is a failing
+  /// check, so that the table cannot rot.
+  void demand_expected_checks();
   void note(std::string text) { record_.notes.push_back(std::move(text)); }
   void add(Series series) { record_.series.push_back(std::move(series)); }
 
@@ -93,7 +97,8 @@ class CaseRun {
   EngineKind engine_;
   Settings settings_;
   double tolerance_scale_;
-  std::string limit_;
+  Expectations expectations_;         // of this case and variant
+  std::set<std::string> quantities_;  // checked so far
   Record record_;
   bool settings_resolved_ = false;
   bool passages_noted_ = false;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reports/record.h"
+#include "validation/expectation.h"
 #include "validation/problem.h"
 
 namespace stiction {
@@ -100,6 +101,7 @@ struct EngineKind {
   Capabilities capabilities;
   std::map<std::string, std::string> settings_help;  ///< name → meaning, unit, default
   std::unique_ptr<Engine> (*make)(const Settings& settings);
+  Expectations expectations{};  ///< where the engine is known to fall short, and how far
 };
 
 /// All engines of the build, by name. Written by the build from validation/engines/.

@@ -56,6 +56,7 @@ Record run_job(const Job& job, double tolerance_scale, std::optional<Recording>*
   std::string error;
   try {
     job.which.run(run);
+    run.demand_expected_checks();
   } catch (const std::exception& failure) {
     error = failure.what();
   }

@@ -17,12 +17,14 @@
 #include "reports/csv.h"
 #include "reports/junit.h"
 #include "reports/markdown.h"
+#include "reports/record_json.h"
 #include "reports/record_store.h"
 #include "reports/table.h"
 #include "reports/vtk.h"
 #include "solver/demand.h"
 #include "validation/program.h"
 #include "validation/runner.h"
+#include "validation/show_expectations.h"
 #include "validation/user_problem.h"
 
 namespace stiction {
@@ -41,6 +43,7 @@ struct Arguments {
   std::string out = "validation-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   double tolerance_scale = 1.0;
+  std::string show_expectations;
 };
 
 std::string engine_help() {
@@ -87,9 +90,13 @@ void define(CLI::App& app, Arguments& arguments) {
       ->type_name("S")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  app.add_option("--show-expectations", arguments.show_expectations,
+                 "Run nothing: list what the engine is expected to fall short of beside what this "
+                 "run measured, and its failures, as rows of validation/expectations/")
+      ->type_name("RECORDS.jsonl");
   app.footer(engine_help() +
-             "\nExit code: 0 every check holds or is a known limit of the method, 1 some fail, 2 "
-             "could not run (bad input, a case "
+             "\nExit code: 0 every check holds or falls short as expected (limit, refuted), 1 "
+             "some fail, 2 could not run (bad input, a case "
              "that broke off, a full disk).");
 }
 
@@ -156,6 +163,11 @@ class Console {
 
 int validate(Arguments& arguments) {
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
+  if (!arguments.show_expectations.empty()) {
+    const RecordFile file = read_records(std::filesystem::path(arguments.show_expectations));
+    fmt::print("{}", show_expectations(file.records, find_engine(arguments.selection.engine)));
+    return kAllHold;
+  }
   Selection& selection = arguments.selection;
   selection.settings = parse_settings(arguments.settings);
   if (arguments.quick) selection.set = CaseSet::kQuick;

@@ -205,6 +205,32 @@ grep -qvE ' [0-9a-f]{16}$' out && failed "state hashes" "a record has none"
 cmp -s out err || failed "state hashes" "--jobs 1 and --jobs 2 differ"
 passed "the same $(wc -l <out) state hashes with --jobs 1 and --jobs 2"
 
+# ---- what is expected to fall short -------------------------------------------------------------
+short=(--case paper/fig5-box-pyramid --no-page)
+holds 0 "what falls short as expected doesn't fail" "$validate" "${short[@]}" --out short
+grep -q '^  refuted  drift at rest' out || failed "a refuted claim" "the table has none"
+grep -q 'as expected in \[' out || failed "a refuted claim" "its band is not shown"
+grep -qE '^1 pass, 0 fail, 2 limit, 2 refuted, ' out || failed "a refuted claim" "it is not counted"
+grep -q '"expected_low":' short/latest/records.jsonl || failed "a refuted claim" "no band in its record"
+exits 1 "far worse than expected" "$build/validate_gain_reversed" "${short[@]}" --out worse
+grep -q 'worse than expected \[' out || failed "far worse than expected" "no sentence says so"
+passed "a method that falls far shorter than expected turns the case red"
+exits 1 "better than known" "$build/validate_better_than_known" "${short[@]}" --out better
+grep -q 'better than known \[.*raise the bar' out || failed "better than known" "no sentence says so"
+passed "a method that is better than known turns the case red until its band is drawn anew"
+exits 1 "settings of one's own" "$validate" "${short[@]}" --set method=paper --set gain=0.6 --out own
+! grep -q 'expected in \|than expected\|than known' out || failed "settings of one's own" "a band holds"
+exits 1 "a tolerance of one's own" "$validate" "${short[@]}" --tolerance-scale 2 --out own
+! grep -q 'expected in \|than expected\|than known' out || failed "a tolerance of one's own" "a band holds"
+passed "bands hold for the catalog's variants and tolerances only"
+exits 0 "--show-expectations" "$validate" --show-expectations short/latest/records.jsonl
+grep -qF '{"paper/fig5-box-pyramid", "method=paper", "drift at rest", {' out ||
+  failed "--show-expectations" "a row is missing"
+grep -q '// inside: ' out || failed "--show-expectations" "no value is shown"
+exits 0 "--show-expectations" "$validate" --show-expectations worse/latest/records.jsonl
+grep -q '// OUTSIDE \[' out || failed "--show-expectations" "no band is proposed"
+passed "--show-expectations writes the table's rows, with a band where one has to move"
+
 # ---- planted faults turn named cases red ------------------------------------------------------
 bites() { # bites MUTATION CASE [OPTION …]
   local mutation=$1 name=$2

@@ -19,7 +19,7 @@ double correct_digits(double error, double scale) {
   return std::clamp(-std::log10(std::abs(error) / std::abs(scale)), 0.0, kMostDigits);
 }
 
-void judge(Check& check, double tolerance_scale) {
+void judge(Check& check, double tolerance_scale, Verdict in_band) {
   const double difference = check.value - check.expected;
   // Digits of a quantity whose answer is zero count from its scale: 1 unit unless the case says.
   const double scale = check.scale != 1.0 || check.expected == 0.0 ? check.scale : check.expected;
@@ -29,9 +29,13 @@ void judge(Check& check, double tolerance_scale) {
   check.digits = correct_digits(difference, check.scale);
   if (check.verdict == Verdict::kShown || check.verdict == Verdict::kNotApplicable) return;
   const bool holds = std::abs(check.error) <= check.tolerance * tolerance_scale;
-  // What could not be measured is no known limit.
-  const bool known = !check.limit.empty() && std::isfinite(check.error);
-  check.verdict = holds ? Verdict::kPass : known ? Verdict::kLimit : Verdict::kFail;
+  if (!check.band) {
+    check.verdict = holds ? Verdict::kPass : Verdict::kFail;
+    return;
+  }
+  demand(in_band == Verdict::kLimit || in_band == Verdict::kRefuted, "a band has a verdict");
+  const bool inside = check.value >= check.band->low && check.value <= check.band->high;
+  check.verdict = inside && !holds ? in_band : Verdict::kFail;
 }
 
 }  // namespace stiction

@@ -76,13 +76,48 @@ TEST(Judge, FailsWhatIsNoNumber) {
   EXPECT_EQ(judged({.value = 1.0, .expected = 1.0, .tolerance = kNaN}).verdict, Verdict::kFail);
 }
 
-TEST(Judge, KnowsALimitThatIsNamedBeforehand) {
-  const Check check{.value = 2.0, .expected = 1.0, .tolerance = 0.5, .limit = "why"};
-  EXPECT_EQ(judged(check).verdict, Verdict::kLimit);
-  EXPECT_EQ(judged(check, 2.0).verdict, Verdict::kPass) << "what holds is no limit";
-  EXPECT_EQ(judged({.value = kNaN, .expected = 1.0, .tolerance = 0.5, .limit = "why"}).verdict,
-            Verdict::kFail)
-      << "what could not be measured is none either";
+// A slip that shall vanish and is expected from 1e-6 to 9e-6 m/s.
+Verdict banded(double slip, Verdict in_band = Verdict::kLimit) {
+  Check check{.value = slip, .expected = 0.0, .tolerance = 1e-9, .band = Band{1e-6, 9e-6}};
+  judge(check, 1.0, in_band);
+  return check.verdict;
+}
+
+TEST(Judge, GivesABandsVerdictInsideItEndsIncluded) {
+  for (const double slip : {1e-6, 3e-6, 9e-6}) {
+    EXPECT_EQ(banded(slip), Verdict::kLimit);
+    EXPECT_EQ(banded(slip, Verdict::kRefuted), Verdict::kRefuted);
+  }
+}
+
+TEST(Judge, FailsOutsideABandOnBothSides) {
+  EXPECT_EQ(banded(3.0), Verdict::kFail) << "a million times worse than known";
+  EXPECT_EQ(banded(9.1e-6), Verdict::kFail);
+  EXPECT_EQ(banded(9e-7), Verdict::kFail) << "better than known";
+  EXPECT_EQ(banded(-3e-6), Verdict::kFail) << "on the other side of the claim";
+  EXPECT_EQ(banded(1e-10), Verdict::kFail) << "the claim holds: the band has to go";
+  EXPECT_EQ(banded(0.0), Verdict::kFail);
+}
+
+TEST(Judge, FailsWhatHoldsInsideABand) {
+  Check check{.value = 1.0, .expected = 1.0, .tolerance = 0.5, .band = Band{0.0, 2.0}};
+  judge(check, 1.0);
+  EXPECT_EQ(check.verdict, Verdict::kFail);
+}
+
+TEST(Judge, AdmitsInfinityOnlyWhereABandNamesIt) {
+  EXPECT_EQ(banded(kInfinity), Verdict::kFail);
+  Check check{.value = kInfinity, .expected = 0.0, .tolerance = 1.0, .band = Band{1e3, kInfinity}};
+  judge(check, 1.0);
+  EXPECT_EQ(check.verdict, Verdict::kLimit) << "it diverges, as expected";
+  check.value = kNaN;
+  check.verdict = Verdict::kFail;
+  judge(check, 1.0);
+  EXPECT_EQ(check.verdict, Verdict::kFail) << "what could not be measured is expected nowhere";
+}
+
+TEST(Judge, DemandsThatABandsVerdictIsOneOfTheTwo) {
+  EXPECT_THROW(banded(3e-6, Verdict::kPass), std::logic_error);
 }
 
 TEST(Judge, WithToleranceScaleZeroFailsAllButWhatIsExact) {

@@ -24,6 +24,7 @@ constexpr int kCouldNotRun = 2;  // exit code of validate
 double rank_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::kLimit:
+    case Verdict::kRefuted:
       return 1.0;
     case Verdict::kFail:
       return 2.0;
@@ -49,7 +50,8 @@ void add_check(const Check& check, const Cost& cost, const std::string& subject,
   if (check.verdict == Verdict::kShown || check.verdict == Verdict::kNotApplicable) return;
   measured.add({subject, "verdict: " + check.quantity, "1", Kind::kVerdict},
                rank_of(check.verdict));
-  if (check.verdict == Verdict::kLimit) return;
+  // A value in its band is what it was.
+  if (check.verdict == Verdict::kLimit || check.verdict == Verdict::kRefuted) return;
   if (counts_steps(check)) {
     measured.add({subject, check.quantity, "1", Kind::kCount}, check.value);
   } else {

@@ -54,7 +54,8 @@ TEST(Accuracy, NamesNoMoreSettingsThanNeeded) {
 TEST(Accuracy, TakesDigitsOfChecksThatMustHold) {
   const Accuracy all = accuracy_of(
       {record_of("none", {check_of("a", 5, Verdict::kPass), check_of("b", 4, Verdict::kFail),
-                          check_of("c", 3, Verdict::kLimit), check_of("d", 2, Verdict::kShown)})});
+                          check_of("c", 3, Verdict::kLimit), check_of("d", 2, Verdict::kShown),
+                          check_of("e", 2, Verdict::kRefuted)})});
   const Measurements& found = all.measurements;
   ASSERT_NE(found.find("slab/creep#digits: a"), nullptr);
   EXPECT_EQ(found.find("slab/creep#digits: a")->samples, std::vector<double>{5.0});
@@ -62,6 +63,8 @@ TEST(Accuracy, TakesDigitsOfChecksThatMustHold) {
   EXPECT_EQ(found.find("slab/creep#digits: c"), nullptr);
   EXPECT_EQ(found.find("slab/creep#verdict: b")->samples, std::vector<double>{2.0});
   EXPECT_EQ(found.find("slab/creep#verdict: c")->samples, std::vector<double>{1.0});
+  EXPECT_EQ(found.find("slab/creep#digits: e"), nullptr);
+  EXPECT_EQ(found.find("slab/creep#verdict: e")->samples, std::vector<double>{1.0});
   EXPECT_EQ(found.find("slab/creep#verdict: d"), nullptr);
   EXPECT_EQ(found.find("slab/creep#verdict")->samples, std::vector<double>{2.0});
   EXPECT_EQ(found.find("slab/creep#contact updates")->samples, std::vector<double>{77.0});

@@ -135,7 +135,6 @@ void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double 
              .reason = "a thousandth of a cube's edge: less than a pixel where an object fills a "
                        "screen",
              .worst = fall.mover});
-  run.known_limit(no_rest_of_paper(run));
   run.check({.quantity = "mean kinetic energy at rest ÷ that with ξ = 1",
              .unit = "1",
              .claim = "at rest the new method leaves a hundredth of the old one's motion",
@@ -182,7 +181,6 @@ void run_seeds(CaseRun& run, BasketSetup setup, int seeds, double duration, doub
                          fall.mean, before.mean, fall.mover, fall.moved));
   }
   run.add(by_seed);
-  run.known_limit(no_rest_of_paper(run));
   const Spread ratio = spread(ratios), moved = spread(moves);
   const auto share = static_cast<double>(std::count_if(ratios.begin(), ratios.end(),
                                                        [](double r) { return r <= 0.01; })) /

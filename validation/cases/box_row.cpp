@@ -76,7 +76,6 @@ void run_shear(CaseRun& run, const ClampSetup& setup) {
                   "the places that the formula assumes"};
   shear.worst = fmt::format("joint {}", worst_joint);
   run.check(shear);
-  run.known_limit(no_rest_of_paper(run));
   Check balance{.quantity = "weight carried",
                 .unit = "N",
                 .claim = "what its two joints carry is a box's weight: worst box's error",

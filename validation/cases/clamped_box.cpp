@@ -67,7 +67,6 @@ void check_figure(CaseRun& run, const ClampSetup& setup, const Pose& from, const
 
 void check_rest(CaseRun& run, const ClampSetup& setup, const Engine& engine, const Pose& from,
                 double window) {
-  run.known_limit(no_rest_of_paper(run));
   const Pose to = pose_of(engine, 0);
   const double slip = kStaticSlip * window;
   run.check(zero_check(kSource, "drift at rest", "m", "once settled it stays for 5 s",

@@ -123,11 +123,6 @@ double vibration_left(double frequency, double rest) {
 }
 
 void run_push(CaseRun& run, double part) {
-  if (run.settings().at("method") == "paper") {
-    run.known_limit(
-        "a scalar ξ holds friction only against a slip that goes on: when the push is released the "
-        "slab must keep a force that the present free slip does not name (see the note)");
-  }
   const SlabSetup setup = pushed_slab();
   const Push found = push(run, setup, part * setup.friction);
   const Vec3 along = slab_downhill(setup);

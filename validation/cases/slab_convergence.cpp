@@ -44,12 +44,6 @@ Check steps_check(const std::string& whose, int steps) {
 void run_convergence(CaseRun& run, const SlabSetup& setup, const Settings& extra,
                      bool both_sides_touch) {
   constexpr int kSteps = 3000;
-  run.known_limit(no_rest_of_paper(run));
-  if (both_sides_touch && run.settings().at("method") == "quiet") {
-    run.known_limit(
-        "vertices of both sides in each other make contacts that say nearly the same twice: a "
-        "sweep passes the slip to and fro between them (see the note)");
-  }
   SlabRun settled(run, setup, extra);
   settled.advance_to(4.0);
   const bool uses_none = run.settings().count("rule") && run.settings().at("rule") == "none";

@@ -57,11 +57,6 @@ double largest_kappa(double dt, const Workspace& workspace) {
 
 void run_kappa(CaseRun& run, const SlabSetup& setup) {
   if (run.engine().name != "stiction") return;
-  if (run.settings().at("method") == "paper") {
-    run.known_limit(
-        "c_i of (5) counts the contacts that a vertex bears, not those it makes, so that it bounds "
-        "nothing where both sides' vertices touch");
-  }
   // Simulated by the engine too, so that the record shows its settings and cost.
   SlabRun shown(run, setup);
   shown.advance_to(0.1);

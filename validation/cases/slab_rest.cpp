@@ -14,7 +14,6 @@ namespace stiction {
 namespace {
 
 void check_rest(CaseRun& run, const std::vector<SlabSetup>& setups) {
-  run.known_limit(no_rest_of_paper(run));
   std::vector<SlabOutcome> outcomes;
   Series slips{"fastest slip at the end", "m/s", "configuration", "1", {}, {}};
   Series energies{"kinetic energy at the end", "J", "configuration", "1", {}, {}};
@@ -98,7 +97,6 @@ void check_rest(CaseRun& run, const std::vector<SlabSetup>& setups) {
 }
 
 void check_drift(CaseRun& run, const SlabSetup& setup) {
-  run.known_limit(no_rest_of_paper(run));
   constexpr double kFrom = 4.0, kTo = 14.0;  // s: by 4 s the vibration of quiet has decayed
   SlabRun slab(run, setup);
   slab.record_frames(0.1);

@@ -11,6 +11,7 @@
 #include "validation/engine.h"
 #include "validation/settings.h"
 #include "validation/step_cost.h"
+#include "validation/stiction_expectations.h"
 #include "validation/stiction_method.h"
 #include "validation/stiction_scene.h"
 
@@ -256,7 +257,8 @@ EngineKind engine_stiction() {
       .description = "this project's solver: tetrahedra, penalty contact, coherent static friction",
       .capabilities = {.deformable = true, .point_masses = true, .save_restore = true},
       .settings_help = settings_help(),
-      .make = make};
+      .make = make,
+      .expectations = stiction_expectations()};
 }
 
 }  // namespace stiction

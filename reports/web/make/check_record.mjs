@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The schema of reports/schema.md as data, and a check of a parsed line against it.
 
-const NEWEST_SCHEMA = 2;
+const NEWEST_SCHEMA = 3;
 
 const text = (value) => (typeof value === "string" ? null : "expected a string");
 const number = (value) =>
@@ -57,7 +57,7 @@ function object(required, optional = {}) {
     if (!is_object(value)) return "expected an object";
     for (const { name, check, absent } of fields) {
       const here = path === null ? null : path ? `${path}.${name}` : name;
-      if (!(name in value)) {
+      if (value[name] === undefined) {
         if (absent === undefined) return `${here}: the required field is missing`;
         value[name] = absent();
         continue;
@@ -69,10 +69,11 @@ function object(required, optional = {}) {
   };
 }
 
-const verdict = word("pass", "fail", "limit", "error", "not-applicable", "shown");
+const verdict = word("pass", "fail", "limit", "refuted", "error", "not-applicable", "shown");
 const empty_text = () => "";
 const empty_list = () => [];
 const empty_map = () => ({});
+const no_band = () => undefined;
 
 const check = object(
   {
@@ -91,7 +92,14 @@ const check = object(
     digits: number,
     verdict,
   },
-  { formula: [text, empty_text], worst: [text, empty_text], limit: [text, empty_text] },
+  {
+    formula: [text, empty_text],
+    worst: [text, empty_text],
+    limit: [text, empty_text], // version 2's word for cause
+    cause: [text, empty_text],
+    expected_low: [number, no_band],
+    expected_high: [number, no_band],
+  },
 );
 
 const cost = object({
@@ -135,6 +143,7 @@ const record = object(
   {
     title: [text, empty_text],
     settings: [map(text), empty_map],
+    variant: [text, empty_text],
     error: [text, empty_text],
     notes: [list(text), empty_list],
     state_hash: [text, empty_text],
@@ -153,6 +162,12 @@ export function fault_of(value) {
     return `schema version ${value.schema_version} is newer than this program's, ${NEWEST_SCHEMA}`;
   }
   if (record(value, null)) return record(value, "");
+  for (const [i, one] of value.checks.entries()) {
+    if ((one.expected_low === undefined) !== (one.expected_high === undefined))
+      return `checks[${i}]: has one end of a band only`;
+    if (one.cause === "") one.cause = one.limit;
+    delete one.limit;
+  }
   for (const [i, one] of value.series.entries()) {
     if (one.x.length !== one.y.length) return `series[${i}]: has not as many x as y`;
   }

@@ -68,6 +68,9 @@ function row_of(texts, { record, run, part }) {
           check.relative ? 1 : 0,
           number(check.tolerance),
           number(check.digits),
+          text(check.verdict),
+          check.expected_low === undefined ? null : number(check.expected_low),
+          check.expected_high === undefined ? null : number(check.expected_high),
         ]
       : 0,
   ];

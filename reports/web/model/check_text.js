@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Phrases about a check that several outputs share.
-import { format_error, format_pair, to_number, with_unit } from "./number.js";
+import { format_error, format_pair, format_value, to_number, with_unit } from "./number.js";
 
 const error_unit = (check) => (check.relative ? "rel" : check.unit);
 
@@ -17,6 +17,28 @@ const pair = (check) => format_pair(to_number(check.value), to_number(check.expe
 export const value_text = (check) => with_unit(pair(check)[0], check.unit);
 
 export const expected_text = (check) => with_unit(pair(check)[1], check.unit);
+
+/**
+ * What its band says of a check's value: "expected in [1e-6, 1e-5] m", "worse than expected […]", "better
+ * than known […]: raise the bar"; empty without a band. As band_text() in reports/check_text.h.
+ */
+export function band_text(check) {
+  if (check.expected_low === null || check.expected_low === undefined) return "";
+  const [low, high, value, claim] = [
+    check.expected_low,
+    check.expected_high,
+    check.value,
+    check.expected,
+  ].map(to_number);
+  const ends = with_unit(`[${format_value(low)}, ${format_value(high)}]`, check.unit);
+  const inside = value >= low && value <= high;
+  if (inside && check.verdict !== "fail") return `as expected in ${ends}`;
+  if (Number.isNaN(value)) return `no number where it is expected in ${ends}`;
+  const nearest = Math.min(Math.abs(low - claim), Math.abs(high - claim));
+  return inside || Math.abs(value - claim) < nearest
+    ? `better than known ${ends}: raise the bar`
+    : `worse than expected ${ends}`;
+}
 
 /** |error| ÷ tolerance: the check holds up to 1. A broken error counts as infinite. */
 export function margin(check) {

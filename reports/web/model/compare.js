@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two runs side by side: what changed in verdicts, digits and cost.
-import { rank } from "./verdict.js";
+import { is_decided, rank } from "./verdict.js";
 import { to_number } from "./number.js";
 import { group_by } from "./family.js";
 import { natural_sort } from "./natural.js";
@@ -9,7 +9,7 @@ import { variant_key } from "./variant.js";
 /** A change of fewer digits than this is noise. */
 export const DIGITS_NOISE = 0.1;
 
-const decided = (check) => ["pass", "fail", "limit"].includes(check.verdict);
+const decided = (check) => is_decided(check.verdict);
 
 // The check whose digits changed most: {change, quantity}.
 function digits_change(before, after) {

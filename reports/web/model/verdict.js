@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Verdicts, worst first, each with the words that people read. Colour never stands alone: each has a
 // shape of its own too (page/glyph.js, plots/verdict_scale.js).
-export const VERDICTS = ["error", "fail", "limit", "pass", "shown", "not-applicable"];
+export const VERDICTS = ["error", "fail", "limit", "refuted", "pass", "shown", "not-applicable"];
 
 export const VERDICT_WORDS = {
   error: "broke off",
   fail: "fails",
   limit: "known limit",
+  refuted: "refuted",
   pass: "holds",
   shown: "shown only",
   "not-applicable": "not applicable",
@@ -19,6 +20,13 @@ export function rank(verdict) {
 }
 
 export const is_bad = (verdict) => verdict === "error" || verdict === "fail";
+
+/** Does not meet its claim, in a band that was stated beforehand. */
+export const is_expected = (verdict) => verdict === "limit" || verdict === "refuted";
+
+/** Whether a verdict says something of the value, so that its digits count. */
+export const is_decided = (verdict) =>
+  verdict === "pass" || verdict === "fail" || is_expected(verdict);
 
 /** The check that decides, as worst_check() in reports/record.h; undefined when none does. */
 export function worst_check(checks, margin) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The claims of a case: each with its formula, its source, why its tolerance is what it is, and a
 // table of what each variant measured.
-import { expected_text, margin, tolerance_text } from "../model/check_text.js";
+import { band_text, expected_text, margin, tolerance_text } from "../model/check_text.js";
 import { group_by } from "../model/family.js";
 import { format_digits, format_error, format_pair, to_number } from "../model/number.js";
 import { rank } from "../model/verdict.js";
@@ -44,7 +44,7 @@ function unit_of({ unit, relative }, kind) {
   return unit === "1" ? "" : unit;
 }
 
-function check_row({ check, label }, columns) {
+function check_row({ check, label }, columns, banded) {
   return h(
     "tr",
     {},
@@ -52,6 +52,7 @@ function check_row({ check, label }, columns) {
     label !== null && h("th", { scope: "row" }, label || "–"),
     h("td", {}, margin_bar(margin(check), true, check.verdict)),
     columns.map(({ text }) => h("td", { class: "number" }, text(check))),
+    banded && h("td", { class: "band" }, band_text(check)),
   );
 }
 
@@ -64,7 +65,8 @@ function claim_section(group, several) {
     rank(b.check.verdict) < rank(a.check.verdict) ? b : a,
   ).check;
   const places = told(group, "worst");
-  const limits = told(group, "limit");
+  const causes = told(group, "cause");
+  const banded = group.some(({ check: one }) => band_text(one) !== "");
   const columns = COLUMNS.filter(({ shared }) => !shared || !is_shared(group, shared));
   const expected = is_shared(group, "expected") && h("strong", {}, `${expected_of(group)}: `);
   const tolerance = is_shared(group, "tolerance") && h("strong", {}, `${tolerance_text(check)}: `);
@@ -107,13 +109,14 @@ function claim_section(group, several) {
             several && heading("Variant"),
             heading("|Error| ÷ tolerance"),
             columns.map(({ name, kind }) => heading(name, true, unit_of(check, kind))),
+            banded && heading("Band"),
           ),
         ),
         h(
           "tbody",
           {},
           group.map(({ check: one, label }) =>
-            check_row({ check: one, label: several ? label : null }, columns),
+            check_row({ check: one, label: several ? label : null }, columns, banded),
           ),
         ),
       ),
@@ -125,7 +128,7 @@ function claim_section(group, several) {
       h("dd", {}, expected, `${check.source} (${KINDS[check.kind] ?? check.kind})`),
       h("dt", {}, "Tolerance"),
       h("dd", {}, tolerance, check.reason || "no reason given"),
-      limits !== "" && [h("dt", {}, "Known limit"), h("dd", {}, limits)],
+      causes !== "" && [h("dt", {}, "Cause"), h("dd", {}, causes)],
       places !== "" && [h("dt", {}, "Worst place"), h("dd", {}, places)],
     ),
   );
@@ -164,7 +167,7 @@ export function checks_height(entries) {
       lines(check.source, 56) +
       lines(check.reason, 56) +
       lines(told(group, "worst"), 56) +
-      lines(told(group, "limit"), 56)
+      lines(told(group, "cause"), 56)
     );
   }, 0);
 }

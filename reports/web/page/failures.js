@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What does not hold, worst first, each in one sentence.
 import {
+  band_text,
   error_text,
   expected_text,
   short_margin,
@@ -15,6 +16,11 @@ import { margin_bar } from "./margin_bar.js";
 import { case_hash, hash_of } from "./route.js";
 
 const severity = (row) => row.check?.margin ?? Infinity;
+
+const band_of = (check) => {
+  const text = band_text(check);
+  return text && `; ${text}`;
+};
 
 // The worst variant of a case stands for those that fail with it.
 function failure([row, ...others]) {
@@ -45,7 +51,7 @@ function failure([row, ...others]) {
         : [
             `${check.quantity} `,
             h("strong", {}, value_text(check)),
-            ` instead of ${expected_text(check)}; error ${error_text(check)}, allowed ${tolerance_text(check)}`,
+            ` instead of ${expected_text(check)}; error ${error_text(check)}, allowed ${tolerance_text(check)}${band_of(check)}`,
           ],
     ),
     h(

@@ -8,7 +8,7 @@ const DECADES_ABOVE = 4;
 const WIDTH = 90;
 const LIMIT = (WIDTH * DECADES_BELOW) / (DECADES_BELOW + DECADES_ABOVE);
 
-const CLASSES = { pass: "within", fail: "beyond", error: "beyond", limit: "known" };
+const CLASSES = { pass: "within", fail: "beyond", error: "beyond", limit: "known", refuted: "refuted" };
 
 function length_of(margin) {
   if (margin === 0) return 0;

@@ -8,7 +8,8 @@ import { variant_labels } from "../model/variant.js";
 
 function check_of(values, texts) {
   if (!values) return null;
-  const [quantity, unit, value, expected, error, relative, tolerance, digits] = values;
+  const [quantity, unit, value, expected, error, relative, tolerance, digits, verdict, low, high] =
+    values;
   const check = {
     quantity: texts[quantity],
     unit: texts[unit],
@@ -18,6 +19,9 @@ function check_of(values, texts) {
     relative: relative === 1,
     tolerance,
     digits: to_number(digits),
+    verdict: texts[verdict],
+    expected_low: low,
+    expected_high: high,
   };
   return { ...check, margin: margin(check) };
 }

@@ -29,11 +29,16 @@ function headline(tally, index) {
   if (tally["not-applicable"] === tally.records && has_history(index))
     return ["shown", "Measured over runs, and judged by nobody."];
   if (tally.bad === 0 && tally.pass === 0) return ["shown", "Nothing was decided."];
-  if (tally.bad === 0 && tally.limit > 0)
-    return [
-      "pass",
-      `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}, ${format_count(tally.limit)} fall${tally.limit === 1 ? "s" : ""} short as known.`,
+  if (tally.bad === 0 && tally.limit + tally.refuted > 0) {
+    const parts = [
+      `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}`,
+      tally.limit > 0 &&
+        `${format_count(tally.limit)} fall${tally.limit === 1 ? "s" : ""} short as known`,
+      tally.refuted > 0 &&
+        `${format_count(tally.refuted)} refute${tally.refuted === 1 ? "s" : ""} a claim of the paper`,
     ];
+    return ["pass", `${parts.filter(Boolean).join(", ")}.`];
+  }
   if (tally.bad === 0)
     return [
       "pass",

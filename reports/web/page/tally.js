@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a set of rows comes to.
-import { is_bad } from "../model/verdict.js";
+import { is_bad, is_expected } from "../model/verdict.js";
 
 export function tally_of(rows) {
   const tally = {
     pass: 0,
     fail: 0,
     limit: 0,
+    refuted: 0,
     error: 0,
     shown: 0,
     "not-applicable": 0,
@@ -24,7 +25,7 @@ export function tally_of(rows) {
     tally.steps += row.steps;
     tally.updates += row.updates;
     if (row.ns > 0) ns.push(row.ns);
-    if (row.verdict === "limit") continue; // its case says why it must be beyond
+    if (is_expected(row.verdict)) continue; // stated beforehand to be beyond
     if (row.check && (!tally.closest || row.check.margin > tally.closest.check.margin))
       tally.closest = row;
     if (row.check) tally.fewest = Math.min(tally.fewest, row.check.digits);

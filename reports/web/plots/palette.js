@@ -16,6 +16,7 @@ export const PALETTES = {
     $pass: "#1b7f5c",
     $fail: "#c2330c",
     $limit: "#9a6700",
+    $refuted: "#3d5a9e",
     $error: "#8b1a8b",
     $shown: "#5b6b7b",
     $na: "#8d969f",
@@ -47,6 +48,7 @@ export const PALETTES = {
     $pass: "#4cc39a",
     $fail: "#ff7a52",
     $limit: "#e0b13c",
+    $refuted: "#9db7f5",
     $error: "#e58ae5",
     $shown: "#9fb0c0",
     $na: "#7b858f",
@@ -93,9 +95,23 @@ export const SERIES_SHAPES = [
 /** The name of the i-th body's colour: pale, so that contacts and forces stand out. */
 export const body_colour = (i) => `$b${i % 6}`;
 
-export const VERDICT_DOMAIN = ["pass", "fail", "limit", "error", "shown", "not-applicable"];
-const VERDICT_COLOURS = ["$pass", "$fail", "$limit", "$error", "$shown", "$na"];
-const VERDICT_SHAPES = ["circle", "triangle-up", "triangle-down", "diamond", "square", "stroke"];
+// A saltire in Vega's square from −1 to 1, as in page/glyph.js.
+const SALTIRE =
+  "M-1,-0.6L-0.6,-1L0,-0.4L0.6,-1L1,-0.6L0.4,0L1,0.6L0.6,1L0,0.4L-0.6,1L-1,0.6L-0.4,0Z";
+
+// Verdict, colour, shape.
+const VERDICT_MARKS = [
+  ["pass", "$pass", "circle"],
+  ["fail", "$fail", "triangle-up"],
+  ["limit", "$limit", "triangle-down"],
+  ["refuted", "$refuted", SALTIRE],
+  ["error", "$error", "diamond"],
+  ["shown", "$shown", "square"],
+  ["not-applicable", "$na", "stroke"],
+];
+export const VERDICT_DOMAIN = VERDICT_MARKS.map(([verdict]) => verdict);
+const VERDICT_COLOURS = VERDICT_MARKS.map(([, colour]) => colour);
+const VERDICT_SHAPES = VERDICT_MARKS.map(([, , shape]) => shape);
 
 /** Vega-Lite's channels for verdicts: colour and shape say the same. */
 export function verdict_encoding(legend) {

@@ -3,6 +3,7 @@
 import { group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
 import { variant_key } from "../model/variant.js";
+import { is_decided } from "../model/verdict.js";
 import { quantity_axis, rounded } from "./axes.js";
 import { numbered, tip, tip_number } from "./names.js";
 
@@ -20,7 +21,7 @@ function shared_records(by_run) {
 
 const digits_of = (record) =>
   record.checks
-    .filter(({ verdict }) => ["pass", "fail", "limit"].includes(verdict))
+    .filter(({ verdict }) => is_decided(verdict))
     .map((check) => to_number(check.digits))
     .filter(Number.isFinite);
 

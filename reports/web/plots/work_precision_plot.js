@@ -16,7 +16,7 @@ const SUM_SIZES = [330, 190, 110, 80, 60, 50, 40]; // px²; later ones lie on ea
 // The relative error of a record's least precise check that decides, or that is shown where none does
 // (the old method); null when there is none.
 function error_of(record) {
-  const wanted = record.verdict === "shown" ? ["shown"] : ["pass", "fail", "limit"];
+  const wanted = record.verdict === "shown" ? ["shown"] : ["pass", "fail", "limit", "refuted"];
   const digits = record.checks
     .filter(({ verdict }) => wanted.includes(verdict))
     .map((check) => to_number(check.digits))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { margin, margin_text, short_margin, value_text } from "../model/check_text.js";
+import { band_text, margin, margin_text, short_margin, value_text } from "../model/check_text.js";
 import { compare } from "../model/compare.js";
 import { family_name, short_name } from "../model/family.js";
 import { natural_sort } from "../model/natural.js";
@@ -69,6 +69,21 @@ test("margins", () => {
   assert.equal(margin_text(0.5), "50 % of its tolerance");
   assert.equal(short_margin(2000), "2000 ×");
   assert.equal(short_margin(6.7e-13), "6.7e-11 %");
+});
+
+// The expected texts are those of reports/check_text_test.cpp.
+test("a band says on which side of it a value lies", () => {
+  const banded = (value, verdict) =>
+    band_text(
+      check({ value, expected: 0.3, expected_low: 0.31, expected_high: 0.35, verdict }),
+    );
+  assert.equal(banded(0.32, "limit"), "as expected in [0.31, 0.35] m");
+  assert.equal(banded(3e5, "fail"), "worse than expected [0.31, 0.35] m");
+  assert.equal(banded(0.28, "fail"), "worse than expected [0.31, 0.35] m");
+  assert.equal(banded(0.3001, "fail"), "better than known [0.31, 0.35] m: raise the bar");
+  assert.equal(banded(0.32, "fail"), "better than known [0.31, 0.35] m: raise the bar");
+  assert.equal(banded("nan", "fail"), "no number where it is expected in [0.31, 0.35] m");
+  assert.equal(band_text(check()), "");
 });
 
 test("the worst check decides as in record.h", () => {

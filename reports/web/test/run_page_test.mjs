@@ -96,13 +96,14 @@ test("warnings stand on top, licences in the page", async () => {
   unfaulted(page);
 });
 
-test("a known limit is told as such, with its reason, and is no failure", async () => {
-  const limit = "penalty contacts close the depth in steps";
+test("what falls short as expected is told as such, with band and cause, and is no failure", async () => {
+  const cause = "penalty contacts close the depth in steps";
+  const band = { expected_low: 0.3, expected_high: 0.35 };
   const short = record({
-    schema_version: 2,
+    schema_version: 3,
     case: "limit/known",
     verdict: "limit",
-    checks: [check({ verdict: "limit", limit, error: 0.1 })],
+    checks: [check({ verdict: "limit", cause, ...band, error: 0.1 })],
     meshes: [
       {
         bodies: "box and 2 more",
@@ -114,18 +115,71 @@ test("a known limit is told as such, with its reason, and is no failure", async 
       },
     ],
   });
-  const page = await browser.open(make_page(make_run(lines_of([short, record()]))));
-  assert.equal(await page.locator("h1").innerText(), "1 holds, 1 falls short as known.");
+  // A claim of the paper's, and a limit as version 2 wrote it.
+  const refuted = record({
+    ...short,
+    case: "limit/refuted",
+    verdict: "refuted",
+    checks: [check({ verdict: "refuted", cause: "a scalar acts along the slip only", ...band })],
+  });
+  const old = record({
+    schema_version: 2,
+    case: "limit/old",
+    verdict: "limit",
+    checks: [check({ verdict: "limit", limit: "as version 2 said", error: 0.1 })],
+  });
+  const page = await browser.open(make_page(make_run(lines_of([short, refuted, old, record()]))));
+  assert.equal(
+    await page.locator("h1").innerText(),
+    "1 holds, 2 fall short as known, 1 refutes a claim of the paper.",
+  );
   assert.equal(await page.locator(".failures").count(), 0);
-  assert.match(await page.locator(".facts").innerText(), /1 known limit, 1 holds/);
-  await page.locator(".tally.verdict-limit").click();
+  assert.match(await page.locator(".facts").innerText(), /2 known limits, 1 refuted, 1 holds/);
+  await page.locator(".tally.verdict-refuted").click();
   await page.locator(".c-case a").click();
+  await page.locator(".claim.verdict-refuted").waitFor();
+  assert.match(await page.locator("main").innerText(), /a scalar acts along the slip only/);
+  await page.goBack();
+  await page.goBack();
+  await page.locator(".tally.verdict-limit").click();
+  await page.locator(".c-case a", { hasText: "old" }).click();
+  await page.locator(".claim.verdict-limit").waitFor();
+  assert.match(await page.locator("main").innerText(), /as version 2 said/);
+  await page.goBack();
+  await page.locator(".c-case a", { hasText: "known" }).click();
   await page.locator(".claim.verdict-limit").waitFor();
   const text = await page.locator("main").innerText();
-  assert.ok(text.includes(limit));
+  assert.ok(text.includes(cause));
+  assert.match(text, /as expected in \[0\.3, 0\.35\] m/);
   assert.match(
     text,
     /Mesh of box and 2 more: 1,234 vertices, 27 tetrahedra, dihedral angles 45\.0° to 90\.0°/,
   );
+  unfaulted(page);
+});
+
+test("a value outside its band is a failure that says on which side", async () => {
+  const outside = (name, value) =>
+    record({
+      schema_version: 3,
+      case: `band/${name}`,
+      verdict: "fail",
+      checks: [
+        check({
+          verdict: "fail",
+          value,
+          error: value - 0.3,
+          expected_low: 0.31,
+          expected_high: 0.35,
+          cause: "known",
+        }),
+      ],
+    });
+  const page = await browser.open(
+    make_page(make_run(lines_of([outside("worse", 4e5), outside("better", 0.3000001)]))),
+  );
+  const text = await page.locator(".failures").innerText();
+  assert.match(text, /worse than expected \[0\.31, 0\.35\] m/);
+  assert.match(text, /better than known \[0\.31, 0\.35\] m: raise the bar/);
   unfaulted(page);
 });

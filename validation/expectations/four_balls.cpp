@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paper's Fig. 7, four balls.
+#include "validation/expectations/table.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr Words kOldSinks{
+    "kOldSinks",
+    "the method before the paper: without post-correction the top ball sinks 6.2 mm at μ = 0.24, "
+    "where the paper's and quiet stand"};
+
+}  // namespace
+
+// clang-format off
+Expectations expectations_four_balls() {
+  return {
+      {"paper/fig7-four-balls", "method=old", "stands at μ = 0.24", {0, 0}, kLimit, kOldSinks, kCount},
+  };
+}
+// clang-format on
+
+}  // namespace stiction
