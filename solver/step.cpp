@@ -42,7 +42,8 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
       if (with_edges(options)) crossing_edges(scene, options, state, workspace);
       return;
     case Phase::kNormalForce:
-      if (!workspace.pairs.empty() || !workspace.edges.empty()) pair_normal_forces(scene, options, workspace);
+      if (!workspace.pairs.empty() || !workspace.edges.empty())
+        pair_normal_forces(scene, options, workspace, state.memory);
       normal_forces(scene, dt, state.position, workspace.velocity, workspace.contacts, time);
       return;
     case Phase::kFriction:

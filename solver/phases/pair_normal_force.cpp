@@ -35,6 +35,21 @@ void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<double>&
   }
 }
 
+// Contacts with obstacles, of this step and, if kept ones count, those of the last that have just
+// opened. Both lists are in the order of their keys.
+void add_obstacles(Workspace& workspace, const FrictionMemory& last, bool count_kept) {
+  for (const std::int32_t v : workspace.contacts.vertex) {
+    workspace.load[static_cast<std::size_t>(v)] += 1.0;
+  }
+  if (!count_kept) return;
+  auto now = workspace.contacts.key.begin();
+  for (const ContactKey key : last.key) {
+    while (now != workspace.contacts.key.end() && *now < key) ++now;
+    if (now != workspace.contacts.key.end() && *now == key) continue;
+    workspace.load[static_cast<std::size_t>(key & 0xffffffffu)] += 1.0;
+  }
+}
+
 // N/m of a vertex, 1/kg.
 double share(const Workspace& workspace, std::int32_t v) {
   const auto p = static_cast<std::size_t>(v);
@@ -94,16 +109,13 @@ double paper_force(double dt, const Workspace& workspace, const PairContact& con
 
 }  // namespace
 
-void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace) {
+void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
+                        const FrictionMemory& last_obstacles) {
   const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
   workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()), 0.0);
   accumulate(workspace, harmonic, !harmonic || options.pairs.count_hysteresis, workspace.load);
   accumulate(workspace.edges, options.pairs.count_hysteresis, workspace.load);
-  if (harmonic) {
-    for (const std::int32_t v : workspace.contacts.vertex) {
-      workspace.load[static_cast<std::size_t>(v)] += 1.0;
-    }
-  }
+  if (harmonic) add_obstacles(workspace, last_obstacles, options.pairs.count_hysteresis);
   for (PairContact& contact : workspace.pairs) {
     if (contact.depth == 0.0) {
       contact.normal_force = 0.0;
