@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "validation/case_run.h"
@@ -25,6 +26,8 @@ struct ClampSetup {
   Elasticity elasticity{.youngs_modulus = 2e5, .poisson_ratio = 0.3, .damping_time = 5e-4};
   double bar_stiffness = 1.0;  ///< Young's modulus of the bars over that of the boxes
   double fall_full = 0.8;      ///< time at which gravity is full, s
+  /// No body is shifted across the row: vertices may lie on vertices, edges on edges.
+  bool flush = false;
 };
 
 /// When the clamp has closed and when gravity begins, s.
@@ -55,29 +58,35 @@ JointForce joint_force(const Engine& engine, const ClampSetup& setup, int joint)
 double clamp_force(const Engine& engine, const ClampSetup& setup);
 
 /// Runs until gravity is full and tells whether the first box stays: it falls less than 0.1 mm from
-/// 1.1 to 1.4 s. What is just short of holding by the fraction ε of its weight accelerates at ε g
-/// from 0.8 s on, so that this criterion moves a threshold by 8e-5 only. Nor may it have sunk by 2
-/// mm in all: a box that slips can be caught by the upper edge of a bar.
+/// 0.3 to 0.6 s after that. What is just short of holding by the fraction ε of its weight
+/// accelerates at ε g, so that this criterion moves a threshold by 8e-5 only. Nor may it have sunk
+/// by 2 mm in all: a box that slips can be caught by the upper edge of a bar. With `twice` it is
+/// watched for as long again, and must not fall by 0.1 mm in the last 0.3 s either.
 struct ClampProbe {
   bool holds = false;
   double unloaded = 0.0;  ///< N of the clamp before gravity, N
-  double force = 0.0;     ///< … and at 1.1 s, N
+  double force = 0.0;     ///< … and 0.3 s after gravity is full, N
   double slope = 0.0;     ///< Δh/w of the pressure centres then, dimensionless
   double lift = 0.0;      ///< vertical part of the normal force at the right jaw over N, then
   double along = 0.0;     ///< share of the friction there that is vertical, then
+  double creep = 0.0;     ///< mean speed of the fall over the last 0.3 s, m/s
 };
-ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Settings& extra = {});
+ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Settings& extra = {},
+                       bool twice = false);
 
 /// Clamps at either side of the threshold, found by bisection over `squeeze`.
 struct ClampThreshold {
   ClampProbe holds, fails;
+  double squeeze = 0.0;  ///< of the clamp that holds, m
   int evaluations = 0;
   /// Forces under load, N; NaN when nothing was bracketed. That of the failing clamp is scaled from
   /// its force before gravity as the holding one's changed, because a slipping box moves in it.
   double upper = 0.0, lower = 0.0;
+  double middle() const { return 0.5 * (lower + upper); }
+  double half() const { return 0.5 * std::abs(upper - lower); }
 };
 ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, double most, double least,
-                               double width);
+                               double width, const Settings& extra = {});
 
 /// Motion of one body in the clamp: z and the angle of its rotation, from the start.
 struct Pose {

@@ -6,60 +6,118 @@
 #include <cmath>
 #include <string>
 
+#include "validation/clamp_limit.h"
+#include "validation/extrapolation.h"
 #include "validation/methods.h"
+#include "validation/paper_figure.h"
 
 namespace stiction {
 
 namespace {
 
 constexpr double kStiffer = 4.0;
+constexpr double kRest = 8e-5;  // of the criterion of rest, relative, see ClampProbe
 
-struct Measured {
-  double ratio = 0.0;         // of the critical force to the formula's
-  double half_bracket = 0.0;  // of the ratio
-};
-
-Measured measure(CaseRun& run, ClampSetup setup, double factor, double most, double least,
-                 double width) {
-  // Stiffer material is pressed as hard by a shorter way, and rings down as fast with less β.
+// Stiffer material is pressed as hard by a shorter way, and rings down as fast with less β.
+ClampSetup stiffer(ClampSetup setup, double factor) {
   setup.elasticity.youngs_modulus *= factor;
   setup.elasticity.damping_time /= factor;
-  const ClampThreshold found =
-      clamp_threshold(run, setup, most / factor, least / factor, width / factor);
+  return setup;
+}
+
+ClampThreshold search(CaseRun& run, const ClampSetup& setup, double most, double least,
+                      double width, double rigid, const Settings& extra = {}) {
+  const ClampThreshold found = clamp_threshold(run, setup, most, least, width, extra);
   const ClampProbe& at = found.holds;
-  const double friction = setup.friction * at.along - at.slope + at.lift;
-  const double rigid = setup.boxes * setup.box_mass * setup.fall / (2.0 * friction);
-  const double middle = 0.5 * (found.lower + found.upper);
   run.note(fmt::format(
-      "E = {:.0e} Pa: holds at N = {:.4f} N, fails at {:.4f} N, {} runs; formula {:.4f} N "
-      "({:+.3f} %) with a = {:.5f}, Δh/w = {:.5f}, t = {:.5f}",
-      setup.elasticity.youngs_modulus, found.upper, found.lower, found.evaluations, rigid,
-      100.0 * (middle / rigid - 1.0), at.along, at.slope, at.lift));
-  return {middle / rigid, 0.5 * (found.upper - found.lower) / rigid};
+      "E = {:.1e} Pa{}: holds at N = {:.4f} N, fails at {:.4f} N ({:+.3f} % of the rigid limit), "
+      "{} runs. Pressure centres Δh/w = {:.5f}; of the friction at the right jaw {:.5f} points up, "
+      "of the normal force {:.5f}",
+      setup.elasticity.youngs_modulus, extra.empty() ? "" : ", half the step", found.upper,
+      found.lower, 100.0 * (found.middle() / rigid - 1.0), found.evaluations, at.slope, at.along,
+      at.lift));
+  return found;
+}
+
+// The same search elsewhere, begun about the way that a search has found, which scales with 1/E.
+ClampThreshold search_about(CaseRun& run, const ClampSetup& setup, const ClampThreshold& known,
+                            double factor, double width, double rigid, const Settings& extra = {}) {
+  const double way = known.squeeze / factor;
+  if (std::isnan(way)) return known;  // nothing held, or nothing failed: no search leads further
+  return search(run, setup, 1.3 * way, 0.75 * way, width / factor, rigid, extra);
+}
+
+void check_rest(CaseRun& run, ClampSetup setup, const ClampThreshold& soft) {
+  setup.squeeze = soft.squeeze;
+  ClampProbe longer;
+  if (!std::isnan(soft.squeeze)) longer = probe_clamp(run, setup, {}, true);
+  run.check({.quantity = "creep of the clamp that holds, after twice the time",
+             .unit = "m/s",
+             .claim = "a clamp that holds its box holds it at rest",
+             .formula = "mean speed of the fall over 0.3 s = 0",
+             .source = "Coulomb's law; [Lazarevych2009] calls 1e-9 m/s static",
+             .kind = ReferenceKind::kAnalytic,
+             .value = longer.holds ? longer.creep : std::nan(""),
+             .expected = 0.0,
+             .tolerance = kStaticSlip,
+             .reason = "the paper's own figure"});
+}
+
+void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold& soft,
+                     double width, double rigid) {
+  const double dt = run.simulate(clamp_problem(setup))->engine().time_step();
+  const ClampThreshold fine =
+      search_about(run, setup, soft, 1.0, width, rigid, {{"dt", fmt::format("{}", 0.5 * dt)}});
+  run.check({.quantity = "critical clamp force at half the step ÷ at the whole one",
+             .unit = "1",
+             .claim = "how hard a clamp must press does not depend on the time step",
+             .formula = "N(Δt/2)/N(Δt) = 1",
+             .source = "Coulomb's law",
+             .kind = ReferenceKind::kSelfConverged,
+             .value = fine.middle() / soft.middle(),
+             .expected = 1.0,
+             .tolerance = (fine.half() + soft.half()) / rigid + 2.0 * kRest,
+             .reason = "half of either bracket, and 8e-5 of the criterion of rest each"});
 }
 
 }  // namespace
 
 void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, double least,
-                           double width) {
-  const Measured soft = measure(run, setup, 1.0, most, least, width);
-  const Measured stiff = measure(run, setup, kStiffer, most, least, width);
-  const auto to_rigid = [](double at_stiff, double at_soft) {
-    return (kStiffer * at_stiff + at_soft) / (kStiffer - 1.0);
-  };
-  constexpr double kRest = 8e-5;  // of the criterion of rest, see ClampProbe
-  const double ratio = to_rigid(stiff.ratio, -soft.ratio);
-  run.check({.quantity = "critical clamp force ÷ balance, rigid limit",
-             .unit = "1",
-             .claim = "a clamp holds iff its friction can carry the weight",
-             .formula = "N = n m g/(2(aμ − Δh/w + t))",
-             .source = "balance of force and couple with Coulomb's law at both jaws",
-             .kind = ReferenceKind::kAnalytic,
-             .value = ratio,
-             .expected = 1.0,
-             .tolerance = to_rigid(stiff.half_bracket + kRest, soft.half_bracket + kRest),
-             .reason = "half the brackets left by the bisections and 8e-5 of the criterion of "
-                       "rest, each as the extrapolation (4 x(4E) − x(E))/3 weighs it"});
+                           double width, bool half_step) {
+  const ClampLimit limit = clamp_limit(setup);
+  const double rigid = 0.5 * (limit.lower + limit.upper);
+  const ClampSetup middle = stiffer(setup, kStiffer), hard = stiffer(middle, kStiffer);
+  const ClampThreshold a = search(run, setup, most, least, width, rigid);
+  const ClampThreshold b = search_about(run, middle, a, kStiffer, width, rigid);
+  const ClampThreshold c = search_about(run, hard, b, kStiffer, width / kStiffer, rigid);
+  const double coarse = extrapolate_with_order(a.middle(), b.middle(), kStiffer, 1.0);
+  const double fine = extrapolate_with_order(b.middle(), c.middle(), kStiffer, 1.0);
+  // An error of order 1/E² in the finer extrapolation is a fifteenth of the way that it has come.
+  const double next = std::abs(fine - coarse) / (kStiffer * kStiffer - 1.0);
+  const double brackets =
+      (kStiffer * (c.half() + kRest * rigid) + b.half() + kRest * rigid) / (kStiffer - 1.0);
+  run.check({.quantity = "critical clamp force, rigid limit",
+             .unit = "N",
+             .claim = "a clamp holds iff its friction can carry weight and couple",
+             .formula = "least N with an equilibrium in the cones of all contact points",
+             .source = "exact limit analysis of the rigid geometry, validation/clamp_limit.h",
+             .kind = ReferenceKind::kExactComputed,
+             .value = fine,
+             .expected = rigid,
+             .relative = true,
+             .scale = rigid,
+             .tolerance = (brackets + next + 0.5 * (limit.upper - limit.lower)) / rigid,
+             .reason = "half the brackets of the bisections and 8e-5 of the criterion of rest, as "
+                       "the extrapolation (4 N(16E) − N(4E))/3 weighs them; a fifteenth of its "
+                       "distance from that of E and 4 E, for the order 1/E²; half the analysis' "
+                       "bracket"});
+  const Extrapolation free = extrapolate(a.middle(), b.middle(), c.middle(), kStiffer);
+  run.note(
+      fmt::format("limit analysis [{:.6f}, {:.6f}] N; extrapolated {:.4f} N from E and 4 E, "
+                  "{:.4f} N from 4 E and 16 E; order in 1/E of all three {:.2f}, limit {:.4f}",
+                  limit.lower, limit.upper, coarse, fine, free.order, free.limit));
+  check_rest(run, setup, a);
+  if (half_step) check_half_step(run, setup, a, width, rigid);
 }
 
 }  // namespace stiction

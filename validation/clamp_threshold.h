@@ -5,17 +5,16 @@
 
 namespace stiction {
 
-/// Least force of a clamp, against the balance of force and couple with Coulomb's law at the jaws,
-///   N = n m g/(2 (a μ − Δh/w + t)).
-/// The geometry is that of the loaded clamp, as measured: pressure centres Δh apart over the width
-/// w; t = (vertical part of the normal force)/N, because the boxes have turned and the planes in
-/// which friction acts are no longer vertical; and only the share a of the friction points up.
+/// Least force of a clamp, against the exact limit analysis of its rigid geometry (clamp_limit.h):
+/// known before anything is simulated, N = n m g/(2(μ − Δh/w)) where two rows of points touch.
 ///
-/// The formula is one of rigid bodies. What elasticity adds falls with 1/E (measured over a factor
-/// of 16), so that the search is done at E and at 4 E, and the ratio of force and formula is
-/// extrapolated to rigid bodies. `most` and `least` bracket the jaws' way at E, m; `width` is where
-/// the bisection ends.
+/// The analysis is of rigid bodies. What elasticity adds (the clamp presses the boxes narrower,
+/// which lengthens the lever of the offset, and they turn under the couple) falls with 1/E, so that
+/// the search is done at E, 4 E and 16 E and extrapolated. Checked are the force, that the clamp
+/// that holds is at rest after twice the time, and with `half_step` that half the time step finds
+/// the same force.
+/// `most` and `least` bracket the jaws' way at E, m; `width` is where the bisection ends.
 void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, double least,
-                           double width);
+                           double width, bool half_step = false);
 
 }  // namespace stiction

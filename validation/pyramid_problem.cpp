@@ -23,9 +23,10 @@ Problem pyramid_problem(const PyramidSetup& setup) {
           reference::box_mesh(Vec3::Constant(setup.width), Eigen::Vector3i::Constant(setup.cells))};
       box.mass = setup.box_mass;
       box.elasticity = setup.elasticity;
-      // Rows are shifted by 4 mm across the slope in turn, so that no vertex lies on another.
-      box.position = Vec3(pitch * (k + 0.5 * (row + 1 - setup.rows)),
-                          2e-3 * (row % 2 == 0 ? 1 : -1), setup.width * (row + 0.5));
+      // Rows are shifted by 4 mm across the slope in turn, so that no vertex lies on an edge.
+      const double shift = setup.flush ? 0.0 : 2e-3 * (row % 2 == 0 ? 1 : -1);
+      box.position =
+          Vec3(pitch * (k + 0.5 * (row + 1 - setup.rows)), shift, setup.width * (row + 0.5));
       problem.bodies.push_back(box);
     }
   }

@@ -21,6 +21,7 @@ struct PyramidSetup {
   double tan_slope = 0.2;     ///< tan θ
   double friction = 0.3;      ///< μ of all contacts
   Elasticity elasticity{.youngs_modulus = 5e5, .poisson_ratio = 0.3, .damping_time = 6e-3};
+  bool flush = false;    ///< no row is shifted across the slope: edges lie on edges
   double settled = 6.0;  ///< time at which its rocking has died out, s
 };
 
