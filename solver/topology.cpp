@@ -82,18 +82,6 @@ Topology build_topology(const Scene& scene) {
     }
     sort_unique(two_rings[v]);
   }
-  topology.neighbour_begin.push_back(0);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    std::vector<std::int32_t> joined;
-    for (const std::int32_t t : ring[v]) {
-      for (const std::int32_t w : topology.triangle[static_cast<std::size_t>(t)].vertex) {
-        if (static_cast<std::size_t>(w) != v) joined.push_back(w);
-      }
-    }
-    sort_unique(joined);
-    topology.neighbour.insert(topology.neighbour.end(), joined.begin(), joined.end());
-    topology.neighbour_begin.push_back(static_cast<std::int32_t>(topology.neighbour.size()));
-  }
   topology.near_begin.push_back(0);
   std::vector<std::int32_t> near;
   for (const Element& element : scene.elements) {

@@ -24,10 +24,7 @@ struct Topology {
   std::vector<std::int32_t> near_begin;
   std::vector<std::int32_t> near;
   std::vector<std::int32_t> body_triangle_begin;  ///< first triangle of each body, and one past all
-  /// Surface vertices joined to a vertex by an edge of the surface.
-  std::vector<std::int32_t> neighbour_begin;
-  std::vector<std::int32_t> neighbour;
-  double mean_edge = 0.0;  ///< of all elements, m: the cell of the hash
+  double mean_edge = 0.0;                         ///< of all elements, m: the cell of the hash
 };
 
 struct Scene;

@@ -9,6 +9,7 @@
 
 #include "solver/contacts.h"
 #include "solver/pair_contacts.h"
+#include "solver/phases/consistent_scratch.h"
 #include "solver/phases/spatial_hash.h"
 #include "solver/state.h"
 
@@ -78,8 +79,6 @@ struct PairSearch {
     double radius;  ///< m
   };
   std::vector<Ball> ball;
-
-  std::vector<int> level;  ///< per contact: of the breadth-first depth propagation
 };
 
 /// Scratch memory of the conjugate directions of friction forces, per contact.
@@ -100,6 +99,7 @@ struct Workspace {
   ConjugateScratch conjugate, pair_conjugate;
   std::vector<double> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   PairSearch search;
+  ConsistentScratch consistent;
   std::uint64_t contact_updates = 0;      ///< summed over steps
   std::uint64_t sweeps = 0;               ///< of the friction phase, summed over steps
   PhaseSeconds* phase_seconds = nullptr;  ///< where to add times; null: nothing is timed
