@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/exact_consistent_depth.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "reference/exact_detection.h"
+
+namespace stiction::reference {
+
+namespace {
+
+using Exact = CGAL::Gmpq;
+using Kernel = CGAL::Simple_cartesian<Exact>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Real = boost::multiprecision::mpf_float_50;
+using RealVector = std::array<Real, 3>;
+using Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr double kCancelled = 1e-12;
+
+Point exact(const Vector3d& p) { return {Exact(p.x()), Exact(p.y()), Exact(p.z())}; }
+Real real(const Exact& q) { return Real(q.mpq()); }
+RealVector real(const Vector& v) { return {real(v.x()), real(v.y()), real(v.z())}; }
+
+Real dot(const RealVector& a, const RealVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Real length(const RealVector& a) { return sqrt(dot(a, a)); }
+
+void add(RealVector& sum, const Real& weight, const RealVector& v) {
+  for (std::size_t k = 0; k < 3; ++k) sum[k] += weight * v[k];
+}
+
+struct Triangle {
+  std::array<Point, 3> corner;
+  Vector normal;  // not normalised
+  Eigen::AlignedBox3d box;
+};
+
+struct Crossing {
+  Exact t;
+  std::vector<std::pair<const Triangle*, std::array<bool, 3>>> on;  // and which edges are touched
+};
+
+// Angle of the triangle around a point of it: 2π inside, π on an edge.
+Real angle_around(const Triangle& triangle, const std::array<bool, 3>& touched) {
+  const Real pi = acos(Real(-1));
+  const int count = touched[0] + touched[1] + touched[2];
+  if (count == 0) return 2 * pi;
+  if (count == 1) return pi;
+  // Edge k leads from corner k to the next; two that are touched meet in a corner.
+  const std::size_t at = !touched[0] ? 2 : !touched[1] ? 0 : 1;
+  const RealVector one = real(triangle.corner[(at + 1) % 3] - triangle.corner[at]);
+  const RealVector other = real(triangle.corner[(at + 2) % 3] - triangle.corner[at]);
+  return acos(dot(one, other) / (length(one) * length(other)));
+}
+
+// Where the segment p → q first leaves through one of the triangles.
+std::optional<Crossing> first_crossing(const std::vector<Triangle>& triangles, const Vector3d& from,
+                                       const Vector3d& to) {
+  const Point p = exact(from), q = exact(to);
+  Eigen::AlignedBox3d box(from);
+  box.extend(to);
+  std::optional<Crossing> first;
+  for (const Triangle& triangle : triangles) {
+    if (!box.intersects(triangle.box)) continue;  // comparisons of doubles are exact
+    const Exact below = triangle.normal * (p - triangle.corner[0]);
+    const Exact above = triangle.normal * (q - triangle.corner[0]);
+    if (!(below <= 0 && above > 0)) continue;
+    std::array<bool, 3> touched = {};
+    bool meets = true;
+    for (std::size_t k = 0; k < 3 && meets; ++k) {
+      const Exact side =
+          (q - p) * CGAL::cross_product(triangle.corner[k] - p, triangle.corner[(k + 1) % 3] - p);
+      meets = side >= 0;
+      touched[k] = side == 0;
+    }
+    if (!meets) continue;
+    const Exact t = below / (below - above);
+    if (!first || t < first->t) first = Crossing{t, {}};
+    if (t == first->t) first->on.emplace_back(&triangle, touched);
+  }
+  return first;
+}
+
+RealVector normal_of(const Crossing& crossing) {
+  RealVector sum = {};
+  for (const auto& [triangle, touched] : crossing.on) {
+    const RealVector normal = real(triangle->normal);
+    add(sum, angle_around(*triangle, touched) / length(normal), normal);
+  }
+  const Real size = length(sum);
+  for (Real& x : sum) x /= size;
+  return sum;
+}
+
+struct Mean {
+  Real weight = 0, depth = 0;
+  RealVector normal = {};
+  double agreement = 1.0;  // of what went in
+
+  void take(const Real& w, const Real& d, const RealVector& n) {
+    weight += w;
+    depth += w * d;
+    add(normal, w, n);
+  }
+};
+
+struct Known {
+  int level;
+  Real depth;
+  RealVector normal;
+  double agreement;
+};
+
+std::optional<Known> known(const Mean& mean, int level) {
+  const Real size = length(mean.normal);
+  if (!(mean.weight > 0) || !(size > kCancelled * mean.weight)) return {};
+  const Real depth = mean.depth / mean.weight;
+  Known result{level, depth > 0 ? depth : Real(0), mean.normal,
+               mean.agreement * Real(size / mean.weight).convert_to<double>()};
+  for (Real& x : result.normal) x /= size;
+  return result;
+}
+
+std::vector<std::set<Index>> neighbours(const TetMesh& mesh) {
+  std::vector<std::set<Index>> of(static_cast<std::size_t>(mesh.vertices.cols()));
+  for (const auto& corners : mesh.tetrahedra.colwise()) {
+    for (const Index a : corners) {
+      for (const Index b : corners) {
+        if (a != b) of[static_cast<std::size_t>(a)].insert(b);
+      }
+    }
+  }
+  return of;
+}
+
+std::vector<Triangle> triangles_of(const ExactBody& body, const TetMesh& mesh) {
+  std::vector<Triangle> triangles;
+  for (const auto& corners : body.surface().colwise()) {
+    Triangle triangle;
+    for (Index k = 0; k < 3; ++k) {
+      const Vector3d x = mesh.vertices.col(corners[k]);
+      triangle.corner[static_cast<std::size_t>(k)] = exact(x);
+      triangle.box.extend(x);
+    }
+    triangle.normal = CGAL::cross_product(triangle.corner[1] - triangle.corner[0],
+                                          triangle.corner[2] - triangle.corner[0]);
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+}  // namespace
+
+std::vector<ConsistentDepth> exact_consistent_depths(const TetMesh& body, const TetMesh& penetrated,
+                                                     double softening) {
+  if (!(softening > 0.0 && std::isfinite(softening))) {
+    throw std::invalid_argument("exact consistent depth: the softening is a positive length");
+  }
+  const ExactBody own(body), other(penetrated);
+  const std::vector<Triangle> triangles = triangles_of(other, penetrated);
+  const std::vector<std::set<Index>> joined = neighbours(body);
+  const auto at = [&](Index v) -> Vector3d { return body.vertices.col(v); };
+  std::set<Index> inside;
+  for (const Index v : own.surface().reshaped()) {
+    if (!inside.count(v) && !other.tetrahedra_at(at(v)).empty()) inside.insert(v);
+  }
+  std::map<Index, Known> reached;
+  for (const Index v : inside) {
+    Mean mean;
+    for (const Index w : joined[static_cast<std::size_t>(v)]) {
+      const std::optional<Crossing> crossing = first_crossing(triangles, at(v), at(w));
+      if (!crossing) continue;
+      const Vector away = crossing->t * (exact(at(w)) - exact(at(v)));
+      const Exact weight = 1 / (away * away + Exact(softening) * Exact(softening));
+      const RealVector normal = normal_of(*crossing);
+      mean.take(real(weight), dot(real(away), normal), normal);
+    }
+    if (const auto found = known(mean, 1)) reached.emplace(v, *found);
+  }
+  for (int level = 2;; ++level) {
+    std::map<Index, Known> next;
+    for (const Index v : inside) {
+      if (reached.count(v)) continue;
+      Mean mean;
+      for (const Index w : joined[static_cast<std::size_t>(v)]) {
+        const auto from = reached.find(w);
+        if (from == reached.end()) continue;
+        const Vector away = exact(at(w)) - exact(at(v));
+        mean.take(1 / real(away * away), dot(real(away), from->second.normal) + from->second.depth,
+                  from->second.normal);
+        mean.agreement = std::min(mean.agreement, from->second.agreement);
+      }
+      if (const auto found = known(mean, level)) next.emplace(v, *found);
+    }
+    if (next.empty()) break;
+    reached.merge(next);
+  }
+  std::vector<ConsistentDepth> result;
+  for (const Index v : inside) {
+    ConsistentDepth depth;
+    depth.vertex = v;
+    if (const auto found = reached.find(v); found != reached.end()) {
+      const Known& k = found->second;
+      depth.level = k.level;
+      depth.depth = k.depth.convert_to<double>();
+      for (Index c = 0; c < 3; ++c) {
+        depth.normal[c] = k.normal[static_cast<std::size_t>(c)].convert_to<double>();
+      }
+      depth.agreement = k.agreement;
+    }
+    result.push_back(depth);
+  }
+  return result;
+}
+
+}  // namespace stiction::reference
