@@ -108,32 +108,49 @@ RealVector normal_of(const Crossing& crossing) {
   return sum;
 }
 
-struct Mean {
-  Real weight = 0, depth = 0;
-  RealVector normal = {};
-  double agreement = 1.0;  // of what went in
-
-  void take(const Real& w, const Real& d, const RealVector& n) {
-    weight += w;
-    depth += w * d;
-    add(normal, w, n);
-  }
+// One of the things that a mean is of.
+struct Sample {
+  Real weight, depth;
+  RealVector normal;
+  double moved, turned, weight_off;  // per metre: of depth, of normal, of weight over weight
+  double agreement;
 };
 
 struct Known {
   int level;
   Real depth;
   RealVector normal;
-  double agreement;
+  double moved, turned, agreement;
 };
 
-std::optional<Known> known(const Mean& mean, int level) {
-  const Real size = length(mean.normal);
-  if (!(mean.weight > 0) || !(size > kCancelled * mean.weight)) return {};
-  const Real depth = mean.depth / mean.weight;
-  Known result{level, depth > 0 ? depth : Real(0), mean.normal,
-               mean.agreement * Real(size / mean.weight).convert_to<double>()};
+double rounded(const Real& x) { return x.convert_to<double>(); }
+
+std::optional<Known> mean(const std::vector<Sample>& samples, int level) {
+  Real weight = 0, depth = 0;
+  RealVector normal = {};
+  for (const Sample& sample : samples) {
+    weight += sample.weight;
+    depth += sample.weight * sample.depth;
+    add(normal, sample.weight, sample.normal);
+  }
+  const Real size = length(normal);
+  if (!(weight > 0) || !(size > kCancelled * weight)) return {};
+  depth /= weight;
+  Known result{level, depth > 0 ? depth : Real(0), normal, 0.0, 0.0, 1.0};
   for (Real& x : result.normal) x /= size;
+  // d = Σ w d_i / Σ w changes by Σ (w_i/Σ w) (δd_i + (d_i − d) δw_i/w_i); the direction likewise,
+  // by what is across it.
+  for (const Sample& sample : samples) {
+    const double share = rounded(sample.weight / weight);
+    RealVector across = sample.normal;
+    add(across, -dot(sample.normal, result.normal), result.normal);
+    result.moved += share * (sample.moved + rounded(abs(sample.depth - depth)) * sample.weight_off);
+    result.turned += share * (sample.turned + rounded(length(across)) * sample.weight_off);
+    result.agreement = std::min(result.agreement, sample.agreement);
+  }
+  const double agreement = rounded(size / weight);
+  result.turned /= agreement;
+  result.agreement *= agreement;
   return result;
 }
 
@@ -182,31 +199,35 @@ std::vector<ConsistentDepth> exact_consistent_depths(const TetMesh& body, const 
   }
   std::map<Index, Known> reached;
   for (const Index v : inside) {
-    Mean mean;
+    std::vector<Sample> samples;
     for (const Index w : joined[static_cast<std::size_t>(v)]) {
       const std::optional<Crossing> crossing = first_crossing(triangles, at(v), at(w));
       if (!crossing) continue;
-      const Vector away = crossing->t * (exact(at(w)) - exact(at(v)));
-      const Exact weight = 1 / (away * away + Exact(softening) * Exact(softening));
+      const Vector edge = exact(at(w)) - exact(at(v));
+      const Vector away = crossing->t * edge;
+      const Real away2 = real(away * away + Exact(softening) * Exact(softening));
       const RealVector normal = normal_of(*crossing);
-      mean.take(real(weight), dot(real(away), normal), normal);
+      const double slope = rounded(dot(real(edge), normal) / length(real(edge)));
+      samples.push_back({1 / away2, dot(real(away), normal), normal, 1.0, 0.0,
+                         2.0 / (rounded(sqrt(away2)) * slope), 1.0});
     }
-    if (const auto found = known(mean, 1)) reached.emplace(v, *found);
+    if (const auto found = mean(samples, 1)) reached.emplace(v, *found);
   }
   for (int level = 2;; ++level) {
     std::map<Index, Known> next;
     for (const Index v : inside) {
       if (reached.count(v)) continue;
-      Mean mean;
+      std::vector<Sample> samples;
       for (const Index w : joined[static_cast<std::size_t>(v)]) {
         const auto from = reached.find(w);
         if (from == reached.end()) continue;
+        const Known& k = from->second;
         const Vector away = exact(at(w)) - exact(at(v));
-        mean.take(1 / real(away * away), dot(real(away), from->second.normal) + from->second.depth,
-                  from->second.normal);
-        mean.agreement = std::min(mean.agreement, from->second.agreement);
+        const Real away2 = real(away * away);
+        samples.push_back({1 / away2, dot(real(away), k.normal) + k.depth, k.normal,
+                           k.moved + rounded(sqrt(away2)) * k.turned, k.turned, 0.0, k.agreement});
       }
-      if (const auto found = known(mean, level)) next.emplace(v, *found);
+      if (const auto found = mean(samples, level)) next.emplace(v, *found);
     }
     if (next.empty()) break;
     reached.merge(next);
@@ -218,10 +239,12 @@ std::vector<ConsistentDepth> exact_consistent_depths(const TetMesh& body, const 
     if (const auto found = reached.find(v); found != reached.end()) {
       const Known& k = found->second;
       depth.level = k.level;
-      depth.depth = k.depth.convert_to<double>();
+      depth.depth = rounded(k.depth);
       for (Index c = 0; c < 3; ++c) {
-        depth.normal[c] = k.normal[static_cast<std::size_t>(c)].convert_to<double>();
+        depth.normal[c] = rounded(k.normal[static_cast<std::size_t>(c)]);
       }
+      depth.moved = k.moved;
+      depth.turned = k.turned;
       depth.agreement = k.agreement;
     }
     result.push_back(depth);

@@ -18,9 +18,12 @@ struct ConsistentDepth {
   int level = 0;       ///< 0 not reached, 1 an edge leaves, 2 … by its neighbours
   double depth = 0.0;  ///< m, rounded
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, rounded
-  /// |Σ w n|/Σ w in (0, 1], of this vertex and those that its depth comes from: by what rounding of
-  /// the direction is divided.
-  double agreement = 1.0;
+  /// How far depth, m, and direction, rad, may go per metre by which heights above planes are
+  /// wrong, to first order: what rounding is to be multiplied by. A weight is wrong by 2/(a s)
+  /// per metre, with the distance a of its crossing and the sine s of the edge's slope.
+  double moved = 1.0;      ///< dimensionless
+  double turned = 0.0;     ///< 1/m
+  double agreement = 1.0;  ///< |Σ w n|/Σ w, dimensionless: rounding of a normal is divided by it
 };
 
 /// Of the surface vertices of `body` that lie in `penetrated` or on its surface, ascending.

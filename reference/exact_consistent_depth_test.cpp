@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -126,6 +127,28 @@ TEST(ExactConsistentDepth, WhereNormalsCancelThereIsNoDirection) {
   EXPECT_EQ(found[0].level, 1);
   EXPECT_LT((found[0].normal - Vector3d::UnitY()).norm(), kRounding);
   EXPECT_LT(found[0].agreement, 0.01);
+}
+
+// What moving the vertex makes of the answer, by differences, stays within the bounds.
+TEST(ExactConsistentDepth, BoundsHowFarItMoves) {
+  Eigen::Matrix3d edges;
+  edges << 0, 0.3, 2, 0.2, 1, 0, 1, 1, 0.1;
+  const Vector3d tip(0.5, 0.25, -0.25);
+  const auto here = exact_consistent_depths(spike(tip, edges), block(), kSoftening);
+  ASSERT_EQ(here.size(), 1u);
+  constexpr double kStep = 1e-6;
+  double depth = 0.0, turn = 0.0;
+  for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)}) {
+    const auto there =
+        exact_consistent_depths(spike(tip + kStep * way, edges), block(), kSoftening);
+    depth = std::max(depth, std::abs(there.at(0).depth - here[0].depth) / kStep);
+    turn = std::max(turn, (there.at(0).normal - here[0].normal).norm() / kStep);
+  }
+  EXPECT_LT(depth, here[0].moved);
+  EXPECT_LT(turn, here[0].turned);
+  // Within an order of magnitude: a bound of anything would pass the above.
+  EXPECT_GT(10.0 * depth, here[0].moved);
+  EXPECT_GT(10.0 * turn, here[0].turned);
 }
 
 TEST(ExactConsistentDepth, RefusesWhatIsNoLength) {

@@ -79,6 +79,7 @@ Options preset(const std::string& method) {
   pairs.tie_margin = 0.0;
   if (method == "paper") {
     options.rule = "fixed-point";
+    pairs.depth = DepthRule::kConsistent;
     return options;
   }
   if (method != "old") {
@@ -179,7 +180,7 @@ std::map<std::string, std::string> method_settings_help() {
       {"normals", "normal forces: harmonic (quiet) or paper"},
       {"kappa", "κ₀ of harmonic, dimensionless (default 1)"},
       {"weights", "where reactions act: tetrahedron (quiet) or triangle (paper)"},
-      {"depth", "projection (default) or consistent"},
+      {"depth", "projection (quiet, old) or consistent (paper, sec. 3.2)"},
       {"key", "of a contact's memory: body (default) or triangle"},
       {"post-correction", "on (default) or off (old)"},
       {"reaction", "friction on the partners: on (default) or off (old)"},

@@ -9,11 +9,6 @@ namespace stiction {
 
 namespace {
 
-// ε over the longest edge: detection takes a vertex in up to 1e-12 of an element's altitude outside
-// it; four times that leaves room for edges stretched since rest. Far above the rounding of a
-// height, 1e-15.
-constexpr double kThin = 4e-12;
-
 // Normals whose mean is this short cancel out: its direction would be rounding.
 constexpr double kCancelled = 1e-12;
 
@@ -105,7 +100,7 @@ class Pass {
 
   bool set_border(PairContact& contact) {
     const Vec3& p = x(contact.vertex);
-    const double thin = kThin * scratch_.links.longest_edge[body_of(contact)];
+    const double thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
     Average average;
     for_each_neighbour(contact.vertex, [&](std::int32_t v) {
       Exit exit;

@@ -6,6 +6,11 @@
 
 namespace stiction {
 
+/// ε over the penetrated body's longest edge at rest, dimensionless: detection takes a vertex in up
+/// to 1e-12 of an element's altitude outside it; four times that leaves room for edges stretched
+/// since rest. Far above the rounding of a height, 1e-15.
+inline constexpr double kConsistentThin = 4e-12;
+
 /// Replaces depth and normal of the penetrating contacts by consistent ones [Heidelberger2004], the
 /// paper's sec. 3.2:
 ///
@@ -18,7 +23,8 @@ namespace stiction {
 /// of a flat face has no other that leaves a body into which the face is pressed.
 ///
 /// Deviations:
-///  1. ε = 4e-12 of the penetrated body's longest edge, where Heidelberger et al. have 0. So a
+///  1. ε = kConsistentThin of the penetrated body's longest edge, where Heidelberger et al. have 0.
+///  So a
 ///     vertex on the surface itself takes the mean of what its edges leave through there instead
 ///     of 0/0, whatever side of it rounding puts the vertex on. Farther than 1e-4 edges from the
 ///     surface it changes w by less than rounding does.

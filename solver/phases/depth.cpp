@@ -69,10 +69,11 @@ Projection project_by_list(const Topology& topology, const PairSearch& search,
   return nearest.best;
 }
 
-// Of all triangles near the contact's element, or of the body's where none is near. Begins with
-// that of the last step, if there was one, so that most others are out of reach.
+// Of all triangles near the contact's element, or of the body's where none is near or `everywhere`
+// is asked for. Begins with that of the last step, if there was one, so that most others are out of
+// reach.
 Projection project_by_balls(const Topology& topology, const PairSearch& search, const Vec3& point,
-                            const PairContact& contact) {
+                            const PairContact& contact, bool everywhere) {
   constexpr double kRounding = 1.0 + 1e-12;
   Nearest nearest{topology, search.predicted, point};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
@@ -87,8 +88,8 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
   const auto e = static_cast<std::size_t>(contact.element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
   const auto end = topology.near.begin() + topology.near_begin[e + 1];
-  std::for_each(begin, end, consider);
-  if (begin == end) {
+  if (!everywhere) std::for_each(begin, end, consider);
+  if (everywhere || begin == end) {
     const auto body = static_cast<std::size_t>(topology.element_body[e]);
     for (std::int32_t t = topology.body_triangle_begin[body];
          t < topology.body_triangle_begin[body + 1]; ++t) {
@@ -98,15 +99,25 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
   return nearest.best;
 }
 
-// Nearest surface triangle of the penetrated body, of equals that of the lowest number.
+// An element is taken not to be squeezed to less than this share of its least width.
+constexpr double kSqueezed = 0.5;
+
+// Nearest surface triangle of the penetrated body, of equals that of the lowest number: of those
+// near the contact's element, unless it lies so deep that one that shares no corner with the
+// element may be as near (see Topology::least_width).
 Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
                    const Vec3& point, const PairContact& contact) {
   if (group != nullptr && group->near_element < 0) {
     list_nearest(topology, contact.element, *group, search);
   }
-  return group != nullptr && group->near_element == contact.element
-             ? project_by_list(topology, search, *group, point, contact)
-             : project_by_balls(topology, search, point, contact);
+  const Projection best = group != nullptr && group->near_element == contact.element
+                              ? project_by_list(topology, search, *group, point, contact)
+                              : project_by_balls(topology, search, point, contact, false);
+  const auto body = static_cast<std::size_t>(contact.key & 0xffffffffu);
+  const double near = kSqueezed * topology.least_width[body];
+  return best.nearest.distance2 < near * near
+             ? best
+             : project_by_balls(topology, search, point, contact, true);
 }
 
 // As `project`, but keeps the last step's triangle while its distance is within (1 + margin) of the
