@@ -77,9 +77,10 @@ double longest_edge(const TetMesh& mesh) {
 }
 
 void compare(const ConsistentDepth& expected, const Answer& answer, double rounding, double size,
-             ConsistentComparison& seen) {
-  seen.other_level += answer.level != expected.level;
-  if (answer.level != expected.level || expected.level == 0) return;
+             bool moved, ConsistentComparison& seen) {
+  const bool reached = answer.level > 0;
+  seen.other_level += moved ? reached != (expected.level > 0) : answer.level != expected.level;
+  if (!reached || expected.level == 0) return;
   const double depth_error = std::abs(answer.depth - expected.depth);
   const double direction_error = (answer.normal - expected.normal).norm();
   const double height = rounding * size;
@@ -111,6 +112,7 @@ ConsistentComparison compare_consistent(const TetMesh& exact_a, const TetMesh& e
                                         const Settings& settings) {
   const Answers answers = ask_solver(asked_a, asked_b, settings);
   const double size = std::max(extent(exact_a), extent(exact_b));
+  const bool moved = &asked_a != &exact_a;
   ConsistentComparison seen;
   std::size_t used = 0;
   for (const int body : {0, 1}) {
@@ -126,12 +128,11 @@ ConsistentComparison compare_consistent(const TetMesh& exact_a, const TetMesh& e
       const auto answer = answers.find({body, expected.vertex});
       if (answer == answers.end()) {
         const Vec3 x = own.vertices.col(expected.vertex);
-        const bool moved = &asked_a != &exact_a;
         seen.lost += !(moved && penetrated.side(x) == reference::Side::boundary);
         continue;
       }
       ++used;
-      compare(expected, answer->second, kDetectionRounding, size, seen);
+      compare(expected, answer->second, kDetectionRounding, size, moved, seen);
     }
   }
   seen.lost += static_cast<int>(answers.size() - used);

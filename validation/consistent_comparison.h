@@ -24,8 +24,8 @@ struct ConsistentComparison {
 
 /// Asks the solver, set up by `settings` with depth=consistent, about `asked`, and exact arithmetic
 /// about `exact`: the same two bodies, or bodies that are where rounding would put them, a few ulp
-/// off. What lies on a surface may then be on either side of it, and is not looked at where either
-/// answer doesn't have it.
+/// off. What lies on a surface may then be on either side of it: it may be lost, and what is below
+/// it get its depth in another number of steps, but a depth all the same.
 ConsistentComparison compare_consistent(const TetMesh& exact_a, const TetMesh& exact_b,
                                         const TetMesh& asked_a, const TetMesh& asked_b,
                                         const Settings& settings);

@@ -24,7 +24,7 @@ struct NamedMesh {
 
 std::vector<NamedMesh> bodies() {
   return {{"box of 3 cells", reference::box_mesh(Vec3(0.1, 0.1, 0.1), {3, 3, 3})},
-          {"block of 5 cells", reference::box_mesh(Vec3(0.1, 0.1, 0.1), {5, 5, 5})},
+          {"block of 4 cells", reference::box_mesh(Vec3(0.1, 0.1, 0.1), {4, 4, 4})},
           {"plate of one layer", reference::box_mesh(Vec3(0.2, 0.2, 0.01), {4, 4, 1})},
           {"sheet of two layers", reference::box_mesh(Vec3(0.2, 0.2, 0.002), {4, 4, 2})},
           {"ball", reference::ball_mesh({.radius = 0.1, .frequency = 4})},
