@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -113,6 +114,19 @@ double mean_edge_length(const Scene& scene) {
   return scene.elements.empty() ? 0.0 : sum / (6.0 * static_cast<double>(scene.elements.size()));
 }
 
+// Of a tetrahedron: the least of the heights above its faces and of the distances between the lines
+// of opposite edges, each six times the volume over an area.
+double width(const Scene& scene, const Element& element) {
+  const auto x = [&](int k) -> Vec3 { return scene.rest_position.col(element.vertex[k]); };
+  const Vec3 a = x(1) - x(0), b = x(2) - x(0), c = x(3) - x(0);
+  double area = 0.0;  // twice the largest
+  for (const Vec3& twice : {a.cross(b), b.cross(c), c.cross(a), (b - a).cross(c - a),
+                            a.cross(c - b), b.cross(c - a), c.cross(b - a)}) {
+    area = std::max(area, twice.norm());
+  }
+  return std::abs(a.cross(b).dot(c)) / area;
+}
+
 }  // namespace
 
 Topology build_topology(const Scene& scene) {
@@ -130,6 +144,11 @@ Topology build_topology(const Scene& scene) {
     const std::size_t first = topology.triangle.size();
     add_triangles(scene, body, topology);
     add_sharp_edges(scene, first, topology);
+    double least = std::numeric_limits<double>::infinity();
+    for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
+      least = std::min(least, width(scene, scene.elements[static_cast<std::size_t>(e)]));
+    }
+    topology.least_width.push_back(least);
   }
   topology.body_triangle_begin.push_back(static_cast<std::int32_t>(topology.triangle.size()));
   note_ends(scene, topology);

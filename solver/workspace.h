@@ -10,6 +10,7 @@
 #include "solver/contacts.h"
 #include "solver/edge_contacts.h"
 #include "solver/pair_contacts.h"
+#include "solver/phases/consistent_scratch.h"
 #include "solver/phases/spatial_hash.h"
 #include "solver/state.h"
 
@@ -89,8 +90,6 @@ struct PairSearch {
   bool edges_listed = false;               ///< whether the next are of the present lists
   std::vector<ContactKey> edge_candidate;  ///< pairs of sharp edges, in order
   std::vector<Vec3> start;                 ///< x_t0 of the vertices at such edges, m
-
-  std::vector<int> level;  ///< per contact: of the breadth-first depth propagation
 };
 
 /// Scratch memory of the conjugate directions of friction forces, per contact.
@@ -113,6 +112,7 @@ struct Workspace {
   ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
   std::vector<double> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   PairSearch search;
+  ConsistentScratch consistent;
   std::uint64_t contact_updates = 0;      ///< summed over steps
   std::uint64_t sweeps = 0;               ///< of the friction phase, summed over steps
   PhaseSeconds* phase_seconds = nullptr;  ///< where to add times; null: nothing is timed

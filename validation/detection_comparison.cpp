@@ -131,7 +131,6 @@ void DetectionComparison::add(const DetectionComparison& other) {
   depth_error = std::max(depth_error, other.depth_error);
   foot_error = std::max(foot_error, other.foot_error);
   not_nearest += other.not_nearest;
-  not_nearest_shallow += other.not_nearest_shallow;
   shallowest = std::min(shallowest, other.shallowest);
 }
 
@@ -171,7 +170,6 @@ DetectionComparison compare_detection(const TetMesh& mesh, int random, std::mt19
       continue;
     }
     ++seen.not_nearest;
-    seen.not_nearest_shallow += distance < 0.5 * edge;
     seen.shallowest = std::min(seen.shallowest, distance / edge);
   }
   return seen;

@@ -20,7 +20,6 @@ struct DetectionComparison {
   double depth_error = 0.0;     ///< largest, of those to the nearest place
   double foot_error = 0.0;      ///< largest distance of x + d n from the surface
   int not_nearest = 0;          ///< depths that are to another place than the nearest …
-  int not_nearest_shallow = 0;  ///< … of points less than half a mean edge deep
   double shallowest = std::numeric_limits<double>::infinity();  ///< … least deep, in mean edges
 
   void add(const DetectionComparison& other);

@@ -83,6 +83,7 @@ Options preset(const std::string& method) {
   pairs.border_margin = 0.0;
   if (method == "paper") {
     options.rule = "fixed-point";
+    pairs.depth = DepthRule::kConsistent;
     return options;
   }
   if (method != "old") {
@@ -189,7 +190,7 @@ std::map<std::string, std::string> method_settings_help() {
       {"normals", "normal forces: harmonic (quiet) or paper"},
       {"kappa", "κ₀ of harmonic, dimensionless (default 1)"},
       {"weights", "where reactions act: tetrahedron (quiet) or triangle (paper)"},
-      {"depth", "projection (default) or consistent"},
+      {"depth", "projection (quiet, old) or consistent (paper, sec. 3.2)"},
       {"face",
        "what a depth is measured to: the nearest face, or opposed (quiet): the nearest of those "
        "that the vertex can rest on"},

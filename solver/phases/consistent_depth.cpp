@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/phases/consistent_depth.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
+
+#include "solver/phases/edge_exit.h"
 
 namespace stiction {
 
 namespace {
 
-struct Crossing {
-  Vec3 point = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();
-};
+// Normals whose mean is this short cancel out: its direction would be rounding.
+constexpr double kCancelled = 1e-12;
 
 // Weighted means over what surrounds a vertex.
 struct Average {
@@ -26,101 +24,143 @@ struct Average {
     normal += w * n;
   }
   bool write_to(PairContact& contact) const {
-    if (!(weight > 0.0) || !(normal.norm() > 0.0)) return false;
+    const double length = normal.norm();
+    if (!(weight > 0.0) || !(length > kCancelled * weight)) return false;
     contact.depth = std::max(0.0, depth / weight);
-    contact.normal = normal.normalized();
+    contact.normal = normal / length;
     return true;
   }
 };
 
-// Where the segment p → q leaves the body of `element`, nearest to p; false when it crosses
-// nothing.
-bool find_crossing(const Topology& topology, const std::vector<Vec3>& x, const Vec3& p,
-                   const Vec3& q, std::int32_t element, Crossing& crossing) {
-  double first = std::numeric_limits<double>::infinity();
-  const auto e = static_cast<std::size_t>(element);
-  for (std::int32_t k = topology.near_begin[e]; k < topology.near_begin[e + 1]; ++k) {
-    const Topology::Triangle& triangle =
-        topology.triangle[static_cast<std::size_t>(topology.near[static_cast<std::size_t>(k)])];
-    const Vec3& a = x[static_cast<std::size_t>(triangle.vertex[0])];
-    const Vec3 ab = x[static_cast<std::size_t>(triangle.vertex[1])] - a;
-    const Vec3 ac = x[static_cast<std::size_t>(triangle.vertex[2])] - a;
-    const Vec3 normal = ab.cross(ac);
-    const double along = normal.dot(q - p);
-    if (!(along > 0.0)) continue;  // only outwards
-    const double t = normal.dot(a - p) / along;
-    if (t < 0.0 || t > 1.0 || t >= first) continue;
-    const Vec3 foot = p + t * (q - p) - a;
-    const double v = foot.cross(ac).dot(normal) / normal.squaredNorm();
-    const double w = ab.cross(foot).dot(normal) / normal.squaredNorm();
-    if (v < 0.0 || w < 0.0 || v + w > 1.0) continue;
-    first = t;
-    crossing = {p + t * (q - p), normal.normalized()};
-  }
-  return first <= 1.0;
+std::uint32_t body_of(const PairContact& contact) {
+  return static_cast<std::uint32_t>(contact.key);
 }
 
-std::size_t find_contact(const PairContacts& pairs, std::int32_t vertex, ContactKey like) {
-  const ContactKey key =
-      contact_key(static_cast<std::uint32_t>(vertex), static_cast<std::uint32_t>(like));
-  const auto at = std::lower_bound(pairs.begin(), pairs.end(), key,
-                                   [](const PairContact& c, ContactKey k) { return c.key < k; });
-  return at != pairs.end() && at->key == key ? static_cast<std::size_t>(at - pairs.begin())
-                                             : pairs.size();
-}
+// One pass over the contacts of a step. Levels: 0 not reached, 1 border, 2 … propagated; −1 for
+// those of the level in work.
+class Pass {
+ public:
+  Pass(const Scene& scene, Workspace& workspace)
+      : scene_(scene),
+        x_(workspace.search.predicted),
+        pairs_(workspace.pairs),
+        scratch_(workspace.consistent) {}
+
+  void run() {
+    begin();
+    for (std::size_t c = 0; c < pairs_.size(); ++c) {
+      if (!pairs_[c].open && set_border(pairs_[c])) reach(c, 1);
+    }
+    for (int level = 1; advance(level); ++level) {
+    }
+    for (const PairContact& contact : pairs_) first_contact(contact.vertex) = -1;
+  }
+
+ private:
+  void begin() {
+    if (scratch_.links.scene != scene_.serial) {
+      build_links(scene_, scratch_.links);
+      scratch_.walk.visited.assign(scene_.elements.size(), 0);
+      scratch_.walk.walk = 0;
+      scratch_.first_contact.assign(scene_.mass.size(), -1);
+    }
+    scratch_.level.assign(pairs_.size(), 0);
+    scratch_.front.clear();
+    for (std::size_t c = pairs_.size(); c-- > 0;) {
+      first_contact(pairs_[c].vertex) = static_cast<std::int32_t>(c);
+    }
+  }
+
+  // All contacts reached in the front become known; those next to them are the next front.
+  bool advance(int level) {
+    scratch_.next.clear();
+    for (const std::int32_t c : scratch_.front) {
+      for_each_beside(pairs_[static_cast<std::size_t>(c)], [&](std::size_t other) {
+        if (scratch_.level[other] != 0) return;
+        scratch_.level[other] = -1;
+        scratch_.next.push_back(static_cast<std::int32_t>(other));
+      });
+    }
+    scratch_.front.clear();
+    for (const std::int32_t c : scratch_.next) {
+      const auto k = static_cast<std::size_t>(c);
+      if (set_inner(pairs_[k], level)) {
+        reach(k, level + 1);
+      } else {
+        scratch_.level[k] = 0;
+      }
+    }
+    return !scratch_.front.empty();
+  }
+
+  void reach(std::size_t c, int level) {
+    scratch_.level[c] = level;
+    scratch_.front.push_back(static_cast<std::int32_t>(c));
+  }
+
+  bool set_border(PairContact& contact) {
+    const Vec3& p = x(contact.vertex);
+    const double thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
+    Average average;
+    for_each_neighbour(contact.vertex, [&](std::int32_t v) {
+      Exit exit;
+      if (!find_exit(scene_, scratch_.links, x_, p, x(v), contact.element, thin, scratch_.walk,
+                     exit)) {
+        return;
+      }
+      const Vec3 away = exit.t * (x(v) - p);
+      average.add(1.0 / (away.squaredNorm() + thin * thin), away.dot(exit.normal), exit.normal);
+    });
+    return average.write_to(contact);
+  }
+
+  bool set_inner(PairContact& contact, int level) {
+    const Vec3& p = x(contact.vertex);
+    Average average;
+    for_each_beside(contact, [&](std::size_t other) {
+      const PairContact& from = pairs_[other];
+      if (scratch_.level[other] < 1 || scratch_.level[other] > level) return;
+      const Vec3 away = x(from.vertex) - p;
+      average.add(1.0 / away.squaredNorm(), away.dot(from.normal) + from.depth, from.normal);
+    });
+    return average.write_to(contact);
+  }
+
+  template <class Use>
+  void for_each_neighbour(std::int32_t vertex, Use&& use) const {
+    const MeshLinks& links = scratch_.links;
+    const auto v = static_cast<std::size_t>(vertex);
+    for (std::int32_t k = links.neighbour_begin[v]; k < links.neighbour_begin[v + 1]; ++k) {
+      use(links.neighbour[static_cast<std::size_t>(k)]);
+    }
+  }
+
+  // The contacts with the same body of the vertex's neighbours.
+  template <class Use>
+  void for_each_beside(const PairContact& contact, Use&& use) {
+    for_each_neighbour(contact.vertex, [&](std::int32_t v) {
+      const std::int32_t first = first_contact(v);
+      if (first < 0) return;
+      for (auto c = static_cast<std::size_t>(first); c < pairs_.size(); ++c) {
+        if (pairs_[c].vertex != v) return;
+        if (body_of(pairs_[c]) == body_of(contact) && !pairs_[c].open) use(c);
+      }
+    });
+  }
+
+  const Vec3& x(std::int32_t v) const { return x_[static_cast<std::size_t>(v)]; }
+  std::int32_t& first_contact(std::int32_t v) {
+    return scratch_.first_contact[static_cast<std::size_t>(v)];
+  }
+
+  const Scene& scene_;
+  const std::vector<Vec3>& x_;
+  PairContacts& pairs_;
+  ConsistentScratch& scratch_;
+};
 
 }  // namespace
 
-void consistent_depths(const Scene& scene, Workspace& workspace) {
-  const Topology& topology = scene.topology;
-  const std::vector<Vec3>& x = workspace.search.predicted;
-  PairContacts& pairs = workspace.pairs;
-  // Levels of the breadth-first search: 0 not reached, 1 border, …
-  std::vector<int>& level = workspace.search.level;
-  level.assign(pairs.size(), 0);
-  const auto neighbours = [&](const PairContact& contact, auto&& use) {
-    const auto v = static_cast<std::size_t>(contact.vertex);
-    for (std::int32_t k = topology.neighbour_begin[v]; k < topology.neighbour_begin[v + 1]; ++k) {
-      use(topology.neighbour[static_cast<std::size_t>(k)]);
-    }
-  };
-  for (std::size_t c = 0; c < pairs.size(); ++c) {
-    if (pairs[c].depth == 0.0) continue;
-    const Vec3& p = x[static_cast<std::size_t>(pairs[c].vertex)];
-    Average average;
-    neighbours(pairs[c], [&](std::int32_t other) {
-      const std::size_t inside = find_contact(pairs, other, pairs[c].key);
-      if (inside < pairs.size() && pairs[inside].depth > 0.0) return;
-      Crossing crossing;
-      const Vec3& q = x[static_cast<std::size_t>(other)];
-      if (!find_crossing(topology, x, p, q, pairs[c].element, crossing)) return;
-      const Vec3 away = crossing.point - p;
-      // A vertex on the surface itself has an infinite weight; round-off squared bounds it.
-      average.add(1.0 / std::max(away.squaredNorm(), 1e-30), away.dot(crossing.normal),
-                  crossing.normal);
-    });
-    if (average.write_to(pairs[c])) level[c] = 1;
-  }
-  for (int front = 1;; ++front) {
-    bool advanced = false;
-    for (std::size_t c = 0; c < pairs.size(); ++c) {
-      if (level[c] != 0 || pairs[c].depth == 0.0) continue;
-      const Vec3& p = x[static_cast<std::size_t>(pairs[c].vertex)];
-      Average average;
-      neighbours(pairs[c], [&](std::int32_t other) {
-        const std::size_t known = find_contact(pairs, other, pairs[c].key);
-        if (known == pairs.size() || level[known] == 0 || level[known] > front) return;
-        const Vec3 away = x[static_cast<std::size_t>(other)] - p;
-        const PairContact& from = pairs[known];
-        average.add(1.0 / away.squaredNorm(), away.dot(from.normal) + from.depth, from.normal);
-      });
-      if (average.write_to(pairs[c])) {
-        level[c] = front + 1;
-        advanced = true;
-      }
-    }
-    if (!advanced) break;
-  }
-}
+void consistent_depths(const Scene& scene, Workspace& workspace) { Pass(scene, workspace).run(); }
 
 }  // namespace stiction

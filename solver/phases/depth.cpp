@@ -101,10 +101,11 @@ Projection project_by_list(const Topology& topology, const PairSearch& search,
   return nearest.best;
 }
 
-// Of all triangles near the contact's element, or of the body's where none is near. Begins with
-// that of the last step, if there was one, so that most others are out of reach.
+// Of all triangles near the contact's element, or of the body's where none is near or `everywhere`
+// is asked for. Begins with that of the last step, if there was one, so that most others are out of
+// reach.
 Projection project_by_balls(const Topology& topology, const PairSearch& search, const Vec3& point,
-                            const PairContact& contact, std::int32_t resting) {
+                            const PairContact& contact, std::int32_t resting, bool everywhere) {
   constexpr double kRounding = 1.0 + 1e-12;
   Nearest nearest{topology, search.predicted, point, resting};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
@@ -119,8 +120,8 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
   const auto e = static_cast<std::size_t>(contact.element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
   const auto end = topology.near.begin() + topology.near_begin[e + 1];
-  std::for_each(begin, end, consider);
-  if (begin == end) {
+  if (!everywhere) std::for_each(begin, end, consider);
+  if (everywhere || begin == end) {
     const auto body = static_cast<std::size_t>(topology.element_body[e]);
     for (std::int32_t t = topology.body_triangle_begin[body];
          t < topology.body_triangle_begin[body + 1]; ++t) {
@@ -130,17 +131,25 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
   return nearest.best;
 }
 
-// Nearest surface triangle of the penetrated body, of equals that of the lowest number.
+// An element is taken not to be squeezed to less than this share of its least width.
+constexpr double kSqueezed = 0.5;
+
+// Nearest surface triangle of the penetrated body, of equals that of the lowest number: of those
+// near the contact's element, unless it lies so deep that one that shares no corner with the
+// element may be as near (see Topology::least_width).
 Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
                    const Vec3& point, const PairContact& contact, std::int32_t resting = -1) {
   if (group != nullptr && group->near_element < 0) {
     list_nearest(topology, contact.element, *group, search);
   }
-  if (group != nullptr && group->near_element == contact.element) {
-    const Projection found = project_by_list(topology, search, *group, point, contact, resting);
-    if (found.triangle >= 0) return found;
-  }
-  return project_by_balls(topology, search, point, contact, resting);
+  const bool listed = group != nullptr && group->near_element == contact.element;
+  Projection best{{}, -1};
+  if (listed) best = project_by_list(topology, search, *group, point, contact, resting);
+  if (best.triangle < 0) best = project_by_balls(topology, search, point, contact, resting, false);
+  const auto body = static_cast<std::size_t>(contact.key & 0xffffffffu);
+  const double near = kSqueezed * topology.least_width[body];
+  if (resting >= 0 || best.nearest.distance2 < near * near) return best;
+  return project_by_balls(topology, search, point, contact, resting, true);
 }
 
 // The last step's triangle while its distance is within (1 + margin) of the one found now.
