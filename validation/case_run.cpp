@@ -50,7 +50,7 @@ Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& set
 }
 
 Simulation::~Simulation() {
-  if (engine_->steps_done() > 0) watch_->look(*engine_);
+  if (engine_->steps_done() > 0) watch_->look(*engine_, true);
   run_.passed(watch_->found(), contrast_);
   run_.ended(*engine_);
   if (recorder_ && recorder_->has_frames()) run_.recording_ = std::move(*recorder_).recording();

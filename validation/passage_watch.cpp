@@ -24,7 +24,7 @@ PassageWatch::PassageWatch(const Problem& problem)
     : problem_(problem),
       told_(problem.bodies.size() * (problem.bodies.size() + problem.obstacles.size()), false) {}
 
-void PassageWatch::look(const Engine& engine) {
+void PassageWatch::look(const Engine& engine, bool at_end) {
   const std::size_t bodies = problem_.bodies.size();
   std::vector<BodyMotion> motion;
   for (std::size_t b = 0; b < bodies; ++b) {
@@ -45,7 +45,9 @@ void PassageWatch::look(const Engine& engine) {
     for (std::size_t b = 0; b < bodies; ++b) {
       if (a == b || thickness_[a] == 0.0 || thickness_[b] == 0.0) continue;
       const double speed = (motion[a].velocity - motion[b].velocity).norm();
-      look_at_pair(time_of(engine), engine.time_step(), a, b, speed);
+      const double most = 0.4 * thickness_[b];
+      const double standing = 0.25 * thickness_[b] + 2.0 * speed * engine.time_step();
+      look_at_pair(time_of(engine), a, b, at_end ? std::min(standing, most) : most);
       wait = std::min(wait, 0.5 * (thickness_[a] + thickness_[b]) / std::max(speed, 1e-9));
     }
   }
@@ -54,12 +56,10 @@ void PassageWatch::look(const Engine& engine) {
               std::max<std::uint64_t>(1, static_cast<std::uint64_t>(wait / engine.time_step()));
 }
 
-void PassageWatch::look_at_pair(double time, double time_step, std::size_t a, std::size_t b,
-                                double speed) {
+void PassageWatch::look_at_pair(double time, std::size_t a, std::size_t b, double allowed) {
   const std::size_t bodies = problem_.bodies.size();
   const std::size_t pair = std::min(a, b) * bodies + std::max(a, b);
   if (told_[pair]) return;
-  const double allowed = 0.25 * thickness_[b] + 2.0 * speed * time_step;
   const auto overlap = reference::deepest(skins_[a], skins_[b], allowed);
   if (!overlap) return;
   told_[pair] = true;

@@ -13,15 +13,22 @@ namespace stiction {
 /// Watches from outside whether bodies lie in each other deeper than contact explains: by their
 /// surfaces alone, whatever the engine's contacts say. Its cost is not the engine's.
 ///
-/// Allowed is a quarter of the thickness of the body that is entered, and what two steps travel:
+/// Up to half the thickness T of the body that is entered the nearest side is the one by which
+/// something came in, and a penalty pushes it back; from there on it pushes on, and the bodies have
+/// passed through each other. An edge that goes in by one side and out by the other has its middle
+/// at T/2. So while a scene moves
 ///
-///   d ≤ T/4 + 2 |v_a − v_b| Δt
+///   d ≤ 0.4 T
 ///
-/// Up to T/2 the nearest side is the one by which something came in, so a penalty pushes it back;
-/// from there on it pushes on, and the bodies have passed through each other. A penalty that closes
-/// κ of a depth in a step stands by g Δt² n (1 − κ)/κ under n times the contact's own weight: 1e-6
-/// m n at κ = 2/7 and Δt = 0.2 ms. So half of T/2 would carry 500 n on a sheet of 2 mm. An arrival
-/// at speed v gets v Δt deep before anything can answer, and once more while it is being stopped.
+/// is allowed, whatever the speed: an engine that steps over a tenth of the thickness from there
+/// cannot tell the sides apart. At the end of a simulation
+///
+///   d ≤ min(T/4 + 2 |v_a − v_b| Δt, 0.4 T)
+///
+/// is: what stands has half of T/2 and what two steps travel, one to arrive and one to be stopped.
+/// A penalty that closes κ of a depth in a step stands by g Δt² n (1 − κ)/κ under n times the
+/// contact's own weight, 1e-6 m n at κ = 2/7 and Δt = 0.2 ms: on a sheet of 2 mm a quarter carries
+/// 500 n. Depths are of the penalty alone, as elastic bodies give way by changing their surfaces.
 ///
 /// Against half-spaces: the centre of mass of a body has no business beneath one.
 class PassageWatch {
@@ -34,7 +41,8 @@ class PassageWatch {
 
   /// Looks at the state now; what it finds first of each pair is kept. Costs the comparison of
   /// boxes where nothing lies deep in another's.
-  void look(const Engine& engine);
+  /// `at_end`: no step follows.
+  void look(const Engine& engine, bool at_end = false);
 
   /// What was found, in words: "'bar b' passes through 'bar a', 12 mm deep, at t = 0.3 s".
   const std::vector<std::string>& found() const { return found_; }
@@ -42,7 +50,7 @@ class PassageWatch {
  private:
   static constexpr double kLongest = 0.05;  // s: gravity adds 0.5 m/s in that time
 
-  void look_at_pair(double time, double time_step, std::size_t a, std::size_t b, double speed);
+  void look_at_pair(double time, std::size_t a, std::size_t b, double allowed);
   void look_at_obstacles(double time, const std::vector<BodyMotion>& motion);
 
   const Problem problem_;

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "reference/box_mesh.h"
 #include "reference/limit_scenes.h"
+#include "reference/no_tension_column.h"
 #include "validation/incline_problem.h"
 
 namespace stiction {
@@ -80,9 +82,18 @@ Problem stack_problem(const StackSetup& setup) {
   return problem;
 }
 
-double critical_tan(const StackSetup& setup) {
-  return reference::critical_load(reference::box_stack(setup.boxes, setup.size), setup.friction)
-      .lower;
+StackLimit critical_tan(const StackSetup& setup) {
+  StackLimit limit;
+  limit.rigid =
+      reference::critical_load(reference::box_stack(setup.boxes, setup.size), setup.friction).lower;
+  // A ground that gives way lets the stack lean like one box more.
+  const int boxes = setup.boxes + (setup.ground == Ground::kRigid ? 0 : 1);
+  const reference::Column column{.height = boxes * setup.size.z(),
+                                 .width = setup.size.x(),
+                                 .youngs_modulus = setup.elasticity.youngs_modulus,
+                                 .weight_density = setup.density * kStandardGravity};
+  limit.elastic = std::min(limit.rigid, reference::critical_tan(column));
+  return limit;
 }
 
 std::string stack_words(const StackSetup& setup) {

@@ -42,10 +42,12 @@ inline constexpr double kStackPressed = 0.4, kStackTilts = 0.6, kStackTilted = 1
 /// Bodies: the boxes from the lowest up; then what they stand on, if it deforms.
 Problem stack_problem(const StackSetup& setup);
 
-/// The steepest tan θ at which the rigid stack neither slides nor topples, at any of its joints:
-/// the lower bound that limit analysis proves. Ground and friction as in the setup; the boxes'
-/// turns are left out.
-double critical_tan(const StackSetup& setup);
+/// The steepest tan θ at which the stack stands. The boxes' turns are left out.
+struct StackLimit {
+  double rigid = 0.0;    ///< neither slides nor topples at any joint: proved by limit analysis
+  double elastic = 0.0;  ///< nor topples by its lean: the column without tension; ≤ rigid
+};
+StackLimit critical_tan(const StackSetup& setup);
 
 /// "7 boxes at 2.0°, 1 cells, slab".
 std::string stack_words(const StackSetup& setup);

@@ -21,20 +21,23 @@ struct Slope {
 };
 
 RestBounds stack_bounds() {
-  return {.drift_reason = "the paper's 1e-9 m/s of static contacts over the window of 10 s",
-          .slip_reason =
-              "vibration has decayed and the medium it settled in is gone; round-off of "
-              "velocities of g Δt = 2e-3 m/s leaves some hundred roundings of 4e-19 m/s",
-          .source = "static equilibrium below the limit load (limit analysis of the rigid stack)",
-          .claim = "a flush stack rests as a shifted one does"};
+  return {
+      .drift_reason = "the paper's 1e-9 m/s of static contacts over the window of 10 s",
+      .slip_reason =
+          "vibration has decayed and the medium it settled in is gone; round-off of "
+          "velocities of g Δt = 2e-3 m/s leaves some hundred roundings of 4e-19 m/s",
+      .source = "static equilibrium below the limit load (limit analysis; column without tension)",
+      .claim = "a flush stack rests as a shifted one does"};
 }
 
 void run_stack(CaseRun& run, StackSetup setup, const Slope& slope, const Asked& asked) {
-  const double limit = critical_tan(setup);
-  setup.tan_slope = slope.share_of_limit > 0.0 ? slope.share_of_limit * limit
+  const StackLimit limit = critical_tan(setup);
+  setup.tan_slope = slope.share_of_limit > 0.0 ? slope.share_of_limit * limit.elastic
                                                : std::tan(slope.degrees * std::numbers::pi / 180.0);
-  run.note(fmt::format("tan θ = {:.4f}; the rigid stack slides or topples at {:.4f}",
-                       setup.tan_slope, limit));
+  run.note(
+      fmt::format("tan θ = {:.4f}; the rigid stack slides or topples at {:.4f} (limit "
+                  "analysis), an elastic column without tension by its lean at {:.4f}",
+                  setup.tan_slope, limit.rigid, limit.elastic));
   const RestScene scene{.words = stack_words(setup), .problem = stack_problem(setup)};
   check_rest(run, watch_rest(run, scene, asked, 0.5 * setup.size.x()), stack_bounds());
 }
@@ -55,8 +58,12 @@ std::vector<Case> cases_stack_flush() {
             fmt::format("stack/flush/{}/{}/n={}", word(ground), slope.word, boxes);
         const std::string title = fmt::format("{} cubes flush on each other rest ({}, {})", boxes,
                                               word(ground), slope.word);
+        // Two heights on every ground, all of them on the slab at 2°.
+        const bool chosen =
+            boxes == 2 || boxes == 7 || (ground == Ground::kSlab && slope.word == "slope=2");
         cases.push_back({.name = name,
                          .title = title,
+                         .set = chosen ? CaseSet::kDefault : CaseSet::kFull,
                          .variants = {{{"method", "quiet"}}},
                          .run = [=](CaseRun& run) { run_stack(run, setup, slope, kOnce); }});
         cases.push_back({.name = name + "/doubled",
