@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <complex>
+#include <limits>
 #include <vector>
 
 #include "solver/step.h"
@@ -24,7 +25,7 @@ class Unknowns {
  public:
   explicit Unknowns(const Scene& scene, const State& rest) : memory_(rest.pair_friction.value) {
     for (std::size_t v = 0; v < rest.velocity.size(); ++v) {
-      if (scene.inverse_mass[static_cast<Eigen::Index>(v)] > 0.0) free_.push_back(v);
+      if (scene.inverse_mass[v] > 0.0) free_.push_back(v);
     }
   }
   Eigen::Index count() const {
@@ -68,27 +69,31 @@ double slowest_rate(const Problem& problem, const Settings& settings, const Snap
   Options options;
   options.time_step = reader.number("dt", options.time_step);
   read_method(reader, options);
-  const Scene scene = build_scene(scene_description(
-      problem, {.cells = reader.count("cells", Discretisation{}.cells)}));
+  const Scene scene = build_scene(
+      scene_description(problem, {.cells = reader.count("cells", Discretisation{}.cells)}));
   check_options(options, scene);
   const State& start = *static_cast<const State*>(rest.get());
   const Unknowns unknowns(scene, start);
   State state;
   Workspace workspace;
   Eigen::MatrixXd jacobian(unknowns.count(), unknowns.count());
-  const auto after = [&](Eigen::Index k, double by) {
+  bool same_contacts = true;
+  const auto after = [&](Eigen::Index k, double by) -> Eigen::VectorXd {
     state = start;
     unknowns.disturb(state, k, by);
     step(scene, options, state, workspace);
-    return unknowns.of(state);
+    same_contacts =
+        same_contacts && state.pair_friction.value.size() == start.pair_friction.value.size();
+    return same_contacts ? unknowns.of(state) : Eigen::VectorXd::Zero(unknowns.count()).eval();
   };
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
     jacobian.col(k) = 0.5 * (after(k, 1.0) - after(k, -1.0));
   }
+  if (!same_contacts) return std::numeric_limits<double>::quiet_NaN();
   constexpr double kResolved = 1e-6;
   double slowest = 0.0;
-  for (const std::complex<double>& value :
-       Eigen::EigenSolver<Eigen::MatrixXd>(jacobian, false).eigenvalues()) {
+  const Eigen::VectorXcd values = jacobian.eigenvalues();
+  for (const std::complex<double>& value : values) {
     if (std::abs(value) < 1.0 - kResolved) slowest = std::max(slowest, std::abs(value));
   }
   return slowest;

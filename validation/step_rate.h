@@ -13,6 +13,8 @@ namespace stiction {
 /// Eigenvalues 1 (to 1e-6, what the differences resolve) are left out: friction holds a scene in a
 /// continuum of states of rest, and the way from one to its neighbour never decays.
 ///
+/// NaN where a disturbance of 1e-10 m makes or breaks a contact: then there is no Jacobian.
+///
 /// `rest` is a snapshot of this project's engine with these `settings`, time step included.
 double slowest_rate(const Problem& problem, const Settings& settings, const Snapshot& rest);
 

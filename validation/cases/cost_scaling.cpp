@@ -86,10 +86,10 @@ StepSeconds cheapest_step(CaseRun& run, int cells) {
 }
 
 // Time grows faster than the work when a scene no longer fits a cache, and when other programs want
-// the same memory. So contact phases are held against phases of the same step that are one pass over
-// tetrahedra and vertices, linear whatever they run on. A factor log n (a sort, a tree) would add
-// ln(ln n₂/ln n₁)/ln(n₂/n₁) to the exponent between n₁ and n₂ contacts: half of that is the bound,
-// so that linear passes and n log n does not.
+// the same memory. So contact phases are held against phases of the same step that are one pass
+// over tetrahedra and vertices, linear whatever they run on. A factor log n (a sort, a tree) would
+// add ln(ln n₂/ln n₁)/ln(n₂/n₁) to the exponent between n₁ and n₂ contacts: half of that is the
+// bound, so that linear passes and n log n does not.
 void run_scaling(CaseRun& run, const std::vector<int>& sizes) {
   if (run.engine().name != "stiction") return;  // others need not time their phases
   std::vector<Series> each;
