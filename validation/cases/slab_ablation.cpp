@@ -35,12 +35,14 @@ std::vector<Ingredient> ingredients() {
   with("+ normals first", "order", "normals-first");
   with("+ stored vector", "rule", "stored-vector");
   with("+ tetrahedral weights", "weights", "tetrahedron");
+  with("+ projected depth", "depth", "projection");
   with("+ tie margin = quiet", "tie", "1e-3");
   list.back().all = true;
   list.push_back({"quiet with the paper's gain", without("normals", "paper")});
   list.push_back({"quiet without hysteresis", without("hysteresis", "0")});
   list.push_back({"quiet, hysteresis not counted", without("count-hysteresis", "off")});
   list.push_back({"quiet without tie margin", without("tie", "0")});
+  list.push_back({"quiet with consistent depth", without("depth", "consistent")});
   list.push_back({"quiet interleaved", without("order", "interleaved")});
   list.push_back({"quiet with ξ", without("rule", "fixed-point")});
   list.push_back(
