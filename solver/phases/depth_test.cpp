@@ -192,6 +192,31 @@ TEST_P(SlidingContact, ProjectsOnTheNearestTriangleAndOfEqualsOnTheLowest) {
 INSTANTIATE_TEST_SUITE_P(Offsets, SlidingContact, testing::Values(0.5, 0.375),
                          [](const auto& one) { return one.param == 0.5 ? "Along" : "Across"; });
 
+TEST(Topology, TheLeastWidthOfAKuhnCubeIsThatBetweenItsSkewEdges) {
+  const Scene scene = build_scene(test::stacked_cubes(0.1));
+  // Of a cell of edge c the edges (0, 0, 0)–(c, c, 0) and (c, 0, 0)–(c, c, c) are c/√3 apart.
+  EXPECT_NEAR(scene.topology.least_width[0], std::sqrt(1.0 / 3.0) / 3.0, 1e-15);
+  EXPECT_NEAR(scene.topology.least_width[1], std::sqrt(1.0 / 3.0) / 2.0, 1e-15);
+}
+
+// However deep: of the triangles near its element none may be the nearest.
+TEST(Depths, OfDeepPointsAreTheDistanceToTheWholeSurface) {
+  SceneDescription description;
+  TetMesh block = test::cube_mesh(6);
+  block.vertices += test::noise(block.vertices.cols(), 0.02, 1);
+  description.bodies = {test::elastic_body(std::move(block)),
+                        test::point_masses(0.8 * test::noise(400, 0.5, 2), 1.0)};
+  description.bodies[1].mesh.vertices.array() += 0.5;
+  const Scene scene = build_scene(description);
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  const test::Found found(scene, options, initial_state(scene));
+  ASSERT_GT(found.workspace.pairs.size(), 380u);
+  for (const PairContact& contact : found.workspace.pairs) {
+    EXPECT_EQ(contact.triangle, BruteForce(scene.topology, scene.rest_position, contact).triangle);
+  }
+}
+
 // A state that diverges is told of by its engine, some steps later. What is read for a triangle of
 // number −1 only a sanitizer sees.
 TEST(Depths, AreThoseOfNumbers) {

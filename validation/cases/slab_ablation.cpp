@@ -41,8 +41,9 @@ std::vector<Ingredient> ingredients() {
     settings[setting] = value;
     return settings;
   };
-  Settings sum{{"method", "paper"}};
-  std::vector<Ingredient> list{{"paper", sum}};
+  // Both ends measure depths by projection, so that each step is of one ingredient.
+  Settings sum{{"method", "paper"}, {"depth", "projection"}};
+  std::vector<Ingredient> list{{"paper, projected depth", sum}};
   const auto with = [&](const std::string& name, const std::string& setting,
                         const std::string& value, double share, Effect effect) {
     sum[setting] = value;
@@ -65,7 +66,7 @@ std::vector<Ingredient> ingredients() {
       {"quiet interleaved", without("order", "interleaved"), 0.0, 0.0, Effect::kTakes, kAll});
   list.push_back({"quiet with ξ", without("rule", "fixed-point"), 0.0, 0.0, Effect::kTakes, kAll});
   list.push_back({"paper with the stored vector",
-                  {{"method", "paper"}, {"rule", "stored-vector"}},
+                  {{"method", "paper"}, {"depth", "projection"}, {"rule", "stored-vector"}},
                   0.0,
                   0.0,
                   Effect::kTenth,
