@@ -10,7 +10,7 @@ constexpr Words kNever{
     "kNever",
     "neither half of the paper's method gets there alone: ξ on quiet contacts is at 6.7e-6 m/s after "
     "100 steps (half the step) and never below 1e-9 in 3000, a stored vector on the paper's "
-    "contacts at 3.8e-7. Both replaced: 9 steps, and 2 with 4 sweeps"};
+    "contacts is at 3.8e-7. Both replaced: 9 steps, and 2 with 4 sweeps"};
 constexpr Words kTwice{
     "kTwice",
     "one vertex of the slab lies in the box: its contact and those of the box's vertices say nearly "

@@ -12,8 +12,8 @@ constexpr Words kEither{
     "kEither",
     "neither half of the method rests alone. On quiet contacts, which don't come and go, ξ leaves "
     "3.5e-6 m/s (rest/one), 4.1e-5 (fixed), 5.5e-5 (random) and brings 0, 1 of 12 and 0 of 20 to "
-    "rest: a scalar acts along the slip only, and a root of (15) on a frozen step leaves slip across "
-    "it (compare, frozen/*). A stored vector on the paper's contacts, which come and go, leaves "
+    "rest: a scalar acts along the slip only, and the root of (15) that GSL finds on a frozen step "
+    "leaves 1.5e-4 m/s across it, two unknowns a contact 5e-12 (compare, frozen/slab). A stored vector on the paper's contacts, which come and go, leaves "
     "2.6e-5, 3.6e-3 and 1.4e-5 m/s"};
 constexpr Words kNormals{
     "kNormals",
