@@ -6,16 +6,19 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kBursts{
-    "kBursts",
-    "both halves of the paper's method are needed for it: ξ on quiet contacts and a stored vector on "
-    "the paper's contacts show no late spikes (seed 1). 28 % of its loaded contacts slip at the end; "
-    "more than 2 in 5 of 7 seeds, with either iteration"};
+constexpr Words kBursts{"kBursts",
+                        "both halves of the paper's method are needed for it: ξ on quiet contacts "
+                        "and a stored vector on "
+                        "the paper's contacts show no late spikes (seed 1). 28 % of its loaded "
+                        "contacts slip at the end; "
+                        "more than 2 in 5 of 7 seeds, with either iteration"};
 constexpr Words kSecant{
     "kSecant",
-    "over seeds 1 to 7 the ratio is 1.1, 0.0069, 0.62, 600, 54, 6100, 0.13 with the secant: 0.01 in "
+    "over seeds 1 to 7 the ratio is 1.1, 0.0069, 0.62, 600, 54, 6100, 0.13 with the secant: 0.01 "
+    "in "
     "one of them, no gain in the median. With the fixed point it is 0.01 in 2 of 7, median 0.046, "
-    "worst 8800: seed 1, the case's, is one of the two. What makes the outcome a matter of the seed "
+    "worst 8800: seed 1, the case's, is one of the two. What makes the outcome a matter of the "
+    "seed "
     "is not known; quiet has 0.01 in 4 of 6"};
 constexpr Words kOldThrows{
     "kOldThrows",
@@ -23,7 +26,8 @@ constexpr Words kOldThrows{
     "and objects fly out of the basket"};
 constexpr Words kSeeds{
     "kSeeds",
-    "from the tolerance to the largest met over seeds 1 to 7: one seed is one draw of a chaotic run, "
+    "from the tolerance to the largest met over seeds 1 to 7: one seed is one draw of a chaotic "
+    "run, "
     "so that this bounds little, and the median over ten seeds is what should be judged"};
 constexpr Words kDiverges{
     "kDiverges", "from far beyond any rest, to infinity: whether it diverges depends on the seed"};

@@ -18,7 +18,8 @@ constexpr Words kRow{
 constexpr Words kThreshold{
     "kThreshold",
     "not told apart: the offset clamp needs 0.2 to 0.3 % more than the balance with the paper's "
-    "method, and with either half of it (1.003 with ξ on quiet contacts, the row 1.002 with a stored "
+    "method, and with either half of it (1.003 with ξ on quiet contacts, the row 1.002 with a "
+    "stored "
     "vector on the paper's contacts); with both replaced it needs none"};
 constexpr Words kOldSlipsOut{
     "kOldSlipsOut",
