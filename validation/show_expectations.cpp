@@ -133,11 +133,11 @@ std::string show_expectations(const std::vector<Record>& records, const EngineKi
     for (const Check& check : record.checks) {
       if (check.verdict == Verdict::kShown || check.verdict == Verdict::kNotApplicable) continue;
       if (holds(check) || find_expectation(of_run, check.quantity)) continue;
-      failures += fmt::format(
-          "{}  // fails without an expectation: {:.6g}\n",
-          row_text(record.case_name, record.variant, check.quantity,
-                   about(check.value, check.value, check.expected), Verdict::kLimit, "kUnknown", "kFactorThree"),
-          check.value);
+      failures += fmt::format("{}  // fails without an expectation: {:.6g}\n",
+                              row_text(record.case_name, record.variant, check.quantity,
+                                       about(check.value, check.value, check.expected),
+                                       Verdict::kLimit, "kUnknown", "kFactorThree"),
+                              check.value);
     }
   }
   std::string text = rows + failures;

@@ -6,19 +6,29 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kBursts{
-    "kBursts",
-    "both halves of the paper's method are needed for it: ξ on quiet contacts and a stored vector on "
-    "the paper's contacts show no late spikes (seed 1). 28 % of its loaded contacts slip at the end"};
+constexpr Words kBursts{"kBursts",
+                        "both halves of the paper's method are needed for it: ξ on quiet contacts "
+                        "and a stored vector on "
+                        "the paper's contacts show no late spikes (seed 1). 28 % of its loaded "
+                        "contacts slip at the end; "
+                        "more than 2 in 5 of 7 seeds, with either iteration"};
 constexpr Words kSecant{
     "kSecant",
-    "the secant sets going as much as it stills: 1.35e-7 J are left, with ξ = 1 1.25e-7, with the "
-    "fixed point 7.2e-10 and with quiet 6.7e-12 J (seed 1)"};
+    "over seeds 1 to 7 the ratio is 1.1, 0.0069, 0.62, 600, 54, 6100, 0.13 with the secant: 0.01 "
+    "in "
+    "one of them, no gain in the median. With the fixed point it is 0.01 in 2 of 7, median 0.046, "
+    "worst 8800: seed 1, the case's, is one of the two. What makes the outcome a matter of the "
+    "seed "
+    "is not known; quiet has 0.01 in 4 of 6"};
 constexpr Words kOldThrows{
     "kOldThrows",
     "the paper's own contrast, Fig. 6: without post-correction energy is injected at each contact, "
     "and objects fly out of the basket"};
-constexpr Words kSeeds{"kSeeds", "from the tolerance to three times the largest of several seeds"};
+constexpr Words kSeeds{
+    "kSeeds",
+    "from the tolerance to the largest met over seeds 1 to 7: one seed is one draw of a chaotic "
+    "run, "
+    "so that this bounds little, and the median over ten seeds is what should be judged"};
 constexpr Words kDiverges{
     "kDiverges", "from far beyond any rest, to infinity: whether it diverges depends on the seed"};
 
@@ -29,9 +39,9 @@ Expectations expectations_basket() {
   return {
       {"paper/fig6-basket/objects=20", "method=old", "farthest way of an object in the window", {0.05, kInfinity}, kLimit, kOldThrows, kDiverges},
       {"paper/fig6-basket/objects=20", "method=old", "mean kinetic energy at rest ÷ that with ξ = 1", {1000, kInfinity}, kLimit, kOldThrows, kDiverges},
-      {"paper/fig6-basket/objects=20", "method=paper", "late spikes: largest kinetic energy ÷ mean before", {2.1, 84}, kLimit, kBursts, kSeeds},
-      {"paper/fig6-basket/objects=20", "method=paper rule=secant", "mean kinetic energy at rest ÷ that with ξ = 1", {0.011, 100}, kLimit, kSecant, kSeeds},
-      {"paper/fig6-basket/objects=20", "method=paper rule=secant", "late spikes: largest kinetic energy ÷ mean before", {2.1, 84}, kLimit, kBursts, kSeeds},
+      {"paper/fig6-basket/objects=20", "method=paper", "late spikes: largest kinetic energy ÷ mean before", {2.1, 280}, kLimit, kBursts, kSeeds},
+      {"paper/fig6-basket/objects=20", "method=paper rule=secant", "mean kinetic energy at rest ÷ that with ξ = 1", {0.011, 6100}, kRefuted, kSecant, kSeeds},
+      {"paper/fig6-basket/objects=20", "method=paper rule=secant", "late spikes: largest kinetic energy ÷ mean before", {2.1, 19}, kLimit, kBursts, kSeeds},
   };
 }
 // clang-format on

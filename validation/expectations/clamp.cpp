@@ -9,7 +9,8 @@ namespace {
 constexpr Words kClamped{
     "kClamped",
     "either half of the paper's method moves alone: ξ on quiet contacts drifts 7.3e-6 m and slips "
-    "at 7.2e-6 m/s, a stored vector on the paper's contacts 1.4e-5 m and 6.2e-5 m/s (coarse mesh)"};
+    "at 7.2e-6 m/s, a stored vector on the paper's contacts 1.4e-5 m and 6.2e-5 m/s (coarse mesh). "
+    "The root of (15) on a frozen step leaves 4.1e-4 m/s across the slip (compare, frozen/clamp)"};
 constexpr Words kRow{
     "kRow",
     "either half of the paper's method slips alone: ξ on quiet contacts at 8.5e-7 m/s, a stored "
@@ -17,7 +18,8 @@ constexpr Words kRow{
 constexpr Words kThreshold{
     "kThreshold",
     "not told apart: the offset clamp needs 0.2 to 0.3 % more than the balance with the paper's "
-    "method, and with either half of it (1.003 with ξ on quiet contacts, the row 1.002 with a stored "
+    "method, and with either half of it (1.003 with ξ on quiet contacts, the row 1.002 with a "
+    "stored "
     "vector on the paper's contacts); with both replaced it needs none"};
 constexpr Words kOldSlipsOut{
     "kOldSlipsOut",

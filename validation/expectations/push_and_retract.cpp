@@ -8,8 +8,10 @@ namespace {
 
 constexpr Words kGivesWay{
     "kGivesWay",
-    "the scalar ξ: it holds friction only against a slip that goes on, and when the push is released "
-    "the slab must keep a force that the present free slip does not name. On quiet contacts ξ leaves "
+    "the scalar ξ: it holds friction only against a slip that goes on, and when the push is "
+    "released "
+    "the slab must keep a force that the present free slip does not name. On quiet contacts ξ "
+    "leaves "
     "−1.7e-5 m (40 %) and −9.4e-6 m (80 %), as on the paper's; a stored vector on the paper's "
     "contacts springs back not at all"};
 constexpr Words kVibrates{

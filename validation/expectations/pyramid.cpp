@@ -9,7 +9,9 @@ namespace {
 constexpr Words kScalar{
     "kScalar",
     "the scalar ξ: on quiet contacts it drifts 2.1e-4 m (rigid ground 1.8e-4), as on the paper's, "
-    "where a stored vector drifts 2.3e-6 m (3.0e-6) and slips at 2.3e-6 m/s (coarse mesh)"};
+    "where a stored vector drifts 2.3e-6 m (3.0e-6) and slips at 2.3e-6 m/s (coarse mesh). "
+    "The root of (15) on a frozen step leaves 9.2e-5 m/s across the slip, two unknowns a contact "
+    "2.6e-12 (compare, frozen/box-pyramid)"};
 constexpr Words kLearnsNothing{
     "kLearnsNothing",
     "the paper's own contrast, its method with ξ = 1: each contact answers its own slip and learns "

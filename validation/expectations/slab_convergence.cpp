@@ -8,14 +8,16 @@ namespace {
 
 constexpr Words kNever{
     "kNever",
-    "neither half of the paper's method gets there alone: ξ on quiet contacts is at 6.7e-6 m/s after "
+    "neither half of the paper's method gets there alone: ξ on quiet contacts is at 6.7e-6 m/s "
+    "after "
     "100 steps (half the step) and never below 1e-9 in 3000, a stored vector on the paper's "
-    "contacts at 3.8e-7. Both replaced: 9 steps, and 2 with 4 sweeps"};
-constexpr Words kTwice{
-    "kTwice",
-    "one vertex of the slab lies in the box: its contact and those of the box's vertices say nearly "
-    "the same twice, and a sweep passes the slip to and fro between them. At half the step there is "
-    "no such vertex, and 9 steps do; 4 and 16 sweeps shorten it here"};
+    "contacts is at 3.8e-7. Both replaced: 9 steps, and 2 with 4 sweeps"};
+constexpr Words kTwice{"kTwice",
+                       "one vertex of the slab lies in the box: its contact and those of the box's "
+                       "vertices say nearly "
+                       "the same twice, and a sweep passes the slip to and fro between them. At "
+                       "half the step there is "
+                       "no such vertex, and 9 steps do; 4 and 16 sweeps shorten it here"};
 constexpr Words kNotInRun{"kNotInRun", "a claim of never: not once in the 3000 steps of the run"};
 constexpr Words kHalf{
     "kHalf",

@@ -21,7 +21,8 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline constexpr Words kFactorThree{
     "kFactorThree",
-    "a factor of three about what was measured at the case's time step, 0.9 and 0.95 of it, for what "
+    "a factor of three about what was measured at the case's time step, 0.9 and 0.95 of it, for "
+    "what "
     "is left are limit cycles, of which a run's last step is one sample"};
 inline constexpr Words kFactorTwo{
     "kFactorTwo",
