@@ -18,6 +18,7 @@ struct ComparisonScene {
   Problem problem;
   Settings settings;        ///< of the engine, whatever the rule
   double settled = 0.0;     ///< time at which all loads act and vibration has died out, s
+  double released = 0.0;    ///< then let slide without friction up to this mean slip, m/s
   std::uint64_t steps = 0;  ///< watched from there on
   double size = 0.1;        ///< of a body, m
   bool quick = false;       ///< part of the quick set
@@ -30,15 +31,23 @@ SlabSetup comparison_slab();
 /// four balls, membrane, a piece of the basket.
 std::vector<ComparisonScene> comparison_scenes();
 
+/// The box on a slab that it loads by this share of the cone: tan θ = share · μ. `cells` of the
+/// box along an edge: 2 make 9 contacts, 3 make 16.
+ComparisonScene loaded_slab(double share, int cells);
+
 /// A flat plate of 169 vertices on a slab, whose contacts' data stay in the cache.
 ComparisonScene comparison_plate();
 
-/// The scene settled on the contacts of `method` and then left without friction memory, the same
-/// for each rule: it settles with the stored vector, and then does one step without any rule's
-/// memory, which leaves every contact as if it were new. Scenes that settle differently have
-/// different names or settings. Computed once a program run for each scene
-/// and method, whoever asks first; safe to call from many threads.
+/// What of a rule's settings makes its contacts: the method, and the depth rule where it is given.
+Settings contacts_of(const Settings& settings);
+
+/// The scene settled on such contacts and then left without friction memory, the same for each
+/// rule: it settles with the stored vector, and then does one step without any rule's memory, which
+/// leaves every contact as if it were new; or, where it is to be `released`, as many steps without
+/// friction as it takes until it slips that fast. Null for a scene that does not settle. Scenes
+/// that settle differently have different names, settings or releases. Computed once a program run
+/// for each scene and contacts, whoever asks first; safe to call from many threads.
 Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
-                                const std::string& method);
+                                const Settings& contacts);
 
 }  // namespace stiction

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Findings about the paper's scalar, its vector reading and the stored vector over the load, from a
+// slip of 1e-3 m/s, and in how many poses they rest.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "validation/comparison/comparison.h"
+#include "validation/comparison/findings.h"
+
+namespace stiction {
+
+namespace {
+
+// "2" of "load/lost/cells=2/r=0.35" for "cells".
+std::string parameter(const std::string& case_name, const std::string& name) {
+  const std::size_t at = case_name.find(name + "=");
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + name.size() + 1;
+  return case_name.substr(from, case_name.find('/', from) - from);
+}
+
+std::string steps_spread(const std::vector<double>& steps) {
+  const Spread spread = spread_of(steps);
+  return spread.least == spread.most ? fmt::format("{:.0f}", spread.least)
+                                     : fmt::format("{:.0f} to {:.0f}", spread.least, spread.most);
+}
+
+// "at 0.1, 0.2 and 0.35 of the cone in 11 to 12 steps (fastest contact 12 to never)".
+std::string where_found(const Figures& figures, const std::vector<std::string>& cases,
+                        const RuleOnContacts& who) {
+  std::vector<std::string> loads;
+  std::vector<double> mean, fastest;
+  for (const std::string& name : cases) {
+    const double steps = figures.of(name, who, kStepsTo9);
+    if (!std::isfinite(steps) || figures.failed(name, who)) continue;
+    loads.push_back(parameter(name, "r"));
+    mean.push_back(steps);
+    const double last = figures.of(name, who, kFastestTo9);
+    if (std::isfinite(last)) fastest.push_back(last);
+  }
+  if (loads.empty()) return "at none";
+  if (loads.size() == cases.size()) loads = {"all"};
+  return fmt::format(
+      "at {} (in {} steps, the fastest contact {})", listed(loads), steps_spread(mean),
+      fastest.empty() ? "never"
+                      : steps_spread(fastest) +
+                            (fastest.size() < mean.size()
+                                 ? fmt::format(", at {} of {} loads", fastest.size(), mean.size())
+                                 : ""));
+}
+
+// Cases of the same parameters but the load, in the order of the records.
+std::map<std::string, std::vector<std::string>> by_cells(const Figures& figures) {
+  std::map<std::string, std::vector<std::string>> groups;
+  for (const std::string& name : figures.cases("load/lost/")) {
+    groups[parameter(name, "cells")].push_back(name);
+  }
+  return groups;
+}
+
+}  // namespace
+
+Sentences loads_of_the_cone(const Figures& figures) {
+  Sentences sentences;
+  for (const auto& [cells, cases] : by_cells(figures)) {
+    std::string loads;
+    for (const std::string& name : cases) {
+      loads += (loads.empty() ? "" : ", ") + parameter(name, "r");
+    }
+    std::vector<std::string> parts;
+    for (const RuleOnContacts& who : figures.rules(cases.front())) {
+      parts.push_back(who.words() + " " + where_found(figures, cases, who));
+    }
+    sentences.push_back(
+        fmt::format("Loads of {} of the cone, memory lost, a box of {} cells an edge: the mean "
+                    "slip falls below 1e-9 m/s for good with {}.",
+                    loads, cells, fmt::join(parts, "; ")));
+  }
+  return sentences;
+}
+
+Sentences from_sliding(const Figures& figures) {
+  Sentences sentences;
+  for (const char* prefix : {"load/released/", "falling-box/"}) {
+    const std::vector<std::string> cases = figures.cases(prefix);
+    if (cases.empty()) continue;
+    std::vector<std::string> parts;
+    bool within = false;
+    for (const RuleOnContacts& who : figures.rules(prefix)) {
+      std::vector<double> mean, fastest;
+      for (const std::string& name : cases) {
+        const double steps = figures.of(name, who, kFrom3);
+        if (!std::isfinite(steps) || figures.failed(name, who)) continue;
+        mean.push_back(steps);
+        fastest.push_back(figures.of(name, who, kFastestFrom3));
+        within = within || steps <= 16.0;
+      }
+      const bool all = std::all_of(fastest.begin(), fastest.end(),
+                                   [](double steps) { return std::isfinite(steps); });
+      parts.push_back(mean.empty()
+                          ? who.words() + " never"
+                          : fmt::format("{} {} at {} of {} loads (the fastest contact {})",
+                                        who.words(), steps_spread(mean), mean.size(), cases.size(),
+                                        all ? steps_spread(fastest) : "not at all of them"));
+    }
+    sentences.push_back(fmt::format(
+        "{}, steps from 1e-3 m/s to 1e-9 m/s of mean slip: {}. The paper's 8 to 16 are {}.",
+        prefix == std::string("falling-box/") ? "A box falls on the slab (the paper's experiment)"
+                                              : "A sliding box is caught",
+        fmt::join(parts, "; "), within ? "reached" : "not reached"));
+  }
+  return sentences;
+}
+
+Sentences poses_at_rest(const Figures& figures) {
+  const std::vector<std::string> cases = figures.cases("poses/");
+  if (cases.empty()) return {};
+  std::vector<std::string> parts;
+  for (const RuleOnContacts& who : figures.rules("poses/")) {
+    std::vector<std::string> counts;
+    for (const std::string& name : cases) {
+      counts.push_back(fmt::format("{:.0f} of {:.0f} at {}°", figures.of(name, who, kPosesAtRest),
+                                   figures.of(name, who, kPoses), parameter(name, "slope")));
+    }
+    parts.push_back(who.words() + " " + listed(counts));
+  }
+  return {fmt::format("Poses at rest: {}.", fmt::join(parts, "; "))};
+}
+
+}  // namespace stiction
