@@ -22,6 +22,7 @@ Check measured(const std::string& quantity, const std::string& unit, const std::
                double value);
 
 // Quantities that the findings look up again.
+inline constexpr const char* kStartSlip = "slip at first";
 inline constexpr const char* kStepsTo6 = "steps to 1e-6";
 inline constexpr const char* kStepsTo9 = "steps to 1e-9";
 inline constexpr const char* kFastestTo9 = "… fastest contact";

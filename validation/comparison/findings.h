@@ -14,6 +14,15 @@ namespace stiction {
 /// run is not spoken of.
 Record findings(const std::vector<Record>& records);
 
+/// Median over the scenes of what divides the fixed point's final creep on the paper's contacts;
+/// NaN where it was not compared.
+struct CreepDivided {
+  double by_rule = 0.0;      ///< the stored vector on the same contacts
+  double by_contacts = 0.0;  ///< the fixed point on quiet contacts
+  double by_both = 0.0;
+};
+CreepDivided creep_divided(const Figures& figures);
+
 // The parts; each may have nothing to say.
 using Sentences = std::vector<std::string>;
 Sentences fixed_point_against_secant(const Figures& figures);

@@ -22,13 +22,17 @@ std::string parameter(const std::string& case_name, const std::string& name) {
   return case_name.substr(from, case_name.find('/', from) - from);
 }
 
+// "8 to 37"; "40 to never" when it is found at some loads only.
 std::string steps_spread(const std::vector<double>& steps) {
+  const auto words = [](double value) {
+    return std::isinf(value) ? "never" : fmt::format("{:.0f}", value);
+  };
   const Spread spread = spread_of(steps);
-  return spread.least == spread.most ? fmt::format("{:.0f}", spread.least)
-                                     : fmt::format("{:.0f} to {:.0f}", spread.least, spread.most);
+  return spread.least == spread.most ? words(spread.least)
+                                     : words(spread.least) + " to " + words(spread.most);
 }
 
-// "at 0.1, 0.2 and 0.35 of the cone in 11 to 12 steps (fastest contact 12 to never)".
+// "at 0.1, 0.2 and 0.35 (11 to 12 steps, the fastest contact 12 to 20)"; empty: at none.
 std::string where_found(const Figures& figures, const std::vector<std::string>& cases,
                         const RuleOnContacts& who) {
   std::vector<std::string> loads;
@@ -38,18 +42,12 @@ std::string where_found(const Figures& figures, const std::vector<std::string>& 
     if (!std::isfinite(steps) || figures.failed(name, who)) continue;
     loads.push_back(parameter(name, "r"));
     mean.push_back(steps);
-    const double last = figures.of(name, who, kFastestTo9);
-    if (std::isfinite(last)) fastest.push_back(last);
+    fastest.push_back(figures.of(name, who, kFastestTo9));
   }
-  if (loads.empty()) return "at none";
-  if (loads.size() == cases.size()) loads = {"all"};
-  return fmt::format(
-      "at {} (in {} steps, the fastest contact {})", listed(loads), steps_spread(mean),
-      fastest.empty() ? "never"
-                      : steps_spread(fastest) +
-                            (fastest.size() < mean.size()
-                                 ? fmt::format(", at {} of {} loads", fastest.size(), mean.size())
-                                 : ""));
+  if (loads.empty()) return {};
+  return fmt::format("at {} ({} steps, the fastest contact {})",
+                     loads.size() == cases.size() ? "all" : listed(loads), steps_spread(mean),
+                     steps_spread(fastest));
 }
 
 // Cases of the same parameters but the load, in the order of the records.
@@ -70,24 +68,33 @@ Sentences loads_of_the_cone(const Figures& figures) {
     for (const std::string& name : cases) {
       loads += (loads.empty() ? "" : ", ") + parameter(name, "r");
     }
-    std::vector<std::string> parts;
+    std::vector<std::string> parts, never;
+    std::vector<double> start;
     for (const RuleOnContacts& who : figures.rules(cases.front())) {
-      parts.push_back(who.words() + " " + where_found(figures, cases, who));
+      const std::string where = where_found(figures, cases, who);
+      if (where.empty()) {
+        never.push_back(who.words());
+      } else {
+        parts.push_back(who.words() + " " + where);
+      }
+      for (const std::string& name : cases) start.push_back(figures.of(name, who, kStartSlip));
     }
-    sentences.push_back(
-        fmt::format("Loads of {} of the cone, memory lost, a box of {} cells an edge: the mean "
-                    "slip falls below 1e-9 m/s for good with {}.",
-                    loads, cells, fmt::join(parts, "; ")));
+    sentences.push_back(fmt::format(
+        "Loads of {} of the cone, memory lost (a slip of up to {:.1g} m/s), a box of {} cells an "
+        "edge: the mean slip falls below 1e-9 m/s for good with {}; at none with {}.",
+        loads, spread_of(start).most, cells,
+        parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, "; ")),
+        never.empty() ? "none" : listed(never)));
   }
   return sentences;
 }
 
 Sentences from_sliding(const Figures& figures) {
   Sentences sentences;
-  for (const char* prefix : {"load/released/", "falling-box/"}) {
+  for (const std::string prefix : {"load/released/", "falling-box/"}) {
     const std::vector<std::string> cases = figures.cases(prefix);
     if (cases.empty()) continue;
-    std::vector<std::string> parts;
+    std::vector<std::string> parts, never;
     bool within = false;
     for (const RuleOnContacts& who : figures.rules(prefix)) {
       std::vector<double> mean, fastest;
@@ -98,26 +105,31 @@ Sentences from_sliding(const Figures& figures) {
         fastest.push_back(figures.of(name, who, kFastestFrom3));
         within = within || steps <= 16.0;
       }
-      const bool all = std::all_of(fastest.begin(), fastest.end(),
-                                   [](double steps) { return std::isfinite(steps); });
-      parts.push_back(mean.empty()
-                          ? who.words() + " never"
-                          : fmt::format("{} {} at {} of {} loads (the fastest contact {})",
-                                        who.words(), steps_spread(mean), mean.size(), cases.size(),
-                                        all ? steps_spread(fastest) : "not at all of them"));
+      if (mean.empty()) {
+        never.push_back(who.words());
+        continue;
+      }
+      parts.push_back(fmt::format("{} {} at {} of {} loads (the fastest contact {})", who.words(),
+                                  steps_spread(mean), mean.size(), cases.size(),
+                                  steps_spread(fastest)));
     }
     sentences.push_back(fmt::format(
-        "{}, steps from 1e-3 m/s to 1e-9 m/s of mean slip: {}. The paper's 8 to 16 are {}.",
-        prefix == std::string("falling-box/") ? "A box falls on the slab (the paper's experiment)"
-                                              : "A sliding box is caught",
-        fmt::join(parts, "; "), within ? "reached" : "not reached"));
+        "{}, steps from 1e-3 m/s to 1e-9 m/s of mean slip: {}; never: {}. The paper's 8 to 16 are "
+        "{}.",
+        prefix == "falling-box/" ? "A box falls on the slab (the paper's experiment)"
+                                 : "A box that slides at 1e-3 m/s",
+        parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, "; ")),
+        never.empty() ? "none" : listed(never), within ? "reached" : "not reached"));
   }
   return sentences;
 }
 
 Sentences poses_at_rest(const Figures& figures) {
-  const std::vector<std::string> cases = figures.cases("poses/");
+  std::vector<std::string> cases = figures.cases("poses/");
   if (cases.empty()) return {};
+  std::sort(cases.begin(), cases.end(), [](const std::string& a, const std::string& b) {
+    return std::stod(parameter(a, "slope")) < std::stod(parameter(b, "slope"));
+  });
   std::vector<std::string> parts;
   for (const RuleOnContacts& who : figures.rules("poses/")) {
     std::vector<std::string> counts;

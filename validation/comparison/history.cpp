@@ -73,7 +73,8 @@ double RuleHistory::steps_to(double slip, double ContactSlips::*whose) const {
 
 double RuleHistory::steps_from(double above, double slip, double ContactSlips::*whose) const {
   const std::size_t begin = last_above(above, whose);
-  return begin == 0 ? std::nan("") : steps_to(slip, whose) - static_cast<double>(begin);
+  return begin == 0 && start.*whose < above ? std::nan("")
+                                            : steps_to(slip, whose) - static_cast<double>(begin);
 }
 
 std::size_t RuleHistory::last_above(double slip, double ContactSlips::*whose) const {
@@ -101,7 +102,7 @@ double RuleHistory::path() const {
 
 RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings& extra) {
   RuleHistory history;
-  Snapshot start;
+  Settled start;
   try {
     start = settled_without_memory(run.engine(), scene, contacts_of(run.settings()));
   } catch (const InputError& error) {
@@ -115,10 +116,11 @@ RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings&
   for (const auto& [name, value] : over) settings[name] = value;
   const auto looked_at = run.engine().make(settings);
   looked_at->load(scene.problem);
-  if (start) looked_at->restore(start);
+  history.start = start.slips;
+  if (start.state) looked_at->restore(start.state);
   history.time_step = looked_at->time_step();
   const auto timed = run.simulate(scene.problem, over);
-  if (start) timed->engine().restore(start);
+  if (start.state) timed->engine().restore(start.state);
   try {
     timed->engine().advance(scene.steps);
   } catch (const InputError& error) {
@@ -148,6 +150,7 @@ void check_same_hash(CaseRun& run, bool same) {
 void report_history(CaseRun& run, const RuleHistory& history) {
   check_same_hash(run, history.same_hash);
   const bool held = history.failure.empty();
+  run.check(measured(kStartSlip, "m/s", "that friction has to take away", history.start.mean));
   run.check(
       measured(kStepsTo6, "1", "static friction is found again soon", history.steps_to(1e-6)));
   run.check(

@@ -14,6 +14,7 @@ namespace stiction {
 
 /// What a rule made of a scene, from the step after the friction memory was lost.
 struct RuleHistory {
+  ContactSlips start;               ///< at the start
   std::vector<ContactSlips> slips;  ///< after each step
   std::vector<double> kinetic;      ///< J, after each step
   double time_step = 0.0;           ///< s
@@ -25,7 +26,8 @@ struct RuleHistory {
   /// Steps until the mean slip (or that of the fastest contact) stays at `slip` (m/s) or below;
   /// infinity if it never does.
   double steps_to(double slip, double ContactSlips::*whose = &ContactSlips::mean) const;
-  /// The same, counted from the last step in which it was above `above`; NaN if it never was.
+  /// The same, counted from the last step in which it was above `above`, the start being step 0;
+  /// NaN if it never was.
   double steps_from(double above, double slip, double ContactSlips::*whose) const;
   /// Mean slip over the last tenth of the steps, m/s.
   double creep() const;

@@ -34,6 +34,9 @@ TEST(RuleHistory, CountsFromTheLastStepAboveASlip) {
   const RuleHistory history = history_of({1e-5, 2e-3, 1e-5, 1e-10});
   EXPECT_EQ(history.steps_from(1e-3, 1e-9, &ContactSlips::mean), 2.0);
   EXPECT_TRUE(std::isnan(history.steps_from(1.0, 1e-9, &ContactSlips::mean))) << "never so fast";
+  RuleHistory released = history_of({1e-5, 1e-10});
+  released.start.mean = 1e-3;
+  EXPECT_EQ(released.steps_from(1e-3, 1e-9, &ContactSlips::mean), 2.0);
   EXPECT_TRUE(std::isinf(history.steps_from(1e-3, 1e-11, &ContactSlips::mean)));
 }
 

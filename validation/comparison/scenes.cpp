@@ -169,12 +169,12 @@ Settings contacts_of(const Settings& settings) {
   return contacts;
 }
 
-Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
-                                const Settings& contacts) {
-  if (scene.settled == 0.0) return nullptr;
+Settled settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
+                               const Settings& contacts) {
+  if (scene.settled == 0.0) return {};
   struct Entry {
     std::once_flag once;
-    Snapshot snapshot;
+    Settled settled;
   };
   static std::mutex mutex;
   static std::map<std::string, Entry> entries;
@@ -210,9 +210,9 @@ Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& s
                                      scene.released, kLongestRelease));
       }
     } while (slips_of(forgetting->contacts()).mean < scene.released);
-    entry->snapshot = forgetting->save();
+    entry->settled = {forgetting->save(), slips_of(forgetting->contacts())};
   });
-  return entry->snapshot;
+  return entry->settled;
 }
 
 }  // namespace stiction

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "validation/engine.h"
+#include "validation/observe.h"
 #include "validation/problem.h"
 #include "validation/slab_problem.h"
 
@@ -41,13 +42,19 @@ ComparisonScene comparison_plate();
 /// What of a rule's settings makes its contacts: the method, and the depth rule where it is given.
 Settings contacts_of(const Settings& settings);
 
+/// How a comparison begins.
+struct Settled {
+  Snapshot state;      ///< null: at the problem's own start
+  ContactSlips slips;  ///< that there are in it
+};
+
 /// The scene settled on such contacts and then left without friction memory, the same for each
 /// rule: it settles with the stored vector, and then does one step without any rule's memory, which
 /// leaves every contact as if it were new; or, where it is to be `released`, as many steps without
-/// friction as it takes until it slips that fast. Null for a scene that does not settle. Scenes
-/// that settle differently have different names, settings or releases. Computed once a program run
-/// for each scene and contacts, whoever asks first; safe to call from many threads.
-Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
-                                const Settings& contacts);
+/// friction as it takes until it slips that fast. Scenes that settle differently have different
+/// names, settings or releases. Computed once a program run for each scene and contacts, whoever
+/// asks first; safe to call from many threads.
+Settled settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
+                               const Settings& contacts);
 
 }  // namespace stiction

@@ -40,6 +40,27 @@ export function quantity_axis(
   };
 }
 
+/**
+ * An axis for values of both signs over many decades: linear up to the smallest, logarithmic beyond. For
+ * `values` that need none, what quantity_axis() gives.
+ */
+export function signed_axis(field, name, unit, values, { domain }) {
+  const axis = quantity_axis(field, name, unit, { domain });
+  const sizes = values.map(Math.abs).filter((size) => size > 0);
+  const smallest = sizes.reduce((a, b) => Math.min(a, b), Infinity);
+  const largest = sizes.reduce((a, b) => Math.max(a, b), 0);
+  if (!(largest / smallest >= 1e3)) return axis;
+  const decades = [];
+  for (let k = Math.ceil(Math.log10(smallest)); 10 ** k <= largest * (1 + 1e-9); ++k)
+    decades.push(Number(`1e${k}`));
+  const ticks = [...decades.map((value) => -value).reverse(), 0, ...decades];
+  return {
+    ...axis,
+    scale: { ...axis.scale, type: "symlog", constant: smallest },
+    axis: { ...axis.axis, values: ticks, format: "~g", labelOverlap: true },
+  };
+}
+
 /** Whether a logarithmic axis says more: nothing negative and three decades or more between. */
 export function wants_log(values) {
   let smallest = Infinity;
