@@ -31,6 +31,7 @@ inline constexpr const char* kSlipped = "slipped";
 inline constexpr const char* kSlippedShare = "slipped ÷ free slide";
 inline constexpr const char* kFrom3 = "from 1e-3 to 1e-9";
 inline constexpr const char* kFastestFrom3 = "from 1e-3, fastest";
+inline constexpr const char* kSliding = "sliding";
 inline constexpr const char* kPosesAtRest = "poses at rest";
 inline constexpr const char* kPoses = "of";
 inline constexpr const char* kCpuTime = "CPU time";

@@ -31,6 +31,7 @@ Sentences rules_within_fifty_steps(const Figures& figures);
 Sentences frozen_steps(const Figures& figures);
 Sentences rule_or_contacts(const Figures& figures);
 Sentences loads_of_the_cone(const Figures& figures);
+Sentences what_stops_the_vector(const Figures& figures);
 Sentences from_sliding(const Figures& figures);
 Sentences poses_at_rest(const Figures& figures);
 Sentences hard_conditions(const Figures& figures);

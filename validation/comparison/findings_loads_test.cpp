@@ -70,6 +70,21 @@ TEST(LoadFindings, SayWhetherThePapersStepsAreReached) {
   EXPECT_THAT(sentence({falls("bias-vector", 12, 20)}), HasSubstr("8 to 16 are reached"));
 }
 
+TEST(LoadFindings, SayWhatTellsRestingVectorsFromCreepingOnes) {
+  const auto run = [](const std::string& load, double creep, double sliding) {
+    return record("load/lost/cells=2/r=" + load, "paper", "bias-vector",
+                  {measured(kCreep, "m/s", "", creep), measured(kSliding, "1", "", sliding)});
+  };
+  std::vector<Record> records = {run("0.35", 1e-12, 0), run("0.73", 1e-6, 2), run("0.9", 1e-5, 5)};
+  EXPECT_THAT(what_stops_the_vector(Figures(records)),
+              ElementsAre(testing::AllOf(
+                  HasSubstr("2 to 5 contacts are at the cone in the 2 runs"),
+                  HasSubstr("0 to 0 in the 1 others. A contact that one sweep clamps"))));
+  records[0] = run("0.35", 1e-12, 2);
+  EXPECT_THAT(what_stops_the_vector(Figures(records)),
+              ElementsAre(HasSubstr("does not tell them apart")));
+}
+
 TEST(LoadFindings, CountPosesInTheOrderOfTheSlopes) {
   const std::vector<Record> records = {poses("10", 14), poses("20", 6), poses("3", 12)};
   EXPECT_THAT(poses_at_rest(Figures(records)),

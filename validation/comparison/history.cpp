@@ -164,6 +164,8 @@ void report_history(CaseRun& run, const RuleHistory& history) {
                      history.kinetic.empty() ? kInfinity : history.kinetic.back()));
   run.check(measured("moved", "m", "what is held stays: farthest body, from the settled state",
                      history.moved));
+  run.check(measured(kSliding, "1", "contacts of which the rule says so at the end",
+                     history.slips.empty() ? std::nan("") : history.slips.back().sliding));
   run.check(measured("memory", "B", "kept of a contact from step to step",
                      static_cast<double>(friction_memory_bytes(run.settings().at("rule")))));
   if (!held) run.note("failed: " + history.failure);

@@ -25,20 +25,20 @@ std::vector<Case> comparisons_load() {
   std::vector<Case> cases;
   for (const double share : {0.1, 0.2, 0.35, 0.5, 0.73, 0.9, 0.95}) {
     for (const int cells : {2, 3}) {
-      const ComparisonScene scene = loaded_slab(share, cells);
+      ComparisonScene scene = loaded_slab(share, cells);
+      const std::string which = fmt::format("cells={}/r={}", cells, share);
       cases.push_back(
-          {.name = fmt::format("load/lost/cells={}/r={}", cells, share),
+          {.name = "load/lost/" + which,
            .title = scene.title + ", and loses its friction memory",
            .set = share == 0.35 ? CaseSet::kQuick : CaseSet::kDefault,
            .variants = scalar_and_vector(),
            .run = [scene](CaseRun& run) { report_history(run, run_rule(run, scene)); }});
+      scene.released = kSlides;
+      cases.push_back({.name = "load/released/" + which,
+                       .title = scene.title + ", and slides at 1e-3 m/s when friction sets in",
+                       .variants = scalar_and_vector(),
+                       .run = [scene](CaseRun& run) { run_released(run, scene); }});
     }
-    ComparisonScene scene = loaded_slab(share, 2);
-    scene.released = kSlides;
-    cases.push_back({.name = fmt::format("load/released/r={}", share),
-                     .title = scene.title + ", and slides at 1e-3 m/s when friction sets in",
-                     .variants = scalar_and_vector(),
-                     .run = [scene](CaseRun& run) { run_released(run, scene); }});
   }
   return cases;
 }
