@@ -50,14 +50,15 @@ export function signed_axis(field, name, unit, values, { domain }) {
   const smallest = sizes.reduce((a, b) => Math.min(a, b), Infinity);
   const largest = sizes.reduce((a, b) => Math.max(a, b), 0);
   if (!(largest / smallest >= 1e3)) return axis;
+  // Every second decade from the largest down; the smallest stands too near to 0 for a label.
   const decades = [];
-  for (let k = Math.ceil(Math.log10(smallest)); 10 ** k <= largest * (1 + 1e-9); ++k)
-    decades.push(Number(`1e${k}`));
+  for (let k = Math.floor(Math.log10(largest) + 1e-9); 10 ** k > smallest * (1 + 1e-9); k -= 2)
+    decades.unshift(Number(`1e${k}`));
   const ticks = [...decades.map((value) => -value).reverse(), 0, ...decades];
   return {
     ...axis,
     scale: { ...axis.scale, type: "symlog", constant: smallest },
-    axis: { ...axis.axis, values: ticks, format: "~g", labelOverlap: true },
+    axis: { ...axis.axis, values: ticks, format: "~r", labelOverlap: true },
   };
 }
 

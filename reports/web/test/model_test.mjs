@@ -358,9 +358,6 @@ test("an axis of both signs is logarithmic where its values span decades", () =>
   const wide = axis([-1000, -0.01, 0, 0.01, 1000]);
   assert.equal(wide.scale.type, "symlog");
   assert.equal(wide.scale.constant, 0.01);
-  assert.deepEqual(
-    wide.axis.values,
-    [-1000, -100, -10, -1, -0.1, -0.01, 0, 0.01, 0.1, 1, 10, 100, 1000],
-  );
+  assert.deepEqual(wide.axis.values, [-1000, -10, -0.1, 0, 0.1, 10, 1000]);
   assert.equal(axis([-0.5, 0, 2.5]).scale.type, "linear");
 });
