@@ -54,7 +54,8 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--contacts", arguments.contacts, "Only the contacts of this method; repeatable")
       ->check(CLI::IsMember({"paper", "quiet"}));
   app.add_flag("--list", arguments.list, "Show the names of the comparisons and end");
-  app.add_flag("--quick", arguments.quick, "Under 15 seconds: three scenes, every rule");
+  app.add_flag("--quick", arguments.quick,
+               "Under 20 seconds: three scenes, every rule, and one load");
   app.add_option("--out", arguments.out,
                  "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
                  "to the last")

@@ -38,7 +38,7 @@ holds 0 "one rule alone" "$compare" --scene rules/slab --rule secant --contacts 
 passed "a scene rerun in isolation gives the same hash"
 
 holds 0 "--list" "$compare" --list
-for scene in rules/slab rules/clamp rules/box-pyramid rules/four-balls rules/membrane rules/basket hard/noise; do
+for scene in load/lost/cells=2/r=0.35 load/released/cells=3/r=0.1 falling-box/r=0.73 poses/slope=3 rules/slab rules/clamp rules/box-pyramid rules/four-balls rules/membrane rules/basket hard/noise; do
   grep -q "^$scene " out || failed "--list" "it lacks $scene"
 done
 holds 0 "--help" "$compare" --help

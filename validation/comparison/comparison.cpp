@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/comparison/comparison.h"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "solver/friction/catalog.h"
+#include "validation/stiction_method.h"
 
 namespace stiction {
 
@@ -74,6 +77,31 @@ std::vector<Settings> chief_rules() {
     rules.push_back(readings_of(rule).front());
   }
   return on_both_contacts(rules);
+}
+
+std::vector<Settings> scalar_and_vector() {
+  std::vector<Settings> variants;
+  for (const char* depth : {"projection", "consistent"}) {
+    for (const char* rule : {"fixed-point", "bias-vector", "stored-vector"}) {
+      variants.push_back({{"method", "paper"}, {"depth", depth}, {"rule", rule}});
+    }
+  }
+  for (const char* rule : {"fixed-point", "bias-vector", "stored-vector"}) {
+    variants.push_back({{"method", "quiet"}, {"rule", rule}});
+  }
+  return variants;
+}
+
+std::string contacts_words(const Settings& settings) {
+  const std::string& method = settings.at("method");
+  const auto depth = settings.find("depth");
+  Options own;
+  const Settings given{{"method", method}};
+  SettingsReader reader(given);
+  read_method(reader, own);
+  return depth == settings.end() || depth->second == method_settings(own, true).at("depth")
+             ? method
+             : fmt::format("{}, {} depth", method, depth->second);
 }
 
 std::string rule_words(const Settings& settings) {

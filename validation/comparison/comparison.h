@@ -22,11 +22,18 @@ Check measured(const std::string& quantity, const std::string& unit, const std::
                double value);
 
 // Quantities that the findings look up again.
+inline constexpr const char* kStartSlip = "slip at first";
 inline constexpr const char* kStepsTo6 = "steps to 1e-6";
 inline constexpr const char* kStepsTo9 = "steps to 1e-9";
+inline constexpr const char* kFastestTo9 = "… fastest contact";
 inline constexpr const char* kCreep = "final creep";
 inline constexpr const char* kSlipped = "slipped";
 inline constexpr const char* kSlippedShare = "slipped ÷ free slide";
+inline constexpr const char* kFrom3 = "from 1e-3 to 1e-9";
+inline constexpr const char* kFastestFrom3 = "from 1e-3, fastest";
+inline constexpr const char* kSliding = "sliding";
+inline constexpr const char* kPosesAtRest = "poses at rest";
+inline constexpr const char* kPoses = "of";
 inline constexpr const char* kCpuTime = "CPU time";
 inline constexpr const char* kFrictionTime = "friction of a contact";
 inline constexpr const char* kLearnedSlip = "slip along ũ, learned";
@@ -45,6 +52,14 @@ std::vector<Settings> all_rules();
 
 /// Those that carry an argument: fixed point, secant, stored vector and conjugate directions.
 std::vector<Settings> chief_rules();
+
+/// The paper's scalar, the vector reading of it, and the stored vector, on the paper's contacts
+/// with either depth and on the quiet ones.
+std::vector<Settings> scalar_and_vector();
+
+/// "paper", "quiet", "paper, projection depth": whose contacts. The depth only where it is not the
+/// method's own.
+std::string contacts_words(const Settings& settings);
 
 /// "secant", "stored-vector, 4 sweeps": what tells a variant from others on the same contacts.
 std::string rule_words(const Settings& settings);

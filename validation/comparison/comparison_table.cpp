@@ -82,7 +82,7 @@ std::string comparison_table(const std::vector<const Record*>& records) {
   std::vector<Row> rows{head};
   std::string failures;
   for (const Record* record : records) {
-    Row row{rule_words(record->settings), record->settings.at("method")};
+    Row row{rule_words(record->settings), contacts_words(record->settings)};
     for (const Check& check : record->checks) {
       if (check.verdict == Verdict::kShown) row.push_back(number(check.value));
     }

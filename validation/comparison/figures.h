@@ -11,8 +11,9 @@ namespace stiction {
 
 /// A rule as it stood in a comparison.
 struct RuleOnContacts {
-  std::string rule;      ///< as rule_words() puts it
-  std::string contacts;  ///< "paper" or "quiet"
+  std::string rule;  ///< as rule_words() puts it
+  std::string
+      contacts;  ///< as contacts_words() puts it: "paper", "quiet", "paper, consistent depth"
   auto operator<=>(const RuleOnContacts&) const = default;
   std::string words() const { return rule + " on " + contacts + " contacts"; }
 };

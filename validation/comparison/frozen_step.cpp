@@ -33,7 +33,7 @@ FrozenStep::FrozenStep(const EngineKind& kind, const ComparisonScene& scene,
   settings["memory"] = "keep";
   const auto engine = kind.make(settings);
   engine->load(scene.problem);
-  engine->restore(settled_without_memory(kind, scene, method));
+  engine->restore(settled_without_memory(kind, scene, {{"method", method}}).state);
   engine->advance(kLearning);
   start_ = *static_cast<const State*>(engine->save().get());
 

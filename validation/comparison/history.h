@@ -14,6 +14,7 @@ namespace stiction {
 
 /// What a rule made of a scene, from the step after the friction memory was lost.
 struct RuleHistory {
+  ContactSlips start;               ///< at the start
   std::vector<ContactSlips> slips;  ///< after each step
   std::vector<double> kinetic;      ///< J, after each step
   double time_step = 0.0;           ///< s
@@ -22,12 +23,19 @@ struct RuleHistory {
   std::string failure;     ///< why it broke off before the end, or did not hold; else empty
   bool same_hash = false;  ///< the logged pass ended where the timed one did
 
-  /// Steps until the mean slip stays below `slip` (m/s); infinity if it never does.
-  double steps_to(double slip) const;
+  /// Steps until the mean slip (or that of the fastest contact) stays at `slip` (m/s) or below;
+  /// infinity if it never does.
+  double steps_to(double slip, double ContactSlips::*whose = &ContactSlips::mean) const;
+  /// The same, counted from the last step in which it was above `above`, the start being step 0;
+  /// NaN if it never was.
+  double steps_from(double above, double slip, double ContactSlips::*whose) const;
   /// Mean slip over the last tenth of the steps, m/s.
   double creep() const;
   /// Σ mean slip · Δt: what was lost for good before friction was found again, m.
   double path() const;
+
+ private:
+  std::size_t last_above(double slip, double ContactSlips::*whose) const;  // step; 0: none
 };
 
 /// Runs the scene twice from the same state with the settings of the run: once timed, without
@@ -41,5 +49,9 @@ void check_same_hash(CaseRun& run, bool same);
 /// Adds what a history says: steps, creep, path, energy, failure, memory; and the check that
 /// both passes are the same computation.
 void report_history(CaseRun& run, const RuleHistory& history);
+
+/// Adds how many steps it takes from a slip of 1e-3 m/s, where the paper counts from, to 1e-9 m/s:
+/// by the mean and by the fastest contact.
+void report_from_sliding(CaseRun& run, const RuleHistory& history);
 
 }  // namespace stiction

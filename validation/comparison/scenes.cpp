@@ -7,17 +7,21 @@
 #include <map>
 #include <mutex>
 
+#include "solver/demand.h"
 #include "validation/ball_pyramid_problem.h"
 #include "validation/basket_problem.h"
 #include "validation/clamp_problem.h"
 #include "validation/incline_problem.h"
 #include "validation/membrane_problem.h"
+#include "validation/observe.h"
 #include "validation/pyramid_problem.h"
 #include "validation/slab_problem.h"
 
 namespace stiction {
 
 namespace {
+
+constexpr std::uint64_t kLongestRelease = 1000;  // steps
 
 ComparisonScene slab() {
   const SlabSetup setup = comparison_slab();
@@ -127,6 +131,20 @@ SlabSetup comparison_slab() {
   return setup;
 }
 
+ComparisonScene loaded_slab(double share, int cells) {
+  SlabSetup setup = comparison_slab();
+  setup.slope = std::atan(share * setup.friction);
+  setup.cells = cells;
+  return {.name = fmt::format("load={}", share),
+          .title = fmt::format("a box of {} cells an edge that loads a slab by {} of the cone",
+                               cells, share),
+          .problem = slab_problem(setup),
+          .settings = {{"cells", fmt::format("{}", setup.cells)}, {"dt", "1e-4"}},
+          .settled = 2.0,
+          .steps = 3000,
+          .size = setup.box_size.x()};
+}
+
 ComparisonScene comparison_plate() {
   SlabSetup setup = comparison_slab();
   setup.box_size = Vec3(0.1, 0.1, 0.01);
@@ -144,39 +162,57 @@ std::vector<ComparisonScene> comparison_scenes() {
   return {slab(), both_sides(), clamp(), pyramid(), balls(), membrane(), basket()};
 }
 
-Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
-                                const std::string& method) {
+Settings contacts_of(const Settings& settings) {
+  Settings contacts{{"method", settings.at("method")}};
+  const auto depth = settings.find("depth");
+  if (depth != settings.end()) contacts["depth"] = depth->second;
+  return contacts;
+}
+
+Settled settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
+                               const Settings& contacts) {
+  if (scene.settled == 0.0) return {};
   struct Entry {
     std::once_flag once;
-    Snapshot snapshot;
+    Settled settled;
   };
   static std::mutex mutex;
   static std::map<std::string, Entry> entries;
   Entry* entry = nullptr;
   {
     const std::lock_guard lock(mutex);
-    std::string key = kind.name + '\n' + scene.name + '\n' + method;
-    for (const auto& [name, value] : scene.settings) key += '\n' + name + '=' + value;
+    std::string key = fmt::format("{}\n{}\n{}", kind.name, scene.name, scene.released);
+    for (const Settings* settings : {&contacts, &scene.settings}) {
+      for (const auto& [name, value] : *settings) key += '\n' + name + '=' + value;
+    }
     entry = &entries[key];
   }
   std::call_once(entry->once, [&] {
-    const auto engine_with = [&](const char* rule) {
+    const auto engine_with = [&](const char* rule, double friction) {
       Settings settings = scene.settings;
-      settings["method"] = method;
+      settings.insert(contacts.begin(), contacts.end());
       settings["rule"] = rule;
+      Problem problem = scene.problem;
+      problem.friction *= friction;
       std::unique_ptr<Engine> engine = kind.make(settings);
-      engine->load(scene.problem);
+      engine->load(problem);
       return engine;
     };
-    const auto settling = engine_with("stored-vector");
+    const auto settling = engine_with("stored-vector", 1.0);
     settling->advance(
         static_cast<std::uint64_t>(std::llround(scene.settled / settling->time_step())));
-    const auto forgetting = engine_with("none");
+    const auto forgetting = engine_with("none", scene.released > 0.0 ? 0.0 : 1.0);
     forgetting->restore(settling->save());
-    forgetting->advance(1);
-    entry->snapshot = forgetting->save();
+    do {
+      forgetting->advance(1);
+      if (forgetting->steps_done() > settling->steps_done() + kLongestRelease) {
+        throw InputError(fmt::format("{} does not slip at {} m/s within {} steps", scene.name,
+                                     scene.released, kLongestRelease));
+      }
+    } while (slips_of(forgetting->contacts()).mean < scene.released);
+    entry->settled = {forgetting->save(), slips_of(forgetting->contacts())};
   });
-  return entry->snapshot;
+  return entry->settled;
 }
 
 }  // namespace stiction

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "validation/engine.h"
+#include "validation/observe.h"
 #include "validation/problem.h"
 #include "validation/slab_problem.h"
 
@@ -18,6 +19,7 @@ struct ComparisonScene {
   Problem problem;
   Settings settings;        ///< of the engine, whatever the rule
   double settled = 0.0;     ///< time at which all loads act and vibration has died out, s
+  double released = 0.0;    ///< then let slide without friction up to this mean slip, m/s
   std::uint64_t steps = 0;  ///< watched from there on
   double size = 0.1;        ///< of a body, m
   bool quick = false;       ///< part of the quick set
@@ -30,15 +32,29 @@ SlabSetup comparison_slab();
 /// four balls, membrane, a piece of the basket.
 std::vector<ComparisonScene> comparison_scenes();
 
+/// The box on a slab that it loads by this share of the cone: tan θ = share · μ. `cells` of the
+/// box along an edge: 2 make 9 contacts, 3 make 16.
+ComparisonScene loaded_slab(double share, int cells);
+
 /// A flat plate of 169 vertices on a slab, whose contacts' data stay in the cache.
 ComparisonScene comparison_plate();
 
-/// The scene settled on the contacts of `method` and then left without friction memory, the same
-/// for each rule: it settles with the stored vector, and then does one step without any rule's
-/// memory, which leaves every contact as if it were new. Scenes that settle differently have
-/// different names or settings. Computed once a program run for each scene
-/// and method, whoever asks first; safe to call from many threads.
-Snapshot settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
-                                const std::string& method);
+/// What of a rule's settings makes its contacts: the method, and the depth rule where it is given.
+Settings contacts_of(const Settings& settings);
+
+/// How a comparison begins.
+struct Settled {
+  Snapshot state;      ///< null: at the problem's own start
+  ContactSlips slips;  ///< that there are in it
+};
+
+/// The scene settled on such contacts and then left without friction memory, the same for each
+/// rule: it settles with the stored vector, and then does one step without any rule's memory, which
+/// leaves every contact as if it were new; or, where it is to be `released`, as many steps without
+/// friction as it takes until it slips that fast. Scenes that settle differently have different
+/// names, settings or releases. Computed once a program run for each scene and contacts, whoever
+/// asks first; safe to call from many threads.
+Settled settled_without_memory(const EngineKind& kind, const ComparisonScene& scene,
+                               const Settings& contacts);
 
 }  // namespace stiction

@@ -23,9 +23,21 @@ export function rule_words({ rule = "", gain, alpha, sweeps, memory, safeguard }
  * the others on the same contacts, `name` does so in fewer letters. `run_of(index)` names a record's run, or nothing where there is one.
  */
 export function rules_on_contacts(records, run_of = () => "") {
+  // Contacts of one method that differ in their depth rule are told apart by it.
+  const group = ({ case: name, settings }) => `${name}\n${settings.method}`;
+  const depths = new Map();
+  for (const record of records)
+    depths.set(group(record), (depths.get(group(record)) ?? new Set()).add(record.settings.depth));
+  const contacts_of = (record) =>
+    [
+      record.settings.method ?? "",
+      depths.get(group(record)).size > 1 && `${record.settings.depth} depth`,
+    ]
+      .filter(Boolean)
+      .join(", ");
   const told = records.map((record, i) => ({
     rule: record.settings.rule ?? record.engine,
-    contacts: record.settings.method ?? "",
+    contacts: contacts_of(record),
     words: [rule_words(record.settings) || record.engine, run_of(i)].filter(Boolean).join(", "),
   }));
   // A rule of one reading needs no more than its name in a picture.

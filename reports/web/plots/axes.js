@@ -40,6 +40,28 @@ export function quantity_axis(
   };
 }
 
+/**
+ * An axis for values of both signs over many decades: linear up to the smallest, logarithmic beyond. For
+ * `values` that need none, what quantity_axis() gives.
+ */
+export function signed_axis(field, name, unit, values, { domain }) {
+  const axis = quantity_axis(field, name, unit, { domain });
+  const sizes = values.map(Math.abs).filter((size) => size > 0);
+  const smallest = sizes.reduce((a, b) => Math.min(a, b), Infinity);
+  const largest = sizes.reduce((a, b) => Math.max(a, b), 0);
+  if (!(largest / smallest >= 1e3)) return axis;
+  // Every second decade from the largest down; the smallest stands too near to 0 for a label.
+  const decades = [];
+  for (let k = Math.floor(Math.log10(largest) + 1e-9); 10 ** k > smallest * (1 + 1e-9); k -= 2)
+    decades.unshift(Number(`1e${k}`));
+  const ticks = [...decades.map((value) => -value).reverse(), 0, ...decades];
+  return {
+    ...axis,
+    scale: { ...axis.scale, type: "symlog", constant: smallest },
+    axis: { ...axis.axis, values: ticks, format: "~r", labelOverlap: true },
+  };
+}
+
 /** Whether a logarithmic axis says more: nothing negative and three decades or more between. */
 export function wants_log(values) {
   let smallest = Infinity;

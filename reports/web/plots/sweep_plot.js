@@ -3,7 +3,7 @@
 // where the parameter made a variant fail a cross stands at the upper edge.
 import { failed_values } from "../model/figure.js";
 import { to_number } from "../model/number.js";
-import { log_domain, quantity_axis, rounded } from "./axes.js";
+import { log_domain, quantity_axis, rounded, signed_axis } from "./axes.js";
 import { end_labels, height_for } from "./end_labels.js";
 import { tip, tip_number } from "./names.js";
 import { on_contacts, rule_channels } from "./rule_channels.js";
@@ -46,12 +46,12 @@ export function sweep_plots(curves) {
     const gaps = failed.map((point) => ({ ...point, y: null, failure: "" }));
     const best = measured.map((points) => points.reduce((a, b) => (b.y < a.y ? b : a)));
     const encoding = {
-      x: quantity_axis("x", x_name, x_unit, { domain: x_domain }),
+      x: signed_axis("x", x_name, x_unit, all_x, { domain: x_domain }),
       y: quantity_axis("y", name, unit, { log: true, domain: y_domain }),
       color: channels.color,
     };
     const tooltip = [tip("variant", "rule"), tip_number("x", x_name), tip_number("y", name)];
-    const told = best.map(({ variant, x, y }) => `${variant} ${Number(y.toPrecision(2))} at ${x}`);
+    const told = best.map(({ variant, x, y }) => `${variant} ${Number(y.toPrecision(2))} at ${Number(x.toPrecision(2))}`);
     return {
       kind: "sweep",
       title: `${name} over ${x_name}${on_contacts(contacts)}`,

@@ -14,11 +14,13 @@ import {
   format_value,
   to_number,
 } from "../model/number.js";
+import { rules_on_contacts } from "../model/rule.js";
 import { variant_labels } from "../model/variant.js";
 import { worst_check } from "../model/verdict.js";
 import { filtered, sorted } from "../page/filter.js";
 import { instant, place_at, view_of } from "../page/playback.js";
 import { hash_of, parse_hash } from "../page/route.js";
+import { signed_axis } from "../plots/axes.js";
 import { pareto_front, power_law } from "../plots/fit.js";
 import { kind_of } from "../plots/parameter_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
@@ -349,4 +351,28 @@ test("times and digits over runs stand on their family's page, each in one pictu
     ["time over run", "digits over run"],
   );
   assert.match(plots[1].description, /3 curves/);
+});
+
+test("contacts are told apart by their depth rule where it differs", () => {
+  const one = (name, method, depth) =>
+    record({ case: name, settings: { method, depth, rule: "secant" } });
+  const contacts = (records) => rules_on_contacts(records).map((variant) => variant.contacts);
+  assert.deepEqual(
+    contacts([
+      one("a", "paper", "projection"),
+      one("a", "paper", "consistent"),
+      one("a", "quiet", "projection"),
+      one("b", "paper", "projection"),
+    ]),
+    ["paper, projection depth", "paper, consistent depth", "quiet", "paper"],
+  );
+});
+
+test("an axis of both signs is logarithmic where its values span decades", () => {
+  const axis = (values) => signed_axis("x", "α", "s/m", values, { domain: [-1000, 1000] });
+  const wide = axis([-1000, -0.01, 0, 0.01, 1000]);
+  assert.equal(wide.scale.type, "symlog");
+  assert.equal(wide.scale.constant, 0.01);
+  assert.deepEqual(wide.axis.values, [-1000, -10, -0.1, 0, 0.1, 10, 1000]);
+  assert.equal(axis([-0.5, 0, 2.5]).scale.type, "linear");
 });

@@ -15,7 +15,8 @@ constexpr int kRounds = 15, kStepsARound = 64;
 double friction_seconds(const Cost& cost) { return cost.phase_seconds.at("friction"); }
 
 void run_cost(CaseRun& run, const ComparisonScene& scene) {
-  const Snapshot start = settled_without_memory(run.engine(), scene, run.settings().at("method"));
+  const Snapshot start =
+      settled_without_memory(run.engine(), scene, contacts_of(run.settings())).state;
   const auto own = run.simulate(scene.problem, scene.settings);
   Settings settings = scene.settings;
   settings["method"] = run.settings().at("method");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's sweep of α over [−1, 1], and the same over the dimensionless gain.
+// The paper's sweep of α, here over six decades and both signs (a reading in millimetres is a
+// thousand times as large as one in metres), and the same over the dimensionless gain.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,9 +18,29 @@ constexpr std::uint64_t kSteps = 1000;
 struct Sweep {
   std::string setting;  // of the engine
   std::string unit;
-  double from, to;
-  int points;
+  std::vector<double> values;
 };
+
+// Both signs, `a_decade` from 10^`from` to 10^`to`, and 0.
+std::vector<double> over_decades(int from, int to, int a_decade) {
+  std::vector<double> positive;
+  for (int k = from * a_decade; k <= to * a_decade; ++k) {
+    positive.push_back(std::pow(10.0, static_cast<double>(k) / a_decade));
+  }
+  std::vector<double> values;
+  for (auto value = positive.rbegin(); value != positive.rend(); ++value) {
+    values.push_back(-*value);
+  }
+  values.push_back(0.0);
+  values.insert(values.end(), positive.begin(), positive.end());
+  return values;
+}
+
+std::vector<double> evenly(double from, double to, int points) {
+  std::vector<double> values;
+  for (int k = 0; k < points; ++k) values.push_back(from + (to - from) * k / (points - 1));
+  return values;
+}
 
 void run_sweep(CaseRun& run, ComparisonScene scene, const Sweep& sweep) {
   scene.steps = kSteps;
@@ -28,8 +49,7 @@ void run_sweep(CaseRun& run, ComparisonScene scene, const Sweep& sweep) {
   std::string failed;
   const RuleHistory usual = run_rule(run, scene);
   bool same_hash = usual.same_hash;
-  for (int k = 0; k < sweep.points; ++k) {
-    const double value = sweep.from + (sweep.to - sweep.from) * k / (sweep.points - 1);
+  for (const double value : sweep.values) {
     // α = 0 would mean the gain; both 0 are ξ = 1 for ever.
     const bool is_zero = std::abs(value) < 1e-12;
     const std::string setting = is_zero ? "gain" : sweep.setting;
@@ -53,7 +73,7 @@ void run_sweep(CaseRun& run, ComparisonScene scene, const Sweep& sweep) {
   run.check(measured("final creep at the default gain", "m/s", "what is held does not creep",
                      usual.creep()));
   run.check(measured("failures", "1", "no value throws the box off",
-                     static_cast<double>(sweep.points) - static_cast<double>(creep.x.size())));
+                     static_cast<double>(sweep.values.size() - creep.x.size())));
   if (!failed.empty()) run.note("failed: " + sweep.setting + " = " + failed);
   run.add(std::move(creep));
 }
@@ -67,8 +87,8 @@ Case sweep_case(const ComparisonScene& scene, const Sweep& sweep,
     }
   }
   return {.name = sweep.setting + "/" + scene.name,
-          .title = fmt::format("creep over {} from {:g} to {:g}, {}", sweep.setting, sweep.from,
-                               sweep.to, scene.title),
+          .title = fmt::format("creep over {} from {:g} to {:g}, {}", sweep.setting,
+                               sweep.values.front(), sweep.values.back(), scene.title),
           .variants = variants,
           .run = [=](CaseRun& run) { run_sweep(run, scene, sweep); }};
 }
@@ -76,8 +96,8 @@ Case sweep_case(const ComparisonScene& scene, const Sweep& sweep,
 }  // namespace
 
 std::vector<Case> comparisons_gain() {
-  const Sweep alpha{"alpha", "s/m", -1.0, 1.0, 21};
-  const Sweep gain{"gain", "1", -0.5, 2.5, 16};
+  const Sweep alpha{"alpha", "s/m", over_decades(-3, 3, 2)};
+  const Sweep gain{"gain", "1", evenly(-0.5, 2.5, 16)};
   std::vector<Case> cases;
   for (const ComparisonScene& scene : comparison_scenes()) {
     if (scene.name != "slab" && scene.name != "box-pyramid") continue;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stiction {
+
+/// What a document shows of several values: the checks of one case, and then the cases.
+enum class Taken {
+  kOnly,   ///< there must be one
+  kLeast,  ///< infinities (never) count as large; a value that is no number wins
+  kMost,   ///< the same
+  kRange,  ///< least and most
+  kCount,  ///< how many there are
+};
+
+/// How a number stands in a document.
+struct FigureStyle {
+  int digits = 1;              ///< significant ones
+  int places = -1;             ///< behind the point; −1: by `digits`
+  double times = 1.0;          ///< multiplied by before it is shown, e.g. 100 for per cent
+  bool sign = false;           ///< a + before positive ones
+  std::string unit{};          ///< behind it, e.g. " %"
+  std::string range = " to ";  ///< between the ends of a range
+  /// Words for what is above a value, e.g. {0.01, "slips out"}; the highest that is passed counts.
+  std::map<double, std::string> above{};
+  std::string no_number = "–";  ///< word for NaN
+  std::string never = "never";  ///< word for infinity
+};
+
+/// A figure of the documents: which number of a run's records it is.
+struct FigureRule {
+  std::string name{};   ///< "rest-poses@quiet": name of the rule, and of the column if it has any
+  std::string where{};  ///< "validate.toml:12", for messages
+  std::string case_glob{};                        ///< of the records' cases
+  std::string except{};                           ///< glob of cases left out; empty: none
+  std::map<std::string, std::string> settings{};  ///< that a record must have; "" is 'not set'
+  std::string quantity{};                         ///< of a check …
+  std::string series{};                           ///< … or of a series, at x = `at`
+  double at = 0.0;
+  Taken within = Taken::kOnly;  ///< of the records and checks of one case
+  Taken over = Taken::kOnly;    ///< of the cases
+  /// A fresh run agrees while it is within a factor of `factor` (10: the same order of magnitude),
+  /// or both are below `floor` in size, where rounding decides.
+  double factor = 10.0;
+  double floor = 0.0;
+  FigureStyle style{};
+};
+
+/// Lines of a run's printed output that a document shows.
+struct SampleRule {
+  std::string name{};
+  std::string where{};
+  std::vector<std::pair<std::string, std::map<std::string, std::string>>> records{};
+};
+
+/// One program's figures: reports/documents/figures/<program>.toml.
+struct FigureRules {
+  std::string program{};  ///< "validate"
+  std::vector<FigureRule> figures{};
+  std::vector<SampleRule> samples{};
+  /// Names of the columns of each rule that has any, in the order in which they were given.
+  std::map<std::string, std::vector<std::string>> columns{};
+};
+
+/// Reads such a file. Throws std::runtime_error "FILE:LINE: SENTENCE" for what it does not know.
+FigureRules read_figure_rules(const std::filesystem::path& file);
+
+}  // namespace stiction

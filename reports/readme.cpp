@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program behind `./stiction readme`: records of runs → kept figures → the documents' tables.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "reports/documents/document.h"
+#include "reports/documents/kept_figures.h"
+#include "reports/record_json.h"
+
+namespace stiction {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum ExitCode { kAgree = 0, kDiffer = 1, kCouldNotRun = 2 };
+
+struct Arguments {
+  std::string root = ".";
+  std::vector<std::string> update, against;
+  bool check = false;
+};
+
+std::string content_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (!stream) throw std::runtime_error(fmt::format("{} cannot be read", file.string()));
+  return content.str();
+}
+
+void write(const fs::path& file, const std::string& content) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << content;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("{} cannot be written", file.string()));
+}
+
+// Of a run's folder, of an out-dir with its 'latest', or a file of records.
+std::vector<Record> records_of(const std::vector<std::string>& runs) {
+  std::vector<Record> all;
+  for (const std::string& run : runs) {
+    fs::path file = run;
+    if (fs::is_directory(file / "latest")) file /= "latest";
+    if (fs::is_directory(file)) file /= "records.jsonl";
+    RecordFile read = read_records(file);
+    if (!read.unfinished.empty()) throw std::runtime_error(read.unfinished);
+    // What a later run has measured again replaces the earlier.
+    for (Record& record : read.records) {
+      std::erase_if(all, [&](const Record& before) {
+        return before.case_name == record.case_name && before.settings == record.settings;
+      });
+    }
+    std::move(read.records.begin(), read.records.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+class Project {
+ public:
+  explicit Project(const fs::path& root) : root_(root), folder_(root / "reports/documents") {
+    if (!fs::is_directory(folder_ / "figures")) {
+      throw std::runtime_error(
+          fmt::format("{} has no folder reports/documents/figures", root.string()));
+    }
+    for (const auto& entry : fs::directory_iterator(folder_ / "figures")) {
+      if (entry.path().extension() == ".toml") rules_.push_back(read_figure_rules(entry.path()));
+    }
+    std::sort(rules_.begin(), rules_.end(),
+              [](const auto& a, const auto& b) { return a.program < b.program; });
+  }
+
+  // The programs of which these records tell.
+  std::vector<const FigureRules*> told_by(const std::vector<Record>& records) const {
+    std::vector<const FigureRules*> told;
+    for (const FigureRules& rules : rules_) {
+      if (tells(rules, records)) told.push_back(&rules);
+    }
+    if (told.empty()) throw std::runtime_error("these runs have none of the documents' figures");
+    return told;
+  }
+
+  void update(const std::vector<Record>& records) const {
+    for (const FigureRules* rules : told_by(records)) {
+      write(kept_file(*rules), to_json(figures_of(*rules, records)));
+      fmt::print("{}\n", relative(kept_file(*rules)));
+    }
+  }
+
+  bool agrees_with(const std::vector<Record>& records) const {
+    bool all = true;
+    for (const FigureRules* rules : told_by(records)) {
+      const KeptFigures kept = read_kept_figures(kept_file(*rules));
+      for (const std::string& sentence : disagreements(*rules, kept, figures_of(*rules, records))) {
+        fmt::print("{}.toml: {}\n", rules->program, sentence);
+        all = false;
+      }
+    }
+    return all;
+  }
+
+  // Writes the documents, or only says which ones would change.
+  bool documents(bool only_check) const {
+    FigureTexts texts;
+    for (const FigureRules& rules : rules_) texts.add(rules, read_kept_figures(kept_file(rules)));
+    const Templates templates = [&](const std::string& name) {
+      const fs::path file = folder_ / "tables" / (name + ".md");
+      if (name.find('/') != std::string::npos || !fs::is_regular_file(file)) {
+        throw std::runtime_error(fmt::format("there is no reports/documents/tables/{}.md", name));
+      }
+      return content_of(file);
+    };
+    bool same = true;
+    for (const fs::path& file : markdown_files()) {
+      const std::string before = content_of(file);
+      if (!has_markers(before)) continue;
+      const std::string after = written(before, relative(file), texts, templates);
+      if (before == after) continue;
+      same = false;
+      if (!only_check) write(file, after);
+      fmt::print("{}{}\n", relative(file),
+                 only_check ? " differs from the kept figures: ./stiction readme writes it" : "");
+    }
+    for (const std::string& name : texts.unused()) {
+      fmt::print("The figure '{}' stands in no document.\n", name);
+      same = false;
+    }
+    return same;
+  }
+
+ private:
+  static bool tells(const FigureRules& rules, const std::vector<Record>& records) {
+    return std::any_of(rules.figures.begin(), rules.figures.end(), [&](const FigureRule& rule) {
+      return std::any_of(records.begin(), records.end(),
+                         [&](const Record& record) { return is_of(rule, record); });
+    });
+  }
+
+  std::vector<fs::path> markdown_files() const {
+    std::vector<fs::path> files;
+    for (auto at = fs::recursive_directory_iterator(root_);
+         at != fs::recursive_directory_iterator(); ++at) {
+      const std::string name = at->path().filename().string();
+      if (at->is_directory() && (name == "build" || name.front() == '.' || at->path() == folder_)) {
+        at.disable_recursion_pending();
+      } else if (at->is_regular_file() && at->path().extension() == ".md") {
+        files.push_back(at->path());
+      }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  fs::path kept_file(const FigureRules& rules) const {
+    return folder_ / "figures" / (rules.program + ".json");
+  }
+  std::string relative(const fs::path& file) const { return fs::relative(file, root_).string(); }
+
+  fs::path root_, folder_;
+  std::vector<FigureRules> rules_;
+};
+
+int readme(const Arguments& arguments) {
+  const Project project(fs::absolute(arguments.root).lexically_normal());
+  bool agree = true;
+  if (!arguments.update.empty()) project.update(records_of(arguments.update));
+  if (!arguments.against.empty()) agree = project.agrees_with(records_of(arguments.against));
+  const bool only_look = arguments.check || !arguments.against.empty();
+  if (!project.documents(only_look) && only_look) agree = false;
+  return agree ? kAgree : kDiffer;
+}
+
+}  // namespace
+
+}  // namespace stiction
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Writes the measured figures of README and documents, between their markers, from the\n"
+      "committed extracts of runs (reports/documents/README.md).",
+      "stiction readme");
+  stiction::Arguments arguments;
+  app.add_option(
+         "--update", arguments.update,
+         "Renew the extracts from these runs first: folders of ./stiction validate, compare or "
+         "bench; of what several runs have measured, the last counts")
+      ->type_name("RUN…");
+  app.add_option("--against", arguments.against,
+                 "Write nothing; say which figures of these runs have another verdict than in the "
+                 "documents, or have left their band")
+      ->type_name("RUN…");
+  app.add_flag("--check", arguments.check, "Write nothing; say which documents are out of date");
+  app.add_option("--root", arguments.root, "Of the source tree")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.footer(
+      "Exit code: 0 all agree, 1 something differs, 2 a figure could not be found or a file "
+      "not read.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? stiction::kAgree : stiction::kCouldNotRun;
+  }
+  try {
+    return stiction::readme(arguments);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stiction readme: {}\n", error.what());
+    return stiction::kCouldNotRun;
+  }
+}
