@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/clamp_limit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -43,6 +44,19 @@ std::vector<Vec3> vertices_on(const ProblemBody& body, const Face& own, const Fa
   return found;
 }
 
+// Corners of the rectangle in which two faces overlap: where edges cross, no vertex need be.
+void add_corners(const Face& one, const Face& other, std::vector<Vec3>& points) {
+  const Vec3 low = one.low.cwiseMax(other.low), high = one.high.cwiseMin(other.high);
+  for (const double y : {low.y(), high.y()}) {
+    for (const double z : {low.z(), high.z()}) {
+      const Vec3 corner(one.x, y, z);
+      const bool known = std::any_of(points.begin(), points.end(),
+                                     [&](const Vec3& p) { return (p - corner).norm() < 1e-9; });
+      if (!known) points.push_back(corner);
+    }
+  }
+}
+
 }  // namespace
 
 reference::LimitProblem clamp_points(const ClampSetup& setup, double force) {
@@ -71,6 +85,7 @@ reference::LimitProblem clamp_points(const ClampSetup& setup, double force) {
     if (after) {
       for (const Vec3& p : vertices_on(*after, left_of_after, right_of_before)) points.push_back(p);
     }
+    if (before && after) add_corners(right_of_before, left_of_after, points);
     for (const Vec3& p : points) {
       if (at_left) left.contacts.push_back(static_cast<int>(limit.contacts.size()));
       // The jaws are fixed, so that the box is `body_a` and the normal points into it.

@@ -7,8 +7,9 @@
 namespace stiction {
 
 /// The points at which the rigid bodies of a clamp touch before anything is pressed: vertices of
-/// either mesh on the face of its neighbour, edges included. Geometry alone, no solver. The jaws'
-/// normal forces add up to `force`, N; gravity is the live load.
+/// either mesh on the face of its neighbour, edges included, and the corners of the faces' overlap.
+/// Geometry alone, no solver. The jaws' normal forces add up to `force`, N; gravity is the live
+/// load.
 reference::LimitProblem clamp_points(const ClampSetup& setup, double force);
 
 /// Exact bracket of the least force that holds rigid boxes, N: limit analysis of `clamp_points`.

@@ -27,8 +27,8 @@ TEST(ClampLimit, StraightClampsNeedHalfTheWeightOverMu) {
   }
 }
 
-// One row of vertices touches each narrow bar, a third of the width apart:
-// N = m g/(2 (μ − Δh/w)).
+// Narrow bars a third of the width apart. Each presses where it is nearest to the other, on the
+// edge that it ends with: N = m g/(2 (μ − (Δh − h)/w)), h their height.
 TEST(ClampLimit, OffsetBarsTakeTheirShareOfFriction) {
   ClampSetup setup;
   setup.box_cells = {2, 2, 3};
@@ -36,8 +36,8 @@ TEST(ClampLimit, OffsetBarsTakeTheirShareOfFriction) {
   setup.bar = Vec3(0.02, 0.14, 0.025);
   setup.bar_cells = {1, 1, 1};
   setup.friction = 0.6;
-  EXPECT_EQ(clamp_points(setup, 1.0).contacts.size(), 6u);
-  expect_limit(setup, setup.box_mass * setup.fall / (2.0 * (0.6 - 1.0 / 3.0)));
+  EXPECT_EQ(clamp_points(setup, 1.0).contacts.size(), 2u * (3u + 4u)) << "vertices and corners";
+  expect_limit(setup, setup.box_mass * setup.fall / (2.0 * (0.6 - 1.0 / 3.0 + 0.25)));
 }
 
 TEST(ClampLimit, FlushFacesTouchAtTheVerticesOfBothSides) {
