@@ -94,23 +94,26 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
   const double fine = extrapolate_with_order(b.middle(), c.middle(), kStiffer, 1.0);
   // An error of order 1/E² in the finer extrapolation is a fifteenth of the way that it has come.
   const double next = std::abs(fine - coarse) / (kStiffer * kStiffer - 1.0);
+  // Nothing bracketed: the value is no number, and the tolerance shall be one.
+  const bool found = !std::isnan(fine) && !std::isnan(coarse);
   const double brackets =
       (kStiffer * (c.half() + kRest * rigid) + b.half() + kRest * rigid) / (kStiffer - 1.0);
-  run.check({.quantity = "critical clamp force, rigid limit",
-             .unit = "N",
-             .claim = "a clamp holds iff its friction can carry weight and couple",
-             .formula = "least N with an equilibrium in the cones of all contact points",
-             .source = "exact limit analysis of the rigid geometry, validation/clamp_limit.h",
-             .kind = ReferenceKind::kExactComputed,
-             .value = fine,
-             .expected = rigid,
-             .relative = true,
-             .scale = rigid,
-             .tolerance = (brackets + next + 0.5 * (limit.upper - limit.lower)) / rigid,
-             .reason = "half the brackets of the bisections and 8e-5 of the criterion of rest, as "
-                       "the extrapolation (4 N(16E) − N(4E))/3 weighs them; a fifteenth of its "
-                       "distance from that of E and 4 E, for the order 1/E²; half the analysis' "
-                       "bracket"});
+  run.check(
+      {.quantity = "critical clamp force, rigid limit",
+       .unit = "N",
+       .claim = "a clamp holds iff its friction can carry weight and couple",
+       .formula = "least N with an equilibrium in the cones of all contact points",
+       .source = "exact limit analysis of the rigid geometry, validation/clamp_limit.h",
+       .kind = ReferenceKind::kExactComputed,
+       .value = fine,
+       .expected = rigid,
+       .relative = true,
+       .scale = rigid,
+       .tolerance = found ? (brackets + next + 0.5 * (limit.upper - limit.lower)) / rigid : 0.0,
+       .reason = "half the brackets of the bisections and 8e-5 of the criterion of rest, as "
+                 "the extrapolation (4 N(16E) − N(4E))/3 weighs them; a fifteenth of its "
+                 "distance from that of E and 4 E, for the order 1/E²; half the analysis' "
+                 "bracket"});
   const Extrapolation free = extrapolate(a.middle(), b.middle(), c.middle(), kStiffer);
   run.note(
       fmt::format("limit analysis [{:.6f}, {:.6f}] N; extrapolated {:.4f} N from E and 4 E, "
