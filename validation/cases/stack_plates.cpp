@@ -15,7 +15,7 @@ StackSetup plates(double top_density) {
   StackSetup setup;
   setup.boxes = 3;
   setup.size = Vec3(0.2, 0.2, 0.05);
-  setup.cells = 4;
+  setup.cells = 2;
   setup.ground = Ground::kSlab;
   setup.top_density = top_density;
   setup.tan_slope = 0.2;
