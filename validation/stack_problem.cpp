@@ -51,6 +51,14 @@ std::string word(Ground ground) {
   return {};
 }
 
+Drag settling_drag(const StackSetup& setup) {
+  const double height = setup.boxes * setup.size.z();
+  const double speed = std::sqrt(setup.elasticity.youngs_modulus / (12.0 * setup.density));
+  const double omega = 3.516 * speed * setup.size.x() / (height * height);
+  // What sways faster than 40 rad/s is ended soon enough by less.
+  return {.rate = 1.5 * std::min(omega, 40.0), .full_until = 7.0, .ends = 8.0};
+}
+
 Problem stack_problem(const StackSetup& setup) {
   Problem problem;
   problem.name = "stack";
@@ -78,7 +86,7 @@ Problem stack_problem(const StackSetup& setup) {
   const Vec3 full = into + Vec3(kStandardGravity * cosine * setup.tan_slope, 0.0, 0.0);
   problem.gravity = {{0.0, kStackPressed, kStackTilts, kStackTilted},
                      {Vec3::Zero(), into, into, full}};
-  problem.drag = setup.drag;
+  problem.drag = settling_drag(setup);
   return problem;
 }
 

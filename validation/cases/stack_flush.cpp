@@ -38,7 +38,8 @@ void run_stack(CaseRun& run, StackSetup setup, const Slope& slope, const Asked& 
       fmt::format("tan θ = {:.4f}; the rigid stack slides or topples at {:.4f} (limit "
                   "analysis), an elastic column without tension by its lean at {:.4f}",
                   setup.tan_slope, limit.rigid, limit.elastic));
-  const RestScene scene{.words = stack_words(setup), .problem = stack_problem(setup)};
+  const RestScene scene{
+      .words = stack_words(setup), .problem = stack_problem(setup), .settled = kStackSettled};
   check_rest(run, watch_rest(run, scene, asked, 0.5 * setup.size.x()), stack_bounds());
 }
 

@@ -30,7 +30,8 @@ void run_turned(CaseRun& run, const std::vector<double>& turns, int cells, const
   for (const double turn : turns) {
     const StackSetup setup = turned(turn, cells);
     const RestScene scene{.words = fmt::format("turned by {:.1f}° a cube", turn / kDegree),
-                          .problem = stack_problem(setup)};
+                          .problem = stack_problem(setup),
+                          .settled = kStackSettled};
     for (RestOutcome& outcome :
          watch_rest(run, scene, asked, 0.5 * setup.size.x(), outcomes.empty())) {
       outcomes.push_back(std::move(outcome));
