@@ -29,8 +29,9 @@ class EnergyWatch {
   /// the energy of `kRestSpeed`. Infinite where a sample is no number or a half has none.
   double growth() const;
 
-  /// By how much two means of n = kSamples samples of an undamped vibration differ: sin² has the mean ½ and
-  /// the standard deviation 1/√8, so the halves' ratio scatters by 1/√n; three times that.
+  /// By how much two means of n = kSamples samples of an undamped vibration differ: sin² has the
+  /// mean ½ and the standard deviation 1/√8, so the halves' ratio scatters by 1/√n; three times
+  /// that.
   static double allowance();
 
  private:

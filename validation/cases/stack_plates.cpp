@@ -45,7 +45,7 @@ std::vector<Case> cases_stack_plates() {
         fmt::format("three flush plates rest at tan θ = 0.2, the top {:g} times as dense", top);
     cases.push_back({.name = name,
                      .title = title,
-                     .set = top == 10.0 ? CaseSet::kDefault : CaseSet::kFull,
+                     .set = CaseSet::kFull,
                      .variants = {{{"method", "quiet"}}},
                      .run = [=](CaseRun& run) { run_plates(run, plates(top), kOnce); }});
     cases.push_back({.name = name + "/doubled",
