@@ -82,6 +82,15 @@ struct PairSearch {
   };
   std::vector<Ball> ball;
 
+  std::vector<Eigen::AlignedBox3d> travel;  ///< per body: of its vertices in a step, m
+  /// Two bodies that a step can carry through each other; `travel` is 0 while there are none.
+  struct Outrun {
+    std::int32_t body = -1, other = -1;
+    double travel = 0.0;  ///< of one against the other in a step, m
+    double width = 0.0;   ///< least width of an element of either, m
+  };
+  Outrun outrun;
+
   struct EdgeBox {
     Eigen::AlignedBox3d box;
     std::int32_t edge, body;

@@ -7,6 +7,7 @@
 
 #include "solver/phases/crossing_edges.h"
 #include "solver/phases/edge_candidates.h"
+#include "solver/phases/outrun.h"
 #include "solver/phases/pair_candidates.h"
 
 namespace stiction {
@@ -133,7 +134,10 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   for (std::size_t k = 0; k < state.position.size(); ++k) {
     search.predicted[k] = state.position[k].x + options.time_step * workspace.velocity[k].v;
   }
-  if (update_candidates(scene, search)) search.edges_listed = false;
+  if (update_candidates(scene, search)) {
+    search.edges_listed = false;
+    note_outrun(scene, options.time_step, workspace.velocity, search);
+  }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
   merge_with_kept(scene, search, state.pair_memory, options.pairs, workspace.pairs);
 }

@@ -65,6 +65,7 @@ class StictionEngine final : public Engine {
       workspace_.phase_seconds = cost_.phases_of(state_.step);
       step(scene_, options_, state_, workspace_);
       cost_.add_step(workspace_);
+      if (workspace_.search.outrun.travel > 0.0) refuse_outrun();
       if (cost_.steps() % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
     }
     cost_.add_cpu(thread_cpu_seconds() - before);
@@ -196,8 +197,8 @@ class StictionEngine final : public Engine {
       arm += weight * (state_.position[v].x - dt * state_.velocity[v].v);
     };
     for (int k = 0; k < 2; ++k) {
-      position += contact.own_weight[k] *
-                  state_.position[static_cast<std::size_t>(contact.vertex[k])].x;
+      position +=
+          contact.own_weight[k] * state_.position[static_cast<std::size_t>(contact.vertex[k])].x;
       add(contact.own_weight[k], contact.vertex[k]);
     }
     for (int k = 0; k < 4; ++k) add(-contact.weight[k], contact.partner[k]);
@@ -218,6 +219,19 @@ class StictionEngine final : public Engine {
             .sticks = contact.status == ContactStatus::kStick,
             .position = position,
             .arm = arm};
+  }
+
+  [[noreturn]] void refuse_outrun() const {
+    const PairSearch::Outrun& outrun = workspace_.search.outrun;
+    const auto name = [&](std::int32_t b) -> const std::string& {
+      return scene_.bodies[static_cast<std::size_t>(b)].name;
+    };
+    throw InputError(fmt::format(
+        "'{}' and '{}' come at each other by {:.3g} mm in a step, more than an element of the "
+        "thinner one is wide ({:.3g} mm), so that they could pass through each other unseen: the "
+        "time step must be below {:.2g} s",
+        name(outrun.body), name(outrun.other), 1e3 * outrun.travel, 1e3 * outrun.width,
+        options_.time_step * outrun.width / outrun.travel));
   }
 
   void demand_finite() const {
