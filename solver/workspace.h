@@ -90,6 +90,14 @@ struct PairSearch {
     double width = 0.0;   ///< least width of an element of either, m
   };
   Outrun outrun;
+  /// The first contact so deep that it can't be told from a passage (note_too_deep); `depth` is 0
+  /// while there is none. With PairFace::kOpposed alone, which knows where a vertex came from.
+  struct TooDeep {
+    std::int32_t vertex = -1, body = -1;
+    double depth = 0.0;  ///< m
+    double width = 0.0;  ///< least width of an element of the two, m
+  };
+  TooDeep too_deep;
 
   struct EdgeBox {
     Eigen::AlignedBox3d box;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/feature.h"
+#include "solver/phases/depth.h"
 #include "solver/phases/detect_pairs.h"
 
 namespace stiction {
@@ -193,7 +194,11 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   for (const Found& pair : found) {
     if (outdone(topology, found, pair)) continue;
     const EdgeContact contact = contact_of(scene, state, workspace, pair);
-    if (contact.inverse_mass > 0.0) workspace.edges.push_back(contact);
+    if (contact.inverse_mass == 0.0) continue;
+    note_too_deep(topology, contact.vertex[0],
+                  topology.element_body[static_cast<std::size_t>(contact.element)], contact.depth,
+                  workspace.search);
+    workspace.edges.push_back(contact);
   }
 }
 

@@ -245,6 +245,15 @@ void set_partners(const Triangle& triangle, const Options& options, const State&
 
 }  // namespace
 
+void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, double depth,
+                   PairSearch& search) {
+  const auto own = static_cast<std::size_t>(topology.vertex_body[static_cast<std::size_t>(vertex)]);
+  const double width =
+      std::min(topology.least_width[own], topology.least_width[static_cast<std::size_t>(body)]);
+  if (depth <= kPassed * width || search.too_deep.depth > 0.0) return;
+  search.too_deep = {vertex, body, depth, width};
+}
+
 void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
   const std::vector<Vec3>& x = workspace.search.predicted;
   const double dt = options.time_step;
@@ -299,6 +308,11 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       }
       contact.depth = distance;
       contact.normal = (foot - point) / distance;
+    }
+    if (resting >= 0) {
+      note_too_deep(scene.topology, contact.vertex,
+                    static_cast<std::int32_t>(contact.key & 0xffffffffu), contact.depth,
+                    workspace.search);
     }
     set_partners(triangle, options, state, projection, contact);
     contact.inverse_mass = inverse_mass(contact.vertex);

@@ -66,6 +66,7 @@ class StictionEngine final : public Engine {
       step(scene_, options_, state_, workspace_);
       cost_.add_step(workspace_);
       if (workspace_.search.outrun.travel > 0.0) refuse_outrun();
+      if (workspace_.search.too_deep.depth > 0.0) refuse_passage();
       if (cost_.steps() % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
     }
     cost_.add_cpu(thread_cpu_seconds() - before);
@@ -232,6 +233,17 @@ class StictionEngine final : public Engine {
         "time step must be below {:.2g} s",
         name(outrun.body), name(outrun.other), 1e3 * outrun.travel, 1e3 * outrun.width,
         options_.time_step * outrun.width / outrun.travel));
+  }
+
+  [[noreturn]] void refuse_passage() const {
+    const PairSearch::TooDeep& deep = workspace_.search.too_deep;
+    throw InputError(fmt::format(
+        "'{}' has sunk {:.3g} mm into '{}', {:.2g} of the width of its least element ({:.3g} mm), "
+        "at "
+        "t = {:.4g} s: it is passing through; a smaller time step or stiffer bodies may hold",
+        scene_.bodies[body_of(deep.vertex)].name, 1e3 * deep.depth,
+        scene_.bodies[static_cast<std::size_t>(deep.body)].name, deep.depth / deep.width,
+        1e3 * deep.width, static_cast<double>(state_.step) * options_.time_step));
   }
 
   void demand_finite() const {
