@@ -84,6 +84,7 @@ void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold
 
 void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, double least,
                            double width, bool half_step) {
+  if (is_paper(run)) run.passages_are_noted();
   const ClampLimit limit = clamp_limit(setup);
   const double rigid = 0.5 * (limit.lower + limit.upper);
   const ClampSetup middle = stiffer(setup, kStiffer), hard = stiffer(middle, kStiffer);

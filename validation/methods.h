@@ -18,4 +18,12 @@ inline std::vector<Settings> method_variants() {
           {{"method", "quiet"}}};
 }
 
+/// Whether the run is of the paper's method. Where a case lets bodies part, as a search for a
+/// threshold does, or throws them together, they pass through each other with it: there that is
+/// noted, and no error of the run.
+inline bool is_paper(const CaseRun& run) {
+  const auto method = run.settings().find("method");
+  return method != run.settings().end() && method->second == "paper";
+}
+
 }  // namespace stiction

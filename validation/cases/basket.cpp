@@ -113,6 +113,7 @@ Fall drop(CaseRun& run, const Problem& problem, double window, const Settings& e
 const Settings kUnstabilised = {{"method", "paper"}, {"rule", "none"}};
 
 void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double window) {
+  if (is_paper(run)) run.passages_are_noted();
   Problem problem = basket_problem(setup);
   problem.duration = duration;
   const Fall fall = drop(run, problem, window, {});

@@ -180,7 +180,7 @@ std::vector<Case> cases_clamped_box() {
            .run = threshold(offset_clamp(), 1.4e-3, 0.2e-3, 2e-7, true)},
           {.name = "paper/fig3-clamped-box/threshold/flush",
            .title = "least force of a clamp of two bars exactly as large as the box",
-           .variants = {{{"method", "paper"}}, {{"method", "quiet"}}},
+           .variants = {{{"method", "quiet"}}},
            .run = threshold(flush, 0.7e-3, 0.1e-3, 2e-7)},
           {.name = "clamp/half-spaces/threshold",
            .title = "least force of a clamp of two rigid half-spaces",

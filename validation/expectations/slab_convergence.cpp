@@ -37,6 +37,7 @@ Expectations expectations_slab_convergence() {
       {"slab/convergence", "method=quiet", "steps until the fastest contact's slip stays below 1e-9 m/s", {1400, 3300}, kLimit, kTwice, kHalf},
       {"slab/convergence", "method=quiet sweeps=4", "steps until the mean slip stays below 1e-9 m/s", {250, 580}, kLimit, kTwice, kHalf},
       {"slab/convergence", "method=quiet sweeps=4", "steps until the fastest contact's slip stays below 1e-9 m/s", {650, 1500}, kLimit, kTwice, kHalf},
+      {"slab/convergence", "method=quiet sweeps=16", "steps until the mean slip stays below 1e-9 m/s", {51, 120}, kLimit, kTwice, kHalf},
       {"slab/convergence", "method=quiet sweeps=16", "steps until the fastest contact's slip stays below 1e-9 m/s", {350, 800}, kLimit, kTwice, kHalf},
   };
 }
