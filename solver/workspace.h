@@ -83,7 +83,8 @@ struct PairSearch {
   std::vector<Ball> ball;
 
   std::vector<Eigen::AlignedBox3d> travel;  ///< per body: of its vertices in a step, m
-  /// Two bodies that a step can carry through each other; `travel` is 0 while there are none.
+  /// Two bodies that a step can carry through each other; `travel` is 0 while there are none. With
+  /// PairFace::kOpposed alone, as the next.
   struct Outrun {
     std::int32_t body = -1, other = -1;
     double travel = 0.0;  ///< of one against the other in a step, m

@@ -136,7 +136,9 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   }
   if (update_candidates(scene, search)) {
     search.edges_listed = false;
-    note_outrun(scene, options.time_step, workspace.velocity, search);
+    if (options.pairs.face == PairFace::kOpposed) {
+      note_outrun(scene, options.time_step, workspace.velocity, search);
+    }
   }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
   merge_with_kept(scene, search, state.pair_memory, options.pairs, workspace.pairs);

@@ -115,7 +115,7 @@ std::vector<Case> cases_box_row() {
        .run = [three](CaseRun& run) { run_shear(run, three); }},
       {.name = "clamp/row/threshold/n=3",
        .title = "least force that holds three boxes between jaws",
-       .variants = {{{"method", "paper"}}, {{"method", "quiet"}}},
+       .variants = {{{"method", "quiet"}}},
        .run = [search](CaseRun& run) { check_clamp_threshold(run, search, 1.5e-3, 0.5e-3, 4e-7); }},
       {.name = "clamp/row/threshold/n=3/half-step",
        .title = "least force that holds three boxes, at half the time step too",

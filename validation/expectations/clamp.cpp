@@ -29,10 +29,6 @@ constexpr Words kNotAssociated{
 constexpr Words kCreeps{
     "kCreeps",
     "the scalar ξ leaves slip across ũ: what the method holds creeps on (compare, frozen/clamp)"};
-constexpr Words kRowCreeps{
-    "kRowCreeps",
-    "the search finds where the creep of the scalar ξ turns into sliding: extrapolated to rigid "
-    "boxes 0.7 % below the balance, with 8e-8 m/s of creep at what counts as holding"};
 constexpr Words kTwoPerCent{"kTwoPerCent", "two per cent either way of what was measured once"};
 constexpr Words kOldSlipsOut{
     "kOldSlipsOut",
@@ -67,8 +63,6 @@ Expectations expectations_clamp() {
       {"paper/fig3-clamped-box/threshold/offset", "method=paper", "critical clamp force, rigid limit", {18.0, 18.9}, kLimit, kVertices, kTwoPerCent},
       {"paper/fig3-clamped-box/threshold/offset", "method=paper", "creep of the clamp that holds, after twice the time", {6.6e-08, 6e-07}, kLimit, kCreeps, kOneRun},
       {"paper/fig3-clamped-box/threshold/offset", "method=quiet", "critical clamp force, rigid limit", {11.5, 12.1}, kLimit, kNotAssociated, kTwoPerCent},
-      {"clamp/row/threshold/n=3", "method=paper", "critical clamp force, rigid limit", {28.8, 29.43}, kLimit, kRowCreeps, kTwoPerCent},
-      {"clamp/row/threshold/n=3", "method=paper", "creep of the clamp that holds, after twice the time", {-2.5e-07, -2.7e-08}, kLimit, kCreeps, kOneRun},
       {"paper/fig3-clamped-box", "method=old", "displacement", {-0.1, -0.05}, kLimit, kOldSlipsOut, kLeaves},
       {"paper/fig3-clamped-box", "method=old", "rotation", {4.3, 40}, kLimit, kOldSlipsOut, kThirdToThree},
   };
