@@ -97,8 +97,9 @@ TEST(StictionEngine, RefusesUnknownSettingsWhenItIsMade) {
       test::refusal([] {
         find_engine("stiction").make({{"sped", "1"}});
       }),
-      "engine 'stiction' has no setting 'sped'; there are: alpha, ball, bound, cells, "
-      "count-hysteresis, depth, depth-noise, dt, gain, hysteresis, integrator, kappa, key, memory, "
+      "engine 'stiction' has no setting 'sped'; there are: alpha, ball, border, bound, cells, "
+      "count-hysteresis, depth, depth-noise, dt, edges, face, gain, hysteresis, integrator, kappa, "
+      "key, memory, "
       "method, normals, order, "
       "post-correction, reaction, relaxation, rule, safeguard, slip-tolerance, sweeps, tie, "
       "weights");
@@ -273,6 +274,63 @@ TEST(StictionEngine, SaysWhenItDiverged) {
   const auto engine = loaded(problem, {{"dt", "1e-3"}});
   EXPECT_THAT(test::refusal([&] { engine->advance(1000); }),
               HasSubstr("the simulation diverged before t = "));
+}
+
+// A cube of 0.1 m over a plate that is held, at a speed downwards.
+Problem thrown(double thickness, double speed) {
+  Problem problem;
+  ProblemBody plate;
+  plate.name = "plate";
+  plate.shape = BoxShape{Vec3(0.2, 0.2, thickness)};
+  plate.elasticity = {.youngs_modulus = 1e5, .poisson_ratio = 0.3};
+  plate.held = HeldPart{Vec3(0.0, 0.0, -0.5 * thickness), Vec3::UnitZ()};
+  ProblemBody cube;
+  cube.name = "cube";
+  cube.shape = BoxShape{Vec3::Constant(0.1)};
+  cube.elasticity = {.youngs_modulus = 1e5, .poisson_ratio = 0.3};
+  cube.position = Vec3(0.01, 0.02, 0.5 * thickness + 0.06);
+  cube.velocity = Vec3(0.0, 0.0, -speed);
+  problem.bodies = {plate, cube};
+  return problem;
+}
+
+TEST(StictionEngine, RefusesInWordsWhatPassesThrough) {
+  const auto engine = loaded(thrown(0.02, 60.0));
+  EXPECT_THAT(test::refusal([&] { engine->advance(100); }), HasSubstr("it is passing through"));
+}
+
+TEST(StictionEngine, RefusesInWordsWhatAStepCouldCarryThrough) {
+  const auto engine = loaded(thrown(0.02, 900.0));
+  const std::string words = test::refusal([&] { engine->advance(100); });
+  EXPECT_THAT(words, HasSubstr("come at each other by "));
+  EXPECT_THAT(words, HasSubstr("the time step must be below "));
+}
+
+TEST(StictionEngine, ShowsContactsOfCrossingEdges) {
+  Problem problem;
+  for (int k = 0; k < 2; ++k) {
+    ProblemBody bar;
+    bar.name = k == 0 ? "lower" : "upper";
+    bar.shape = BoxShape{Vec3(0.4, 0.1, 0.1)};
+    bar.position = Vec3(0.0, 0.0, 0.1 * k);
+    if (k == 0) {
+      bar.held = HeldPart{Vec3(0.0, 0.0, -0.05), Vec3::UnitZ()};
+    } else {
+      bar.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitZ());
+    }
+    problem.bodies.push_back(bar);
+  }
+  problem.friction = 0.5;
+  problem.gravity = {{0.0}, {Vec3(0.0, 0.0, -kStandardGravity)}};
+  const auto engine = loaded(problem, {{"cells", "1"}});
+  advance_to(*engine, 0.5);
+  const std::vector<ContactSample> contacts = engine->contacts();
+  ASSERT_EQ(contacts.size(), 4u) << "no vertex of one lies in the other";
+  for (const ContactSample& contact : contacts) {
+    EXPECT_TRUE(contact.against_body);
+    EXPECT_GT(std::abs(contact.normal.z()), 0.99);
+    EXPECT_LT(contact.arm.norm(), 1e-12) << "force and reaction act at one point";
+  }
 }
 
 }  // namespace
