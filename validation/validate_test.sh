@@ -212,7 +212,7 @@ grep -q '^  refuted  drift at rest' out || failed "a refuted claim" "the table h
 grep -q 'as expected in \[' out || failed "a refuted claim" "its band is not shown"
 grep -qE '^1 pass, 0 fail, 2 limit, 2 refuted, ' out || failed "a refuted claim" "it is not counted"
 grep -q '"expected_low":' short/latest/records.jsonl || failed "a refuted claim" "no band in its record"
-exits 1 "far worse than expected" "$build/validate_gain_reversed" "${short[@]}" --out worse
+exits 1 "far worse than expected" "$build/validate_kGainReversed" "${short[@]}" --out worse
 grep -q 'worse than expected \[' out || failed "far worse than expected" "no sentence says so"
 passed "a method that falls far shorter than expected turns the case red"
 exits 1 "better than known" "$build/validate_better_than_known" "${short[@]}" --out better

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "solver/friction/rule.h"
-#include "solver/mutation.h"
 
 namespace stiction {
 
@@ -57,14 +56,8 @@ struct FixedPoint {
 
  private:
   SlipSolution slipped(const SlipProblem& problem, double& xi) const {
-    SlipSolution solution = sliding(problem);
-    if constexpr (kMutation == Mutation::kStaleMemory) {
-      solution.status =
-          problem.was == ContactStatus::kStick ? ContactStatus::kStick : ContactStatus::kSlip;
-    } else if (!keep_through_slip_) {
-      xi = 1.0;
-    }
-    return solution;
+    if (!keep_through_slip_) xi = 1.0;
+    return sliding(problem);
   }
 
   double gain_;

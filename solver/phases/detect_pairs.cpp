@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/mutation.h"
 #include "solver/phases/crossing_edges.h"
 #include "solver/phases/edge_candidates.h"
 #include "solver/phases/outrun.h"
@@ -142,6 +143,9 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
   merge_with_kept(scene, search, state.pair_memory, options.pairs, workspace.pairs);
+  if constexpr (kMutation == Mutation::kLostContact) {
+    if (state.step % 100 == 99 && !workspace.pairs.empty()) workspace.pairs.pop_back();
+  }
 }
 
 }  // namespace stiction

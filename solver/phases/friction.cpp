@@ -24,6 +24,15 @@ double mutated(double mu) {
   return mu;
 }
 
+FrictionParameters mutated(FrictionParameters friction) {
+  if constexpr (kMutation == Mutation::kGainReversed) {
+    friction.gain = -friction.gain;
+    friction.raw_alpha = -friction.raw_alpha;
+    friction.relaxation = -friction.relaxation;
+  }
+  return friction;
+}
+
 // The contacts with obstacles, as the sweep sees them.
 struct ObstacleSide {
   const Scene& scene;
@@ -84,10 +93,11 @@ struct PairSide {
   }
   void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
     const PairContact& contact = pairs[c];
-    const Vec3 impulse = options.time_step * force;
+    Vec3 impulse = options.time_step * force;
     Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
     own.v += own.inverse_mass * impulse;
     if (!options.pairs.friction_reaction) return;
+    if constexpr (kMutation == Mutation::kFrictionReaction) impulse *= 0.98;
     for (int k = 0; k < 4; ++k) {
       Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
       other.v -= contact.weight[k] * other.inverse_mass * impulse;
@@ -170,6 +180,21 @@ void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory
   }
 }
 
+template <class Rule>
+SlipSolution solution_of(const Rule& rule, const SlipProblem& problem, double* memory) {
+  if constexpr (kMutation == Mutation::kStaleMemory && Rule::kValues > 0) {
+    double kept[Rule::kValues];
+    std::copy_n(memory, Rule::kValues, kept);
+    SlipSolution solution = rule.solve(problem, memory);
+    if (solution.status == ContactStatus::kSlip) {
+      std::copy_n(kept, Rule::kValues, memory);
+      if (problem.was == ContactStatus::kStick) solution.status = ContactStatus::kStick;
+    }
+    return solution;
+  }
+  return rule.solve(problem, memory);
+}
+
 // One contact of a sweep; `first` is true in the first sweep of a step. `was` holds the statuses at
 // the start of the step.
 template <class Rule, class Side>
@@ -184,7 +209,7 @@ void solve(const Rule& rule, const Side& side, std::size_t c, bool first, Contac
                             .normal = side.normal(c),
                             .first_sweep = first,
                             .force = side.force(c)};
-  SlipSolution solution = rule.solve(problem, memory);
+  SlipSolution solution = solution_of(rule, problem, memory);
   if constexpr (kMutation == Mutation::kFrictionSign) solution.force = -solution.force;
   side.apply(c, solution.force - side.force(c), velocity);
   side.force(c) = solution.force;
@@ -224,7 +249,8 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   const ObstacleSide obstacles{scene, options.time_step, workspace.contacts};
   const PairSide pairs{options, scene.friction, workspace.pairs};
   const EdgeSide edges{options.time_step, scene.friction, workspace.edges};
-  const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
+  const FrictionParameters friction = mutated(options.friction);
+  const bool known = with_friction_rule(options.rule, friction, [&](const auto& rule) {
     carry_memory(rule, state.memory, obstacles, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
     carry_memory(rule, state.edge_friction, edges, workspace.edge_friction);
@@ -259,7 +285,10 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   remember_status(pairs, workspace.pair_friction);
   remember_status(edges, workspace.edge_friction);
   std::swap(state.memory, workspace.memory);
-  std::swap(state.pair_friction, workspace.pair_friction);
+  if (kMutation != Mutation::kStalePairMemory ||
+      state.pair_friction.key != workspace.pair_friction.key) {
+    std::swap(state.pair_friction, workspace.pair_friction);
+  }
   std::swap(state.edge_friction, workspace.edge_friction);
   workspace.contact_updates += obstacles.size() + pairs.size() + edges.size();
 }

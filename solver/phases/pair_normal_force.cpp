@@ -2,6 +2,7 @@
 #include "solver/phases/pair_normal_force.h"
 
 #include "solver/feature.h"
+#include "solver/mutation.h"
 
 namespace stiction {
 
@@ -116,6 +117,9 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
   accumulate(workspace, harmonic, !harmonic || options.pairs.count_hysteresis, workspace.load);
   accumulate(workspace.edges, options.pairs.count_hysteresis, workspace.load);
   if (harmonic) add_obstacles(workspace, last_obstacles, options.pairs.count_hysteresis);
+  if constexpr (kMutation == Mutation::kLoadUncounted) {
+    workspace.load.assign(workspace.load.size(), harmonic ? 1.0 : 0.0);
+  }
   for (PairContact& contact : workspace.pairs) {
     if (contact.depth == 0.0) {
       contact.normal_force = 0.0;
@@ -123,7 +127,8 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
       contact.normal_force = harmonic_force(options.pairs, options.time_step, workspace, contact);
     } else {
       const double force = paper_force(options.time_step, workspace, contact);
-      contact.normal_force = corrects(options.pairs) ? 0.5 * force : force;
+      const double transmitted = kMutation == Mutation::kHalfLeftOut ? 1.0 : 0.5;
+      contact.normal_force = corrects(options.pairs) ? transmitted * force : force;
     }
   }
   for (EdgeContact& contact : workspace.edges) {
@@ -143,18 +148,20 @@ void apply(const Vec3& impulse, const EdgeContact& contact, std::vector<Velocity
     Velocity& own = velocity[static_cast<std::size_t>(contact.vertex[k])];
     own.v += contact.own_weight[k] * own.inverse_mass * impulse;
   }
+  const Vec3 reaction = kMutation == Mutation::kEdgeReaction ? Vec3(0.98 * impulse) : impulse;
   for (int k = 0; k < 4; ++k) {
     Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
-    other.v -= contact.weight[k] * other.inverse_mass * impulse;
+    other.v -= contact.weight[k] * other.inverse_mass * reaction;
   }
 }
 
 void apply_normal_force(const Options& options, const PairContact& contact,
                         std::vector<Velocity>& velocity) {
-  const Vec3 impulse = options.time_step * contact.normal_force * contact.normal;
+  Vec3 impulse = options.time_step * contact.normal_force * contact.normal;
   Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
   own.v += own.inverse_mass * impulse;
   if (!corrects(options.pairs)) return;
+  if constexpr (kMutation == Mutation::kNormalReaction) impulse *= 0.98;
   for (int k = 0; k < 4; ++k) {
     Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
     other.v -= contact.weight[k] * other.inverse_mass * impulse;

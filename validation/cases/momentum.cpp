@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "reference/box_mesh.h"
 #include "validation/free_boxes.h"
 #include "validation/methods.h"
 #include "validation/observe.h"
@@ -41,6 +43,20 @@ Problem two_boxes() {
       kDuration);
 }
 
+// A bar falls across another, turning about its own axis: edges meet edges, and no vertex is near
+// the crossing, each bar having three cells along its length.
+Problem crossed_bars() {
+  Problem problem = two_boxes();
+  problem.name = "crossed bars";
+  problem.bodies = {free_cube("lower", {0.0, 0.0, -0.0105}, {-0.2, -0.1, 0.3}, kDamping),
+                    free_cube("upper", {0.004, -0.003, 0.0105}, {0.2, 0.1, -0.3}, kDamping,
+                              Eigen::Quaterniond(Eigen::AngleAxisd(1.2, Vec3::UnitZ())))};
+  for (ProblemBody& body : problem.bodies) {
+    body.shape = MeshShape{reference::box_mesh(Vec3(0.12, 0.02, 0.02), {3, 1, 1})};
+  }
+  return problem;
+}
+
 // Friction that never worked proves nothing.
 double above_zero(double friction_work) {
   return friction_work == 0.0 ? std::nan("") : std::max(0.0, friction_work);
@@ -61,6 +77,7 @@ Problem struck_stack() {
 struct Contacts {
   Vec3 moment = Vec3::Zero();  // kg m²/s
   double friction_work = 0.0;  // J: Δt f · slip, the displacement of a step being Δt v_{n+1}
+  double cone = 0.0;           // largest |f|/fⁿ
 };
 
 Contacts contacts_of(const Engine& engine) {
@@ -70,6 +87,9 @@ Contacts contacts_of(const Engine& engine) {
     const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
     sum.moment += dt * contact.arm.cross(force);
     sum.friction_work += dt * contact.friction_force.dot(contact.slip);
+    if (contact.normal_force > 0.0) {
+      sum.cone = std::max(sum.cone, contact.friction_force.norm() / contact.normal_force);
+    }
   }
   return sum;
 }
@@ -85,6 +105,7 @@ struct Audit {
   double friction_work = 0.0;  // of all steps, J
   double most_given = 0.0;     // largest work that friction gave back in a step, J
   double contact_steps = 0.0;  // contacts summed over the steps
+  double cone = 0.0;           // largest |f|/fⁿ of a contact in a step
 };
 
 Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool keep_series) {
@@ -111,6 +132,7 @@ Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool ke
     audit.explained += contacts.moment.norm();
     audit.friction_work += contacts.friction_work;
     audit.most_given = std::max(audit.most_given, contacts.friction_work);
+    audit.cone = std::max(audit.cone, contacts.cone);
     before = now;
     if (engine.steps_done() % 3 != 0) continue;
     for (Series* series : {&kinetic, &slip, &lost}) series->x.push_back(simulation->time());
@@ -194,6 +216,18 @@ void run_momentum(CaseRun& run, const Problem& problem) {
              .expected = 0.0,
              .tolerance = 1e-16,
              .reason = "an inequality; round-off of 1 J"});
+  run.check({.quantity = "largest friction over normal force",
+             .unit = "1",
+             .claim = "friction reaches Coulomb's cone, where contacts slip, and never leaves it",
+             .formula = "max over steps and contacts of |f|/fⁿ = μ",
+             .source = "Coulomb's law, [Lazarevych2009], (7), (8)",
+             .kind = ReferenceKind::kAnalytic,
+             .value = found.cone,
+             .expected = problem.friction,
+             .relative = true,
+             .tolerance = 1e-12,
+             .reason = "round-off of a vector clamped to μ fⁿ, of its norm and of the quotient, "
+                       "some ten roundings, and three decades for light contacts"});
   const Audit bare = audit(run, problem, {{"post-correction", "off"}}, false);
   run.check({.quantity = "the same without post-correction",
              .unit = "J",
@@ -217,11 +251,12 @@ void run_momentum(CaseRun& run, const Problem& problem) {
       bare.linear_error / bare.linear_scale, bare.friction_work, bare.most_given));
 }
 
-Case audit_case(const char* name, const char* title, CaseSet set, Problem (*problem)()) {
+Case audit_case(const char* name, const char* title, CaseSet set, Problem (*problem)(),
+                std::vector<Settings> variants = method_variants()) {
   return {.name = name,
           .title = title,
           .set = set,
-          .variants = method_variants(),
+          .variants = std::move(variants),
           .run = [problem](CaseRun& run) { run_momentum(run, problem()); }};
 }
 
@@ -233,7 +268,11 @@ std::vector<Case> cases_momentum() {
                      CaseSet::kQuick, two_boxes),
           audit_case("paper/appendix-a-momentum/stack",
                      "momenta in a free stack of boxes that a third one strikes", CaseSet::kDefault,
-                     struck_stack)};
+                     struck_stack),
+          // Only quiet has contacts of crossing edges.
+          audit_case("paper/appendix-a-momentum/crossed-bars",
+                     "momenta when a bar falls across another: edges on edges", CaseSet::kDefault,
+                     crossed_bars, {{{"method", "quiet"}}})};
 }
 
 }  // namespace stiction

@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The proof that cases of contact between bodies bite: mutants_test.sh BUILD_DIR
+# Each fault of solver/mutation.h turns a named check of a named method red that the correct program
+# doesn't. Prints one line a check; ends with exit code 1 at the first that fails.
+set -uo pipefail
+
+build=$(cd "${1:?usage: mutants_test.sh BUILD_DIR}" && pwd)
+checks=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/end_to_end.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+# shellcheck source=validation/end_to_end.sh
+source "$checks"
+
+boxes=paper/appendix-a-momentum/two-boxes
+bars=paper/appendix-a-momentum/crossed-bars
+rest=slab/rest/one
+kappa=slab/kappa
+
+# Without --set, because bands of what is expected to fall short hold for a case's own variants only.
+run() { # run PROGRAM FOLDER CASE …: one JSON a record in FOLDER.jsonl
+  local program=$1 folder=$2 arguments=()
+  shift 2
+  for name in "$@"; do arguments+=(--case "$name"); done
+  "$build/$program" "${arguments[@]}" --no-page --out "$folder" >out 2>err
+  cp "$folder/latest/records.jsonl" "$folder.jsonl" 2>>err ||
+    failed "$program on $*" "it wrote no records"
+}
+
+# The verdict of a check: the record of the case and variant, cut at its quantities.
+verdict() { # verdict FOLDER CASE VARIANT QUANTITY
+  if [ "$4" = error ]; then
+    grep -F "\"case\":\"$2\"" "$1.jsonl" | grep -F "\"variant\":\"$3\"" |
+      sed -nE 's/.*"verdict":"([a-z]+)","error":.*/\1/p'
+    return
+  fi
+  grep -F "\"case\":\"$2\"" "$1.jsonl" | grep -F "\"variant\":\"$3\"" |
+    sed 's/{"quantity":/\n&/g' | grep -F "{\"quantity\":\"$4\"" |
+    sed -nE 's/.*"verdict":"([a-z]+)".*/\1/p'
+}
+
+mutated=
+mutant() { # mutant MUTATION CASE …: runs these cases with the fault
+  mutated=$1
+  run "validate_$1" "$@"
+}
+
+bites() { # bites CASE METHOD QUANTITY: the last mutant's check is red, the correct program's is not
+  local correct mutant
+  correct=$(verdict correct "$1" "method=$2" "$3")
+  mutant=$(verdict "$mutated" "$1" "method=$2" "$3")
+  case $correct in
+    pass | limit | refuted) ;;
+    *) failed "$mutated" "$3 of $1, $2, is '$correct' without it" ;;
+  esac
+  case $mutant in
+    fail | error) passed "$mutated turns $1, method=$2, red: $3" ;;
+    *) failed "$mutated" "$3 of $1, $2, is '$mutant' with it" ;;
+  esac
+}
+
+run validate correct "$boxes" "$bars" "$rest" "$kappa"
+
+mutant kFrictionScaled "$boxes" "$bars"
+for method in quiet paper; do bites "$boxes" $method 'largest friction over normal force'; done
+bites "$bars" quiet 'largest friction over normal force'
+
+mutant kFrictionSign "$boxes" "$bars"
+for method in quiet paper; do bites "$boxes" $method 'friction work, if above 0'; done
+bites "$bars" quiet 'friction work, if above 0'
+
+mutant kGainReversed "$boxes" "$rest"
+bites "$boxes" quiet 'friction work, if above 0'
+bites "$rest" quiet 'share of configurations at rest'
+bites "$rest" paper 'mean contact slip'
+
+mutant kStalePairMemory "$rest"
+bites "$rest" quiet 'fastest contact slip'
+
+for mutation in kFrictionReaction kNormalReaction kWeightSum; do
+  mutant $mutation "$boxes"
+  for method in quiet paper; do bites "$boxes" $method 'linear momentum, largest change'; done
+done
+
+mutant kLeverArm "$boxes" # the paper's weights have an arm, which its audit counts
+bites "$boxes" quiet 'angular momentum, largest change in a step'
+
+mutant kHalfLeftOut "$rest" "$kappa" # the ½ is the paper's alone
+bites "$rest" paper 'kinetic energy'
+bites "$kappa" paper 'largest κ above its bound'
+
+mutant kLoadUncounted "$rest" "$kappa"
+for method in quiet paper; do bites "$kappa" $method 'largest κ above its bound'; done
+bites "$rest" paper 'mean contact slip'
+
+mutant kLostContact "$rest" "$kappa"
+bites "$rest" quiet 'fastest contact slip'
+for method in quiet paper; do
+  bites "$kappa" $method 'vertices inside the other body without a contact'
+done
+
+mutant kDepthFlipped "$boxes"
+for method in quiet paper; do bites "$boxes" $method error; done
+
+mutant kEdgeReaction "$bars" # only quiet has contacts of crossing edges
+bites "$bars" quiet 'linear momentum, largest change'
