@@ -31,8 +31,8 @@ bool crossing_of(const Topology& topology, const std::vector<Vec3>& x, std::int3
 ///
 ///   d = −gap,   weights: of a's point at the start of the step, on a and in a tetrahedron at b
 ///
-/// A contact begins when edges interpenetrate by no more than a hundredth of a mean edge, or more if
-/// they did not at the start of the step, between their ends and as far from corners (there a
+/// A contact begins when edges interpenetrate by no more than a hundredth of a mean edge, or more
+/// if they did not at the start of the step, between their ends and as far from corners (there a
 /// vertex touches; else a body that slides over another's corner, pressed into it by a standing
 /// depth, would be caught there). It ends `border_margin` beyond an edge, or at the gap allowed by
 /// hysteresis. Of the crossings of one edge with one body that push in different directions the
