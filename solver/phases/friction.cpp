@@ -30,6 +30,7 @@ FrictionParameters mutated(FrictionParameters friction) {
     friction.raw_alpha = -friction.raw_alpha;
     friction.relaxation = -friction.relaxation;
   }
+  if constexpr (kMutation == Mutation::kStaleMemory) friction.keep_through_slip = true;
   return friction;
 }
 
@@ -180,21 +181,6 @@ void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory
   }
 }
 
-template <class Rule>
-SlipSolution solution_of(const Rule& rule, const SlipProblem& problem, double* memory) {
-  if constexpr (kMutation == Mutation::kStaleMemory && Rule::kValues > 0) {
-    double kept[Rule::kValues];
-    std::copy_n(memory, Rule::kValues, kept);
-    SlipSolution solution = rule.solve(problem, memory);
-    if (solution.status == ContactStatus::kSlip) {
-      std::copy_n(kept, Rule::kValues, memory);
-      if (problem.was == ContactStatus::kStick) solution.status = ContactStatus::kStick;
-    }
-    return solution;
-  }
-  return rule.solve(problem, memory);
-}
-
 // One contact of a sweep; `first` is true in the first sweep of a step. `was` holds the statuses at
 // the start of the step.
 template <class Rule, class Side>
@@ -209,7 +195,10 @@ void solve(const Rule& rule, const Side& side, std::size_t c, bool first, Contac
                             .normal = side.normal(c),
                             .first_sweep = first,
                             .force = side.force(c)};
-  SlipSolution solution = solution_of(rule, problem, memory);
+  SlipSolution solution = rule.solve(problem, memory);
+  if constexpr (kMutation == Mutation::kStaleMemory) {
+    if (was == ContactStatus::kStick) solution.status = ContactStatus::kStick;
+  }
   if constexpr (kMutation == Mutation::kFrictionSign) solution.force = -solution.force;
   side.apply(c, solution.force - side.force(c), velocity);
   side.force(c) = solution.force;
