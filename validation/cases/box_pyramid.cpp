@@ -195,7 +195,7 @@ void run_figure(CaseRun& run, const PyramidSetup& setup, double window = 3.0) {
   const Rested found = rest(run, setup, window, {}, &series);
   Check check =
       zero_check(kSource, "displacement", "m", "farthest box from its place", found.whole.distance,
-                 0.0, "none: elastic sag and shear, 1 to 1.5 mm, are most of it");
+                 0.0, "not judged: elastic sag and shear, 1 to 1.5 mm, are most of it");
   // Elastic sag and shear are most of it where the pyramid is whole; what slips is judged below.
   check.verdict = Verdict::kShown;
   check.worst = fmt::format("box {}", found.whole.box);

@@ -36,7 +36,7 @@ void run_threshold(CaseRun& run, const InclineSetup& setup) {
              .source = "bisection",
              .kind = ReferenceKind::kAnalytic,
              .value = bracket.width(),
-             .reason = "none: the bisection ends at the width that it was asked for",
+             .reason = "not judged: the bisection ends at the width that it was asked for",
              .verdict = Verdict::kShown});
   run.note(
       fmt::format("bracket on tan θ: holds at {:.11g}, slides at {:.11g}; θ_c − atan μ = "

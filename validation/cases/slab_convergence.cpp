@@ -81,7 +81,7 @@ void note_tail(CaseRun& run, double predicted, double observed, double dt) {
              .kind = ReferenceKind::kExactComputed,
              .value = -std::log(observed) / dt,
              .expected = -std::log(predicted) / dt,
-             .reason = "none: several parts of about the same decay swing against each other",
+             .reason = "not judged: several parts of about the same decay swing against each other",
              .verdict = Verdict::kShown});
 }
 
