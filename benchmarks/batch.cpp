@@ -101,6 +101,7 @@ void Batch::restore() {
       workspace.velocity = velocity_;
       work_.state.memory = start_.memory;
       work_.state.pair_friction = start_.pair_friction;
+      work_.state.edge_friction = start_.edge_friction;
       return;
     case Phase::kIntegrate:
       workspace.velocity = velocity_;
@@ -126,6 +127,11 @@ std::uint64_t Batch::hash() const {
   for (const Vec3& force : workspace.force) hash.add(force.data(), sizeof force);
   for (const Velocity& velocity : workspace.velocity) hash.add(velocity.v.data(), sizeof(Vec3));
   for (const PairContact& pair : workspace.pairs) add(pair, hash);
+  for (const EdgeContact& edge : workspace.edges) {
+    hash.add(&edge.key, sizeof edge.key);
+    hash.add(&edge.normal_force, sizeof edge.normal_force);
+    hash.add(edge.friction_force.data(), sizeof edge.friction_force);
+  }
   const OneSidedContacts& contacts = workspace.contacts;
   add(contacts.key, hash);
   add(contacts.depth, hash);

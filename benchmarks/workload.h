@@ -48,7 +48,9 @@ struct Workload {
   /// loaded contacts over what gravity adds to a free body's speed in one step.
   std::vector<Check> checks;
 
-  std::size_t contacts() const { return workspace.contacts.size() + workspace.pairs.size(); }
+  std::size_t contacts() const {
+    return workspace.contacts.size() + workspace.pairs.size() + workspace.edges.size();
+  }
   double error() const;  ///< largest |error| of the checks, dimensionless
 };
 
