@@ -65,7 +65,6 @@ std::string benchmark_name(const Timed& timed, const std::string& family, int si
 Batch::Batch(const Workload& settled, const Timed& timed) : work_(settled), timed_(timed) {
   if (timed.rule != work_.options.rule) {
     work_.options.rule = timed.rule;
-    work_.options.sweeps = friction_rule_card(timed.rule).sweeps;
     go_on(work_, kRuleSteps);
   }
   if (!timed.whole_step) {

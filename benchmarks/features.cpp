@@ -43,6 +43,10 @@ Workload friction_memory(bool used) {
   return slab_with([&](Options& options) { options.rule = used ? Options{}.rule : "none"; });
 }
 
+Workload edge_contacts(bool used) {
+  return slab_with([&](Options& options) { options.pairs.edges = used; });
+}
+
 Workload self_collision(bool used) {
   Family family = family_named("slab");
   const auto make = family.make;
@@ -84,7 +88,8 @@ Workload timing(bool) {
 
 std::vector<OptionalFeature> optional_features() {
   return {{"post-correction", "post-correction of the paper's normal forces", post_correction},
-          {"friction-memory", "friction memory (rule none / stored-vector)", friction_memory},
+          {"friction-memory", "friction memory (rule none / conjugate-vector)", friction_memory},
+          {"edge-contacts", "contacts of crossing edges, where none cross", edge_contacts},
           {"self-collision", "self-collision of both plates", self_collision},
           {"elasticity", "elasticity (point masses / a box)", elasticity},
           {"timing", "timing of the phases", timing}};

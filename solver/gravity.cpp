@@ -15,6 +15,13 @@ Vec3 smooth_keyframes(const std::vector<double>& time, const std::vector<Vec3>& 
   return value[k - 1] + smooth_step(s) * (value[k] - value[k - 1]);
 }
 
+double Gravity::scale() const {
+  constexpr double kEarth = 9.81;
+  double strongest = 0.0;
+  for (const Vec3& a : acceleration) strongest = std::max(strongest, a.norm());
+  return strongest > 0.0 ? strongest : kEarth;
+}
+
 double Drag::at(double t) const {
   if (t >= ends) return 0.0;
   if (t <= full_until) return rate;

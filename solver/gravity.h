@@ -28,6 +28,8 @@ struct Gravity {
   std::vector<double> time;        ///< s, increasing
   std::vector<Vec3> acceleration;  ///< m/s², one a keyframe
   Vec3 at(double t) const { return smooth_keyframes(time, acceleration, t); }
+  /// The strongest of its keyframes, m/s²; that of the Earth when there is none.
+  double scale() const;
 };
 
 /// A viscous medium in which a scene may settle, and which then vanishes: force −m c v on each

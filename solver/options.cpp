@@ -25,7 +25,7 @@ void check_options(const Options& options, const Scene& scene) {
     wrong << "friction gains must be finite numbers";
   } else if (!(options.friction.relaxation > 0.0 && options.friction.relaxation < 2.0)) {
     wrong << "the relaxation must lie between 0 and 2, not " << options.friction.relaxation;
-  } else if (options.sweeps < 1) {
+  } else if (options.sweeps < 0) {
     wrong << "friction needs at least one sweep, not " << options.sweeps;
   } else if (!(options.pairs.harmonic_gain > 0.0 && options.pairs.harmonic_gain < 4.0 / 3.0)) {
     wrong << "the harmonic gain must lie between 0 and 4/3, above which normal forces diverge, not "
@@ -42,8 +42,7 @@ void check_options(const Options& options, const Scene& scene) {
   } else if (!(options.pairs.depth_noise >= 0.0 && options.pairs.depth_noise < 1.0)) {
     wrong << "the depth noise must lie in [0, 1), not " << options.pairs.depth_noise;
   } else if (!(options.friction.slip_tolerance >= 0.0)) {
-    wrong << "the slip tolerance must be non-negative, not " << options.friction.slip_tolerance
-          << " m/s";
+    wrong << "the slip tolerance must be non-negative, not " << options.friction.slip_tolerance;
   }
   if (!wrong.str().empty()) throw InputError(wrong.str());
 }

@@ -17,11 +17,13 @@ enum class Integrator {
 
 /// How a scene is stepped: what a user may turn without changing the physics described.
 struct Options {
-  double time_step = 2e-4;             ///< Δt, s
-  std::string rule = "stored-vector";  ///< friction rule: a file of solver/friction/
-  FrictionParameters friction{};       ///< gains of the rules
+  double time_step = 2e-4;                ///< Δt, s
+  std::string rule = "conjugate-vector";  ///< friction rule: a file of solver/friction/
+  FrictionParameters friction{};          ///< gains of the rules
   Integrator integrator = Integrator::kSymplecticEuler;
-  int sweeps = 1;       ///< passes over all contacts in the friction phase, ≥ 1
+  /// Passes over all contacts in the friction phase, ≥ 1; 0: as many as the rule's card says. A
+  /// rule with conjugate directions ends them as soon as its slip tolerance is met.
+  int sweeps = 0;
   PairOptions pairs{};  ///< two-sided contacts
 };
 

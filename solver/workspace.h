@@ -112,7 +112,7 @@ struct PairSearch {
 
 /// Scratch memory of the conjugate directions of friction forces, per contact.
 struct ConjugateScratch {
-  std::vector<Vec3> before;     ///< f at the start of the sweep, N
+  std::vector<Vec3> change;     ///< r, of f by the last sweep, N
   std::vector<Vec3> direction;  ///< p, N
 };
 

@@ -132,7 +132,7 @@ TEST(RunJob, BillsEverySimulationAndRecordsTheResolvedSettings) {
   EXPECT_EQ(record.cost.steps, 200u);
   EXPECT_EQ(record.cost.contact_updates, 200u);
   EXPECT_EQ(record.settings.at("dt"), "0.001");
-  EXPECT_EQ(record.settings.at("rule"), "stored-vector");
+  EXPECT_EQ(record.settings.at("rule"), "conjugate-vector");
   EXPECT_EQ(record.state_hash.size(), 16u);
 }
 

@@ -36,7 +36,8 @@ double SettingsReader::number(const std::string& name, double fallback) {
 }
 
 int SettingsReader::count(const std::string& name, int fallback) {
-  const double value = number(name, fallback);
+  if (!has(name)) return fallback;
+  const double value = number(name, 0.0);
   if (value != std::floor(value) || value < 1.0 || value > 1e6) {
     throw InputError("setting '" + name + "' needs a whole number from 1 to 1000000, not '" +
                      settings_.at(name) + "'");

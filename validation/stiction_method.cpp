@@ -70,7 +70,6 @@ bool rule_learns(const std::string& name) {
 
 Options preset(const std::string& method) {
   Options options;
-  options.rule = "stored-vector";
   if (method == "quiet") return options;
   PairOptions& pairs = options.pairs;
   pairs.gain = NormalGain::kPaper;
@@ -140,7 +139,8 @@ Settings method_settings(const Options& options, bool with_pairs) {
   if (options.integrator != Integrator::kSymplecticEuler) {
     all["integrator"] = word_of(kIntegrator, options.integrator);
   }
-  if (options.sweeps > 1) all["sweeps"] = fmt::format("{}", options.sweeps);
+  const int sweeps = options.sweeps > 0 ? options.sweeps : friction_rule_card(options.rule).sweeps;
+  if (sweeps > 1) all["sweeps"] = fmt::format("{}", sweeps);
   const bool learns = rule_learns(options.rule);
   if (learns) {
     const bool raw = friction.raw_alpha != 0.0 && options.rule == "fixed-point";
@@ -178,13 +178,16 @@ Settings method_settings(const Options& options, bool with_pairs) {
 std::map<std::string, std::string> method_settings_help() {
   return {
       {"method", "preset of all below: quiet (default), paper, old"},
-      {"rule", "friction rule: " + friction_rule_list() + " (quiet: stored-vector)"},
+      {"rule", "friction rule: " + friction_rule_list() + " (quiet: conjugate-vector)"},
       {"integrator", "symplectic-euler (default) or verlet"},
-      {"sweeps", "passes over all contacts in the friction phase (default 1)"},
+      {"sweeps",
+       "passes over all contacts in the friction phase; conjugate-vector: at most (default: 1; 64 "
+       "of conjugate-vector)"},
       {"gain", "g of the rules that learn from slip, dimensionless (default 0.7)"},
       {"alpha", "the paper's raw α, s/m, in place of g"},
       {"relaxation", "ω of the rules that store forces, dimensionless (default 1)"},
-      {"slip-tolerance", "of conjugate-vector: ends its sweeps, m/s (default 1e-12)"},
+      {"slip-tolerance",
+       "of conjugate-vector: the slip, in gΔt, whose removal ends its sweeps (default 1e-7)"},
       {"memory", "ξ or c on slip: reset (default) or keep"},
       {"safeguard", "of secant: on (default) or off"},
       {"normals", "normal forces: harmonic (quiet) or paper"},

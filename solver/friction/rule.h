@@ -14,9 +14,11 @@ struct FrictionParameters {
   double raw_alpha = 0.0;
   /// ω, dimensionless: over-relaxation of the sweeps that store forces; ≤ 1.3 is known to be good.
   double relaxation = 1.0;
-  /// m/s, ≥ 0: a rule with conjugate directions sweeps no more once a sweep takes away no more slip
-  /// than this. The default is far below what is called static (1e-9 m/s).
-  double slip_tolerance = 1e-12;
+  /// ≥ 0, in gΔt (Gravity::scale): a rule with conjugate directions sweeps no more once a sweep
+  /// takes away no more slip than this from any contact. gΔt is the slip that a step of free fall
+  /// gives; a millionth of it is far below what vibration leaves while anything moves, and reached
+  /// by one sweep once nothing does.
+  double slip_tolerance = 1e-7;
   bool keep_through_slip = false;  ///< ξ outlives slip (frozen) instead of being reset to 1
   bool safeguard = true;  ///< secant: fall back to the fixed point where the slope misleads
 };

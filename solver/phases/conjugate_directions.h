@@ -13,7 +13,7 @@ namespace stiction {
 /// What a sweep changed.
 struct SweepChange {
   double power = 0.0;  ///< Σ w |r|², r the change of a contact's force, W
-  double slip = 0.0;   ///< max w |r|, m/s: the slip that the sweep took away
+  double slip2 = 0.0;  ///< max (w |r|)², m²/s²: the slip that the sweep took away, squared
 };
 
 /// Conjugate directions over the sweeps of one step (see conjugate_vector.h), for the contacts of
@@ -23,30 +23,27 @@ class ConjugateSide {
  public:
   ConjugateSide(const Side& side, ConjugateScratch& scratch, std::vector<Velocity>& velocity)
       : side_(side), scratch_(scratch), velocity_(velocity) {
-    scratch_.before.resize(side.size());
-    scratch_.direction.assign(side.size(), Vec3::Zero());
+    scratch_.change.resize(side.size());
   }
 
-  void before_sweep() {
-    for (std::size_t c = 0; c < side_.size(); ++c) scratch_.before[c] = side_.force(c);
+  /// Hears from a sweep what it did to a contact.
+  void changed(std::size_t c, const Vec3& change, SweepChange& all) {
+    scratch_.change[c] = change;
+    const double weight = side_.inverse_mass(c, velocity_);
+    const double power = weight * change.squaredNorm();
+    all.power += power;
+    all.slip2 = std::max(all.slip2, weight * power);
   }
 
-  void add_change(SweepChange& change) const {
-    for (std::size_t c = 0; c < side_.size(); ++c) {
-      const double size = (side_.force(c) - scratch_.before[c]).norm();
-      const double slip = side_.inverse_mass(c, velocity_) * size;
-      change.power += slip * size;
-      change.slip = std::max(change.slip, slip);
-    }
-  }
+  /// p ← r.
+  void restart() { scratch_.direction = scratch_.change; }
 
   /// f ← P(f + β p), p ← β p + r.
   void accelerate(double beta) {
     for (std::size_t c = 0; c < side_.size(); ++c) {
       const Vec3 force = side_.force(c);
       const Vec3 step = beta * scratch_.direction[c];
-      scratch_.direction[c] = step + (force - scratch_.before[c]);
-      if (beta == 0.0) continue;
+      scratch_.direction[c] = step + scratch_.change[c];
       Vec3 wanted = force + step;
       const double bound = side_.bound(c);
       const double size2 = wanted.squaredNorm();
@@ -63,22 +60,24 @@ class ConjugateSide {
 };
 
 /// Sweeps at most `sweeps` times, accelerating in between, until a sweep takes away no more slip
-/// than `tolerance` (m/s). `sweep(first)` does one. Returns the sweeps done. All sides share one β.
+/// than `tolerance` (m/s) from any contact. `sweep(first, changed…)` does one and tells the n-th of
+/// `changed` of the n-th side. Returns the sweeps done. All sides share one β.
 template <class Sweep, class... Sides>
 int conjugate_sweeps(int sweeps, double tolerance, const Sweep& sweep, Sides&... side) {
-  double last = 0.0;  // no direction yet: β = 0
-  for (int s = 0; s + 1 < sweeps; ++s) {
-    (side.before_sweep(), ...);
-    sweep(s == 0);
+  double last = 0.0;  // no direction yet
+  for (int s = 1;; ++s) {
     SweepChange change;
-    (side.add_change(change), ...);
-    if (change.slip <= tolerance) return s + 1;
-    const double beta = change.power <= last ? change.power / last : 0.0;
-    (side.accelerate(beta), ...);
+    sweep(s == 1,
+          [&side, &change](std::size_t c, const Vec3& r) { side.changed(c, r, change); }...);
+    if (s == sweeps || change.slip2 <= tolerance * tolerance) return s;
+    if (s > 1 && change.power <= last) {
+      const double beta = change.power / last;
+      (side.accelerate(beta), ...);
+    } else {
+      (side.restart(), ...);
+    }
     last = change.power;
   }
-  sweep(sweeps == 1);
-  return sweeps;
 }
 
 }  // namespace stiction

@@ -26,6 +26,9 @@ constexpr double kDeepest = 1e-2;
 // In mean edges: far above round-off, so that no crossing falls between two edges in one line.
 constexpr double kOnJoint = 1e-9;
 
+// Cosine of the angle to the normal within which edges must near each other to touch near a corner.
+constexpr double kNearing = 0.3;
+
 const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
   return x[static_cast<std::size_t>(v)];
 }
@@ -46,16 +49,19 @@ struct EndMargins {
   double joint, corner;
 };
 
-// Whether the crossing lies between the edges' ends.
-bool between_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
-                  std::int32_t b, const EdgeCrossing& crossing, const EndMargins& margins) {
-  const auto within = [&](std::int32_t e, double along) {
-    const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
-    const double length = length_of(x, edge);
-    const auto margin = [&](int end) { return edge.goes_on[end] ? margins.joint : margins.corner; };
-    return along * length >= margin(0) && (1.0 - along) * length >= margin(1);
-  };
-  return within(a, crossing.along_a) && within(b, crossing.along_b);
+// How far the crossing lies beyond such margins of one edge, m; negative outside.
+double inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t e,
+                   double along, const EndMargins& margins) {
+  const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
+  const double length = length_of(x, edge);
+  const auto margin = [&](int end) { return edge.goes_on[end] ? margins.joint : margins.corner; };
+  return std::min(along * length - margin(0), (1.0 - along) * length - margin(1));
+}
+
+double inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
+                   std::int32_t b, const EdgeCrossing& crossing, const EndMargins& margins) {
+  return std::min(inside_ends(topology, x, a, crossing.along_a, margins),
+                  inside_ends(topology, x, b, crossing.along_b, margins));
 }
 
 struct Found {
@@ -161,18 +167,38 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   const double widest = options.pairs.hysteresis * dt * dt *
                         scene.gravity.at(static_cast<double>(state.step) * dt).norm();
   const std::vector<ContactKey>& last = state.edge_friction.key;
-  const auto was_apart = [&](std::int32_t a, std::int32_t b) {
+  // Where the two edges were at the start of the step; false if they could not touch then.
+  const auto crossing_before = [&](const Found& pair, EdgeCrossing& before) {
     std::vector<Vec3>& start = workspace.search.start;
     start.resize(state.position.size());
-    for (const std::int32_t e : {a, b}) {
+    for (const std::int32_t e : {pair.a, pair.b}) {
       const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
       for (const std::int32_t v :
            {edge.vertex[0], edge.vertex[1], edge.opposite[0], edge.opposite[1]}) {
         start[static_cast<std::size_t>(v)] = state.position[static_cast<std::size_t>(v)].x;
       }
     }
-    EdgeCrossing before;
-    return crossing_of(topology, start, a, b, before) && before.gap >= -deepest;
+    return crossing_of(topology, start, pair.a, pair.b, before) && before.gap >= -deepest;
+  };
+  // Whether a crossing near a corner is one that the edges have made in this step, by nearing each
+  // other there or by sliding in over the corner. A corner that is put down on a face crosses the
+  // edges beside it too, but sideways: it hardly nears them.
+  const auto came_in = [&](const Found& pair, const EdgeCrossing& before) {
+    const std::vector<Vec3>& start = workspace.search.start;
+    if (before.gap < 0.0 &&
+        inside_ends(topology, start, pair.a, pair.b, before, {0.0, 0.0}) > 0.0) {
+      return false;
+    }
+    const auto travel = [&](std::int32_t e, double along) -> Vec3 {
+      const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
+      const auto of = [&](int k) -> Vec3 {
+        return at(x, edge.vertex[k]) - at(start, edge.vertex[k]);
+      };
+      return (1.0 - along) * of(0) + along * of(1);
+    };
+    const Vec3 relative =
+        travel(pair.a, pair.crossing.along_a) - travel(pair.b, pair.crossing.along_b);
+    return -relative.dot(pair.crossing.normal) > kNearing * relative.norm();
   };
   std::vector<Found> found;
   for (const ContactKey key : workspace.search.edge_candidate) {
@@ -182,11 +208,16 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
                {}};
     if (!crossing_of(topology, x, pair.a, pair.b, pair.crossing)) continue;
     const double gap = pair.crossing.gap;
-    const bool persists = std::binary_search(last.begin(), last.end(), key);
-    if (!between_ends(topology, x, pair.a, pair.b, pair.crossing, persists ? lasts : begins)) {
+    const EndMargins& margins = std::binary_search(last.begin(), last.end(), key) ? lasts : begins;
+    const bool persists = &margins == &lasts;
+    EdgeCrossing before;
+    if (inside_ends(topology, x, pair.a, pair.b, pair.crossing, margins) < 0.0 &&
+        (persists || !(gap < 0.0) ||
+         inside_ends(topology, x, pair.a, pair.b, pair.crossing, lasts) < 0.0 ||
+         !crossing_before(pair, before) || !came_in(pair, before))) {
       continue;
     }
-    if (persists ? gap < widest : gap < 0.0 && (gap >= -deepest || was_apart(pair.a, pair.b))) {
+    if (persists ? gap < widest : gap < 0.0 && (gap >= -deepest || crossing_before(pair, before))) {
       found.push_back(pair);
     }
   }

@@ -149,5 +149,31 @@ TEST(CrossingEdges, AreNotWhereABodyPassesOverAnothersCorner) {
   }
 }
 
+// A cube stands on an edge across the lower bar, 0.1 mm above it or within: the edge reaches 0.2 mm
+// beyond either side of the bar, so that no vertex lies over it and both crossings are near
+// corners.
+EdgeContacts edge_on_bar(double depth, const Vec3& velocity) {
+  TetMesh cube = test::cube_mesh(1, 0.1);
+  cube.vertices.colwise() -= Vec3::Constant(0.05);
+  cube.vertices.row(1) *= 1.004;
+  cube.vertices =
+      (Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY()).toRotationMatrix() * cube.vertices)
+          .eval();
+  cube.vertices.colwise() += Vec3(0.013, 0.0, 0.05 + 0.05 * std::numbers::sqrt2 - depth);
+  SceneDescription description;
+  description.bodies = {bar(Vec3::Zero(), 0.0), test::elastic_body(cube)};
+  Scene scene = build_scene(description);
+  for (int v = scene.bodies[1].first_vertex; v < scene.vertex_count(); ++v) {
+    scene.initial_velocity.col(v) = velocity;
+  }
+  return edges_of(scene, {.time_step = 2e-4});
+}
+
+TEST(CrossingEdges, NearACornerAreThoseThatHaveComeIn) {
+  EXPECT_EQ(edge_on_bar(-1e-4, -Vec3::UnitZ()).size(), 2u) << "fallen by 0.2 mm onto the bar";
+  EXPECT_TRUE(edge_on_bar(1e-4, -Vec3::UnitZ()).empty()) << "it was in there before";
+  EXPECT_TRUE(edge_on_bar(1e-4, Vec3::UnitY()).empty()) << "it slides along itself";
+}
+
 }  // namespace
 }  // namespace stiction

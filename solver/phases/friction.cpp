@@ -181,10 +181,10 @@ void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory
   }
 }
 
-// One contact of a sweep; `first` is true in the first sweep of a step. `was` holds the statuses at
-// the start of the step.
+// One contact of a sweep; `first` is true in the first sweep of a step, `was` its status at the
+// start of the step. Returns the change of its force, N.
 template <class Rule, class Side>
-void solve(const Rule& rule, const Side& side, std::size_t c, bool first, ContactStatus was,
+Vec3 solve(const Rule& rule, const Side& side, std::size_t c, bool first, ContactStatus was,
            const std::vector<Velocity>& start, std::vector<Velocity>& velocity, double* memory) {
   const double inverse_mass = side.inverse_mass(c, velocity);
   const SlipProblem problem{.free_slip = side.slip(c, velocity) - inverse_mass * side.force(c),
@@ -200,19 +200,22 @@ void solve(const Rule& rule, const Side& side, std::size_t c, bool first, Contac
     if (was == ContactStatus::kStick) solution.status = ContactStatus::kStick;
   }
   if constexpr (kMutation == Mutation::kFrictionSign) solution.force = -solution.force;
-  side.apply(c, solution.force - side.force(c), velocity);
+  const Vec3 change = solution.force - side.force(c);
+  side.apply(c, change, velocity);
   side.force(c) = solution.force;
   side.status(c) = solution.status;
+  return change;
 }
 
-template <class Rule, class Side, class Before>
+// A sweep over contacts of one kind; `changed(c, change)` hears of each.
+template <class Rule, class Side, class Before, class Changed>
 void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memory,
            const std::vector<Velocity>& start, std::vector<Velocity>& velocity,
-           const Before& before) {
+           const Before& before, const Changed& changed) {
   for (std::size_t c = 0; c < side.size(); ++c) {
     before(c);
-    solve(rule, side, c, first, memory.status[c], start, velocity,
-          memory.value.data() + c * static_cast<std::size_t>(Rule::kValues));
+    changed(c, solve(rule, side, c, first, memory.status[c], start, velocity,
+                     memory.value.data() + c * static_cast<std::size_t>(Rule::kValues)));
   }
 }
 
@@ -246,27 +249,33 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
     warm_start(rule, pairs, workspace.pair_friction, velocity);
     warm_start(rule, edges, workspace.edge_friction, velocity);
     warm_start(rule, obstacles, workspace.memory, velocity);
-    const auto sweep_all = [&](bool first) {
-      sweep(rule, pairs, first, workspace.pair_friction, state.velocity, velocity,
-            [&](std::size_t c) {
-              if (first && !options.pairs.normals_first) {
-                apply_normal_force(options, workspace.pairs[c], velocity);
-              }
-            });
-      const auto nothing = [](std::size_t) {};
-      sweep(rule, edges, first, workspace.edge_friction, state.velocity, velocity, nothing);
-      sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, nothing);
+    const auto nothing = [](std::size_t) {};
+    const auto sweep_all = [&](bool first, const auto& pair_changed, const auto& edge_changed,
+                               const auto& obstacle_changed) {
+      const auto normal_force = [&](std::size_t c) {
+        if (first && !options.pairs.normals_first) {
+          apply_normal_force(options, workspace.pairs[c], velocity);
+        }
+      };
+      sweep(rule, pairs, first, workspace.pair_friction, state.velocity, velocity, normal_force,
+            pair_changed);
+      sweep(rule, edges, first, workspace.edge_friction, state.velocity, velocity, nothing,
+            edge_changed);
+      sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, nothing,
+            obstacle_changed);
     };
+    const int sweeps = options.sweeps > 0 ? options.sweeps : rule.kCard.sweeps;
     if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
+      const double tolerance = friction.slip_tolerance * scene.gravity.scale() * options.time_step;
       ConjugateSide pair_side(pairs, workspace.pair_conjugate, velocity);
       ConjugateSide edge_side(edges, workspace.edge_conjugate, velocity);
       ConjugateSide obstacle_side(obstacles, workspace.conjugate, velocity);
       workspace.sweeps += static_cast<std::uint64_t>(
-          conjugate_sweeps(options.sweeps, options.friction.slip_tolerance, sweep_all, pair_side,
-                           edge_side, obstacle_side));
+          conjugate_sweeps(sweeps, tolerance, sweep_all, pair_side, edge_side, obstacle_side));
     } else {
-      for (int s = 0; s < options.sweeps; ++s) sweep_all(s == 0);
-      workspace.sweeps += static_cast<std::uint64_t>(options.sweeps);
+      const auto unheard = [](std::size_t, const Vec3&) {};
+      for (int s = 0; s < sweeps; ++s) sweep_all(s == 0, unheard, unheard, unheard);
+      workspace.sweeps += static_cast<std::uint64_t>(sweeps);
     }
   });
   demand(known, "the options were checked, so the friction rule exists");

@@ -275,10 +275,11 @@ void run_bar(CaseRun& run) {
 }  // namespace
 
 std::vector<Case> cases_bar_on_bed() {
-  return {{.name = "bar-on-bed/slip-length",
-           .title = "a long bar pushed at its end slides only as far as it has to",
-           .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "stored-vector"}}},
-           .run = run_bar}};
+  return {
+      {.name = "bar-on-bed/slip-length",
+       .title = "a long bar pushed at its end slides only as far as it has to",
+       .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "conjugate-vector"}}},
+       .run = run_bar}};
 }
 
 }  // namespace stiction

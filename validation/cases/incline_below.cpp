@@ -196,13 +196,14 @@ Case stop_case(const std::string& name, const std::string& title, const Shape& s
                double tan_slope, CaseSet set) {
   const InclineSetup setup = sliding_setup(shape, tan_slope);
   const bool point = std::holds_alternative<PointShape>(shape);
-  return {.name = name,
-          .title = title,
-          .set = set,
-          .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "stored-vector"}}},
-          .run = [setup, point](CaseRun& run) {
-            point ? check_point_stop(run, setup) : check_box_stop(run, setup);
-          }};
+  return {
+      .name = name,
+      .title = title,
+      .set = set,
+      .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "conjugate-vector"}}},
+      .run = [setup, point](CaseRun& run) {
+        point ? check_point_stop(run, setup) : check_box_stop(run, setup);
+      }};
 }
 
 }  // namespace

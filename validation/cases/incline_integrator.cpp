@@ -87,7 +87,7 @@ std::vector<Case> cases_incline_integrator() {
   return {{.name = "incline/integrator/threshold",
            .title = "critical slope with Störmer–Verlet in place of symplectic Euler",
            .variants = {{{"integrator", "verlet"}, {"rule", "fixed-point"}},
-                        {{"integrator", "verlet"}, {"rule", "stored-vector"}}},
+                        {{"integrator", "verlet"}, {"rule", "conjugate-vector"}}},
            .run = [setup](CaseRun& run) { run_threshold(run, setup); }},
           {.name = "incline/integrator/stop",
            .title = "stopping distance with Störmer–Verlet",

@@ -183,7 +183,7 @@ std::vector<Case> cases_incline_restick() {
         .name = "incline/restick/" + name,
         .title = "stick, slip, stick: a load above the critical one comes and goes (" + name + ")",
         .set = set,
-        .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "stored-vector"}}},
+        .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "conjugate-vector"}}},
         .run = [setup](CaseRun& run) { run_restick(run, setup); }};
   };
   return {restick("box", InclineSetup{}.shape, CaseSet::kQuick),

@@ -35,11 +35,7 @@ std::vector<Settings> on_both_contacts(const std::vector<Settings>& rules) {
 }
 
 std::vector<Settings> readings_of(const std::string& rule) {
-  const int sweeps = friction_rule_card(rule).sweeps;
-  Settings first;
-  if (sweeps > 1) first["sweeps"] = std::to_string(sweeps);
-  first["rule"] = rule;
-  std::vector<Settings> all{first};
+  std::vector<Settings> all{{{"rule", rule}}};
   const auto [begin, end] = kReadings.equal_range(rule);
   for (auto reading = begin; reading != end; ++reading) {
     all.push_back(reading->second);
@@ -86,7 +82,7 @@ std::vector<Settings> scalar_and_vector() {
       variants.push_back({{"method", "paper"}, {"depth", depth}, {"rule", rule}});
     }
   }
-  for (const char* rule : {"fixed-point", "bias-vector", "stored-vector"}) {
+  for (const char* rule : {"fixed-point", "bias-vector", "stored-vector", "conjugate-vector"}) {
     variants.push_back({{"method", "quiet"}, {"rule", rule}});
   }
   return variants;

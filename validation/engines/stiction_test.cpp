@@ -78,8 +78,11 @@ TEST(StictionEngine, ShowsAClosedOutwardSurface) {
 
 TEST(StictionEngine, ResolvesItsSettings) {
   const Problem problem = incline_problem(slope(0.3));
-  EXPECT_EQ(loaded(problem)->settings(),
-            (Settings{{"rule", "stored-vector"}, {"dt", "0.0002"}, {"cells", "2"}}));
+  EXPECT_EQ(loaded(problem)->settings(), (Settings{{"rule", "conjugate-vector"},
+                                                   {"sweeps", "64"},
+                                                   {"slip-tolerance", "1e-07"},
+                                                   {"dt", "0.0002"},
+                                                   {"cells", "2"}}));
   EXPECT_EQ(loaded(problem, {{"rule", "fixed-point"}})->settings(),
             (Settings{{"rule", "fixed-point"},
                       {"dt", "0.0002"},

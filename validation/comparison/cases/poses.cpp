@@ -42,11 +42,11 @@ void run_poses(CaseRun& run, double slope) {
 
 std::vector<Case> comparisons_poses() {
   std::vector<Settings> variants = scalar_and_vector();
-  // The stored vector on the paper's contacts, the paper's rules on quiet ones, and the scalar on
+  // The stored vector, the paper's rules on quiet ones, and the scalar on
   // consistent depth are told by load/ already.
   std::erase_if(variants, [](const Settings& settings) {
-    const bool stored = settings.at("rule") == "stored-vector", quiet = !settings.count("depth");
-    return stored != quiet ||
+    const bool quiets = settings.at("rule") == "conjugate-vector";
+    return settings.at("rule") == "stored-vector" || quiets != !settings.count("depth") ||
            (settings.at("rule") == "fixed-point" && settings.at("depth") == "consistent");
   });
   std::vector<Case> cases;
