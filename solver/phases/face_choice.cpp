@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/phases/face_choice.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stiction {
@@ -19,9 +20,9 @@ Projection keep_last(const Topology& topology, const std::vector<Vec3>& x, const
   return last.nearest.distance2 <= farthest2 ? last : found;
 }
 
-// How far the vertex has come towards the triangle in this step, m, at most.
-double approach(const Topology& topology, const std::vector<Vec3>& x, const State& state,
-                std::int32_t vertex, std::int32_t triangle) {
+// Path of the vertex past the triangle in this step, m.
+Vec3 path_past(const Topology& topology, const std::vector<Vec3>& x, const State& state,
+               std::int32_t vertex, std::int32_t triangle) {
   const auto moved = [&](std::int32_t v) -> Vec3 {
     return x[static_cast<std::size_t>(v)] - state.position[static_cast<std::size_t>(v)].x;
   };
@@ -29,7 +30,7 @@ double approach(const Topology& topology, const std::vector<Vec3>& x, const Stat
   for (const std::int32_t v : topology.triangle[static_cast<std::size_t>(triangle)].vertex) {
     of_triangle += moved(v) / 3.0;
   }
-  return (moved(vertex) - of_triangle).norm();
+  return moved(vertex) - of_triangle;
 }
 
 }  // namespace
@@ -57,17 +58,19 @@ Choice choose_face(const Topology& topology, const State& state, PairSearch& sea
   if (resting < 0 || best.triangle < 0 || best.triangle == contact.triangle ||
       can_rest_on(topology, x, resting,
                   outward_normal(topology.triangle[static_cast<std::size_t>(best.triangle)], x))) {
-    return {best, false};
+    return {best};
   }
   const Projection other = keep(project(topology, search, group, point, contact, resting));
-  if (other.triangle < 0) return {best, false};
-  const bool known = goes_on(topology, x, contact.triangle, other.triangle);
+  if (other.triangle < 0) return {best};
+  if (goes_on(topology, x, contact.triangle, other.triangle)) return {other, true};
   const double deepest = kDeepest * topology.mean_edge;
-  if (known || std::sqrt(other.nearest.distance2) <=
-                   deepest + approach(topology, x, state, resting, other.triangle)) {
-    return {other, true};
-  }
-  return {best, false};
+  const double depth = std::sqrt(other.nearest.distance2);
+  const Vec3 path = path_past(topology, x, state, resting, other.triangle);
+  if (depth > deepest + path.norm()) return {best};
+  if (state.step == 0) return {other, true};  // as it was put there
+  const Vec3 normal =
+      outward_normal(topology.triangle[static_cast<std::size_t>(other.triangle)], x);
+  return {other, true, depth - std::max(0.0, -normal.dot(path))};
 }
 
 }  // namespace stiction

@@ -12,7 +12,10 @@ namespace stiction {
 /// The triangle through which a vertex is pushed out.
 struct Choice {
   Projection projection;
-  bool passed_over;  ///< a nearer triangle, which the vertex can't rest on
+  bool passed_over = false;  ///< a nearer triangle, which the vertex can't rest on
+  /// By how much the vertex stands deeper than it has come in this step, m: it came in through the
+  /// nearer triangle. 0 where it was there before, or was put there; may be negative.
+  double unexplained = 0.0;
 };
 
 /// With `resting`, the vertex's number, the nearest triangle counts only if it can rest on it; else
