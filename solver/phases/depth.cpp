@@ -45,7 +45,7 @@ constexpr double kNothing = 1e-15;
 // fallen to the depth at which it is found: closed in one step that depth d would throw it out at
 // d/Δt, and the contact would be lost and found again for ever. So the face begins where the vertex
 // is, and comes to its place by a tenth of the way in each step, which gives a hundredth of that
-// energy.
+// energy. Not so what stands less deep than the border is wide: there one contact comes and goes.
 double excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairMemory& memory,
                  const PairContact& contact, std::int32_t last, double unexplained) {
   constexpr double kRemains = 0.9;
@@ -133,7 +133,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
                     workspace.search);
     }
     contact.excess =
-        excess_of(scene.topology, x, state.pair_memory, contact, last, choice.unexplained);
+        excess_of(scene.topology, x, state.pair_memory, contact, last, choice.unexplained - border);
     contact.depth -= contact.excess;
     set_partners(triangle, options, state, projection, contact);
     if constexpr (kMutation == Mutation::kWeightSum) contact.weight[0] += 0.02;
