@@ -25,6 +25,7 @@ struct alignas(64) PairContact {
                       0};  ///< hᵢⱼ, dimensionless; they sum to 1 (the fourth is 0 for a triangle)
   Vec3 normal = Vec3::Zero();  ///< n, out of the penetrated body, unit
   double depth = 0.0;          ///< m, ≥ 0; 0 for a contact kept by hysteresis
+  double excess = 0.0;         ///< m, ≥ 0: how much deeper it stands, not answered yet
   double inverse_mass = 0.0;  ///< 1/mᵢ + Σⱼ hᵢⱼ²/mⱼ, 1/kg: of a force on i and its reaction on Tᵢ
   double normal_force = 0.0;           ///< fⁿ: what the contact really puts on i, N
   Vec3 friction_force = Vec3::Zero();  ///< f on i, N

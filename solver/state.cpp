@@ -40,6 +40,10 @@ std::uint64_t hash_of(const State& state) {
   add(state.pair_memory.body_key, hash);
   add(state.pair_memory.element, hash);
   add(state.pair_memory.triangle, hash);
+  for (const PairMemory::Excess& excess : state.pair_memory.excess) {
+    hash.add(&excess.body_key, sizeof excess.body_key);
+    hash.add(&excess.depth, sizeof excess.depth);
+  }
   return hash.value();
 }
 

@@ -27,6 +27,13 @@ struct PairMemory {
   std::vector<ContactKey> body_key;  ///< (vertex, penetrated body)
   std::vector<std::int32_t> element;
   std::vector<std::int32_t> triangle;
+
+  /// What of a depth is not answered yet (PairContact::excess), of the few contacts that have such.
+  struct Excess {
+    ContactKey body_key;
+    double depth;  ///< m, > 0
+  };
+  std::vector<Excess> excess;  ///< in the order of the keys
 };
 
 /// Everything that a step changes and the next step reads: what is hashed, saved and restored. A

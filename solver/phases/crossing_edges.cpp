@@ -17,7 +17,7 @@ namespace {
 constexpr double kParallel = 0.087;
 
 // Sine of the angle by which a face may stand before the plane between the bodies: as for vertices
-// (depth.cpp).
+// (nearest_face.cpp).
 constexpr double kBehind = 0.5;
 
 // In mean edges: a crossing that is deeper when it is first seen is one of another kind.

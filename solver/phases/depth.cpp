@@ -3,225 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/hash.h"
 #include "solver/mutation.h"
 #include "solver/phases/consistent_depth.h"
 #include "solver/phases/detect_pairs.h"
-#include "solver/phases/nearest.h"
-#include "solver/phases/pair_candidates.h"
+#include "solver/phases/face_choice.h"
 
 namespace stiction {
 
 namespace {
 
 using Triangle = Topology::Triangle;
-
-struct Projection {
-  NearestOnTriangle nearest;
-  std::int32_t triangle;
-};
-
-Vec3 outward_normal(const Triangle& triangle, const std::vector<Vec3>& x) {
-  const Vec3& a = x[static_cast<std::size_t>(triangle.vertex[0])];
-  const Vec3& b = x[static_cast<std::size_t>(triangle.vertex[1])];
-  const Vec3& c = x[static_cast<std::size_t>(triangle.vertex[2])];
-  return (b - a).cross(c - a).normalized();
-}
-
-// Whether the vertex can rest on a face with this outward normal: its own surface lies before the
-// face's plane, in so far as the edges of that surface that end at the vertex do.
-bool can_rest_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t vertex,
-                 const Vec3& normal) {
-  // Sine of the angle by which an edge may lead behind the plane: surfaces bend, and a face that
-  // is the wrong one stands across.
-  constexpr double kBehind = 0.5;
-  const auto v = static_cast<std::size_t>(vertex);
-  for (std::int32_t k = topology.neighbour_begin[v]; k < topology.neighbour_begin[v + 1]; ++k) {
-    const Vec3 edge =
-        x[static_cast<std::size_t>(topology.neighbour[static_cast<std::size_t>(k)])] - x[v];
-    const double along = normal.dot(edge);
-    if (along < 0.0 && along * along > kBehind * kBehind * edge.squaredNorm()) return false;
-  }
-  return true;
-}
-
-Projection project_on(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
-                      std::int32_t t) {
-  const Triangle& triangle = topology.triangle[static_cast<std::size_t>(t)];
-  return {nearest_on_triangle(point, x[static_cast<std::size_t>(triangle.vertex[0])],
-                              x[static_cast<std::size_t>(triangle.vertex[1])],
-                              x[static_cast<std::size_t>(triangle.vertex[2])]),
-          t};
-}
-
-// The nearest of the triangles that it has been shown, of equals that of the lowest number.
-struct Nearest {
-  const Topology& topology;
-  const std::vector<Vec3>& x;
-  const Vec3& point;
-  std::int32_t resting = -1;  // only triangles that this vertex can rest on; −1: any
-  Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
-  double reach = std::numeric_limits<double>::infinity();  // distance of the best
-
-  void consider(std::int32_t t) {
-    const Projection other = project_on(topology, x, point, t);
-    const double nearer = other.nearest.distance2 - best.nearest.distance2;
-    if (nearer < 0.0 || (nearer == 0.0 && t < best.triangle)) {
-      if (resting >= 0 &&
-          !can_rest_on(topology, x, resting,
-                       outward_normal(topology.triangle[static_cast<std::size_t>(t)], x))) {
-        return;
-      }
-      best = other;
-      reach = std::sqrt(best.nearest.distance2);
-    }
-  }
-};
-
-// Of the triangles of the group's list: in the order of their distances at the reference, until
-// what vertex and triangles have moved since can't make the next one the nearest. None (−1) where
-// the list need not name the nearest that is asked for.
-Projection project_by_list(const Topology& topology, const PairSearch& search,
-                           const PairSearch::Group& group, const Vec3& point,
-                           const PairContact& contact, std::int32_t resting) {
-  const auto vertex = static_cast<std::size_t>(group.key >> 32);
-  const auto body = static_cast<std::size_t>(group.key & 0xffffffffu);
-  // Far above the round-off of a distance.
-  const double rounding = 1e-9 * search.skin + 1e-14 * point.norm();
-  const double moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
-  Nearest nearest{topology, search.predicted, point, resting};
-  if (contact.triangle >= 0) nearest.consider(contact.triangle);
-  for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
-    const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
-    if (near.distance - moved > nearest.reach) break;
-    if (near.triangle != contact.triangle) nearest.consider(near.triangle);
-  }
-  if (resting >= 0 && nearest.reach + moved > group.near_reach) nearest.best.triangle = -1;
-  return nearest.best;
-}
-
-// Of all triangles near the contact's element, or of the body's where none is near or `everywhere`
-// is asked for. Begins with that of the last step, if there was one, so that most others are out of
-// reach.
-Projection project_by_balls(const Topology& topology, const PairSearch& search, const Vec3& point,
-                            const PairContact& contact, std::int32_t resting, bool everywhere) {
-  constexpr double kRounding = 1.0 + 1e-12;
-  Nearest nearest{topology, search.predicted, point, resting};
-  if (contact.triangle >= 0) nearest.consider(contact.triangle);
-  const auto consider = [&](std::int32_t t) {
-    const PairSearch::Ball& ball = search.ball[static_cast<std::size_t>(t)];
-    const double least = nearest.reach + ball.radius;
-    if (t == contact.triangle || (point - ball.centre).squaredNorm() > least * least * kRounding) {
-      return;
-    }
-    nearest.consider(t);
-  };
-  const auto e = static_cast<std::size_t>(contact.element);
-  const auto begin = topology.near.begin() + topology.near_begin[e];
-  const auto end = topology.near.begin() + topology.near_begin[e + 1];
-  if (!everywhere) std::for_each(begin, end, consider);
-  if (everywhere || begin == end) {
-    const auto body = static_cast<std::size_t>(topology.element_body[e]);
-    for (std::int32_t t = topology.body_triangle_begin[body];
-         t < topology.body_triangle_begin[body + 1]; ++t) {
-      consider(t);
-    }
-  }
-  return nearest.best;
-}
-
-// An element is taken not to be squeezed to less than this share of its least width.
-constexpr double kSqueezed = 0.5;
-
-// Nearest surface triangle of the penetrated body, of equals that of the lowest number: of those
-// near the contact's element, unless it lies so deep that one that shares no corner with the
-// element may be as near (see Topology::least_width).
-Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
-                   const Vec3& point, const PairContact& contact, std::int32_t resting = -1) {
-  if (group != nullptr && group->near_element < 0) {
-    list_nearest(topology, contact.element, *group, search);
-  }
-  const bool listed = group != nullptr && group->near_element == contact.element;
-  Projection best{{}, -1};
-  if (listed) best = project_by_list(topology, search, *group, point, contact, resting);
-  if (best.triangle < 0) best = project_by_balls(topology, search, point, contact, resting, false);
-  const auto body = static_cast<std::size_t>(contact.key & 0xffffffffu);
-  const double near = kSqueezed * topology.least_width[body];
-  if (resting >= 0 || best.nearest.distance2 < near * near) return best;
-  return project_by_balls(topology, search, point, contact, resting, true);
-}
-
-// The last step's triangle while its distance is within (1 + margin) of the one found now.
-Projection keep_last(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
-                     const PairContact& contact, double margin, const Projection& found) {
-  if (margin == 0.0 || contact.triangle < 0 || contact.triangle == found.triangle ||
-      found.triangle < 0) {
-    return found;
-  }
-  const Projection last = project_on(topology, x, point, contact.triangle);
-  const double farthest2 = (1.0 + margin) * (1.0 + margin) * found.nearest.distance2;
-  return last.nearest.distance2 <= farthest2 ? last : found;
-}
-
-struct Choice {
-  Projection projection;
-  bool passed_over;  // a nearer triangle, which the vertex can't rest on
-};
-
-// How far the vertex has come towards the triangle in this step, m, at most.
-double approach(const Topology& topology, const std::vector<Vec3>& x, const State& state,
-                std::int32_t vertex, std::int32_t triangle) {
-  const auto moved = [&](std::int32_t v) -> Vec3 {
-    return x[static_cast<std::size_t>(v)] - state.position[static_cast<std::size_t>(v)].x;
-  };
-  Vec3 of_triangle = Vec3::Zero();
-  for (const std::int32_t v : topology.triangle[static_cast<std::size_t>(triangle)].vertex) {
-    of_triangle += moved(v) / 3.0;
-  }
-  return (moved(vertex) - of_triangle).norm();
-}
-
-// Whether a contact that was with one triangle goes on with another.
-bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t from,
-             std::int32_t to) {
-  constexpr double kSameFace = 0.87;  // cosine of 30°
-  const auto normal = [&](std::int32_t t) {
-    return outward_normal(topology.triangle[static_cast<std::size_t>(t)], x);
-  };
-  return from == to || (from >= 0 && normal(from).dot(normal(to)) > kSameFace);
-}
-
-// The triangle through which a vertex is pushed out. With `resting`, the vertex's number, the
-// nearest triangle counts only if it can rest on it; else the nearest on which it can does, if the
-// contact was there before or can have come through it in this step.
-Choice choose_face(const Topology& topology, const State& state, PairSearch& search,
-                   PairSearch::Group* group, const Vec3& point, const PairContact& contact,
-                   double margin, std::int32_t resting) {
-  // In mean edges: how deep a vertex may stand that is not known yet.
-  constexpr double kDeepest = 1e-2;
-  const std::vector<Vec3>& x = search.predicted;
-  const auto keep = [&](const Projection& found) {
-    return keep_last(topology, x, point, contact, margin, found);
-  };
-  const Projection best = keep(project(topology, search, group, point, contact));
-  // That of the last step was asked then.
-  if (resting < 0 || best.triangle < 0 || best.triangle == contact.triangle ||
-      can_rest_on(topology, x, resting,
-                  outward_normal(topology.triangle[static_cast<std::size_t>(best.triangle)], x))) {
-    return {best, false};
-  }
-  const Projection other = keep(project(topology, search, group, point, contact, resting));
-  if (other.triangle < 0) return {best, false};
-  const bool known = goes_on(topology, x, contact.triangle, other.triangle);
-  const double deepest = kDeepest * topology.mean_edge;
-  if (known || std::sqrt(other.nearest.distance2) <=
-                   deepest + approach(topology, x, state, resting, other.triangle)) {
-    return {other, true};
-  }
-  return {best, false};
-}
 
 // Detection left the element's corners as partners.
 void set_partners(const Triangle& triangle, const Options& options, const State& state,
@@ -242,6 +35,30 @@ void set_partners(const Triangle& triangle, const Options& options, const State&
   const Eigen::Vector4d weight =
       barycentric(x(contact.vertex), x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
   for (int k = 0; k < 4; ++k) contact.weight[k] = weight[k];
+}
+
+// In mean edges: an excess below the rounding of a position.
+constexpr double kNothing = 1e-15;
+
+// What of the contact's depth is not to be answered in this step, m; `last` is its triangle of the
+// last step. A vertex that comes in through a side wall, behind a face that it can rest on, has not
+// fallen to the depth at which it is found: closed in one step that depth d would throw it out at
+// d/Δt, and the contact would be lost and found again for ever. So the face begins where the vertex
+// is, and comes to its place by a tenth of the way in each step, which gives a hundredth of that
+// energy. Not so what stands less deep than the border is wide: there one contact comes and goes.
+double excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairMemory& memory,
+                 const PairContact& contact, std::int32_t last, double unexplained) {
+  constexpr double kRemains = 0.9;
+  if (unexplained > 0.0) return std::min(unexplained, contact.depth);
+  if (memory.excess.empty()) return 0.0;
+  const auto found =
+      std::lower_bound(memory.excess.begin(), memory.excess.end(), contact.key,
+                       [](const auto& excess, ContactKey key) { return excess.body_key < key; });
+  if (found == memory.excess.end() || found->body_key != contact.key ||
+      !goes_on(topology, x, last, contact.triangle)) {
+    return 0.0;
+  }
+  return std::min(kRemains * found->depth, contact.depth);
 }
 
 }  // namespace
@@ -315,6 +132,9 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
                     static_cast<std::int32_t>(contact.key & 0xffffffffu), contact.depth,
                     workspace.search);
     }
+    contact.excess =
+        excess_of(scene.topology, x, state.pair_memory, contact, last, choice.unexplained - border);
+    contact.depth -= contact.excess;
     set_partners(triangle, options, state, projection, contact);
     if constexpr (kMutation == Mutation::kWeightSum) contact.weight[0] += 0.02;
     if constexpr (kMutation == Mutation::kLeverArm) {
@@ -357,12 +177,16 @@ void remember_pairs(const PairContacts& pairs, const Topology& topology, PairMem
   memory.body_key.resize(pairs.size());
   memory.element.resize(pairs.size());
   memory.triangle.resize(pairs.size());
+  memory.excess.clear();
   for (std::size_t c = 0; c < pairs.size(); ++c) {
     const std::int32_t body = topology.element_body[static_cast<std::size_t>(pairs[c].element)];
     memory.body_key[c] =
         contact_key(static_cast<std::uint32_t>(pairs[c].vertex), static_cast<std::uint32_t>(body));
     memory.element[c] = pairs[c].element;
     memory.triangle[c] = pairs[c].triangle;
+    if (pairs[c].excess > kNothing * topology.mean_edge) {
+      memory.excess.push_back({memory.body_key[c], pairs[c].excess});
+    }
   }
 }
 

@@ -104,6 +104,44 @@ TEST(OpposedFace, OfFlushCubesIsTheOneTheyRestOn) {
   EXPECT_GT(across(PairFace::kNearest), 0) << "a corner is on a side wall, which is nearer";
 }
 
+// Corners on the side walls of the other cube: what stands behind the face below without having
+// come there is answered by and by, and what has fallen there at once.
+TEST(SideEntry, IsAnsweredByAndBy) {
+  const double depth = 5e-3;
+  const Scene scene = build_scene(flush_cubes(depth));
+  const Options options;
+  State state = initial_state(scene);
+  state.step = 1;
+  double expected = depth - options.pairs.border_margin * scene.topology.mean_edge;
+  for (int step = 0; step < 3; ++step, expected *= 0.9) {
+    const test::Found found(scene, options, state);
+    ASSERT_EQ(found.workspace.pairs.size(), 8u);
+    int by_and_by = 0;
+    for (const PairContact& contact : found.workspace.pairs) {
+      EXPECT_NEAR(contact.depth + contact.excess, depth, 1e-15);
+      if (contact.excess == 0.0) continue;
+      EXPECT_NEAR(contact.excess, expected, 1e-15) << "step " << step;
+      ++by_and_by;
+    }
+    EXPECT_GT(by_and_by, 0) << "step " << step;
+    remember_pairs(found.workspace.pairs, scene.topology, state.pair_memory);
+  }
+
+  State falling = initial_state(scene);
+  falling.step = 1;
+  for (int v = scene.bodies[1].first_vertex; v < scene.vertex_count(); ++v) {
+    const auto k = static_cast<std::size_t>(v);
+    falling.position[k].x.z() += depth;
+    falling.velocity[k].v.z() = -depth / options.time_step;
+  }
+  const test::Found found(scene, options, falling);
+  ASSERT_EQ(found.workspace.pairs.size(), 8u);
+  for (const PairContact& contact : found.workspace.pairs) {
+    EXPECT_NEAR(contact.excess, 0.0, 1e-15);
+    EXPECT_NEAR(contact.depth, depth, 1e-15);
+  }
+}
+
 TEST(BorderMargin, KeepsAVertexAHairBeyondItsFace) {
   Scene scene = build_scene(flush_cubes(1e-4));
   const auto contacts_after = [&](double shift) {

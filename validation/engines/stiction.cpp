@@ -180,7 +180,7 @@ class StictionEngine final : public Engine {
             .point = contact.vertex,
             .facet = contact.triangle,
             .normal = contact.normal,
-            .gap = -contact.depth,
+            .gap = -(contact.depth + contact.excess),
             .normal_force = contact.normal_force,
             .friction_force = contact.friction_force,
             .slip = slip - contact.normal.dot(slip) * contact.normal,
