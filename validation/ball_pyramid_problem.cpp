@@ -87,6 +87,7 @@ PyramidShape pyramid_shape(const Engine& engine) {
 }
 
 reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSetup& setup,
+                                      const std::vector<ContactSample>& contacts,
                                       ContactLoads loads) {
   reference::LimitProblem problem;
   for (std::size_t b = 0; b <= kTopBall; ++b) {
@@ -95,7 +96,7 @@ reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSet
          engine.body(b).position});
   }
   problem.gravity = Vec3(0.0, 0.0, -kStandardGravity);
-  for (const ContactSample& sample : engine.contacts()) {
+  for (const ContactSample& sample : contacts) {
     if (!(sample.normal_force > 0.0)) continue;
     if (loads == ContactLoads::kMeasured) {
       problem.clamps.push_back({{static_cast<int>(problem.contacts.size())}, sample.normal_force});

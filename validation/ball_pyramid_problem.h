@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "reference/limit_analysis.h"
 #include "reference/soft_balls.h"
@@ -52,16 +53,17 @@ enum class ContactLoads {
   /// Each any load: rest with less μ than the answer is impossible, above it elasticity decides.
   kAny,
   /// Each the normal force that it has: the answer is what the pressures of these soft bodies need,
-  /// rolling resistance and all. What moves still at 1e-5 m/s is out of balance by 1e-3 of the
-  /// weight, so ask with `kMovingResidual`.
+  /// rolling resistance and all. What still swings is out of balance, by 1e-3 of the weight where a
+  /// mean over a second changes by 0.01 m/s, so ask with `kMovingResidual`.
   kMeasured
 };
 
 inline constexpr double kMovingResidual = 9e-4;  ///< of the whole weight, LimitOptions::residual
 
-/// The rigid problem of the contacts that carry a load now. (One contact point a pair, at the
+/// The rigid problem of those `contacts` that carry a load. (One contact point a pair, at the
 /// resultant, gives no reference: 18 forces for 24 equations.)
 reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSetup& setup,
+                                      const std::vector<ContactSample>& contacts,
                                       ContactLoads loads);
 
 /// The least μ that the scene's smooth soft balls need between each other (soft_balls.h).

@@ -33,8 +33,8 @@ BallPyramidSetup coarse() {
 TEST(BallPyramidProblem, LimitProblemHoldsEachContactToItsForceWhereAsked) {
   const BallPyramidSetup setup = coarse();
   const auto engine = some_pyramid(setup);
-  const auto any = limit_problem(*engine, setup, ContactLoads::kAny);
-  const auto measured = limit_problem(*engine, setup, ContactLoads::kMeasured);
+  const auto any = limit_problem(*engine, setup, engine->contacts(), ContactLoads::kAny);
+  const auto measured = limit_problem(*engine, setup, engine->contacts(), ContactLoads::kMeasured);
   EXPECT_TRUE(any.clamps.empty());
   ASSERT_GE(any.contacts.size(), 6U);  // three balls on the ground, one on them
   ASSERT_EQ(measured.contacts.size(), any.contacts.size());

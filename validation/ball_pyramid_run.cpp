@@ -3,17 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
+
+#include "validation/incline_problem.h"
+#include "validation/mean_contacts.h"
 
 namespace stiction {
 
 namespace {
 
-constexpr double kSunk = 0.05;             // of r: by then it is broken
-constexpr double kLookEvery = 5e-3;        // s
-constexpr std::size_t kSamplesHalf = 100;  // of energies, in each half of the window
+constexpr double kSunk = 0.05;                 // of r: by then it is broken
+constexpr double kLookEvery = 5e-3;            // s
+constexpr std::size_t kSamplesHalf = 100;      // of energies, in each half of the window
+constexpr std::size_t kLooksAtContacts = 200;  // the last ones: a second
 
 // Mean speed of contacts, weighted by normal force, m/s.
 double mean_slip(const Engine& engine, bool between_balls) {
@@ -31,17 +37,6 @@ double time_step(int frequency) {
   if (frequency <= 5) return 3.4e-4;
   return frequency == 6 ? 2.7e-4 : 2.7e-4 * std::pow(6.0 / frequency, 1.4);
 }
-
-// Means of mechanical and kinetic energy over the halves of a window.
-struct EnergyMeans {
-  double mechanical[2] = {0.0, 0.0};  // J
-  double kinetic = 0.0;               // J
-
-  void add(std::size_t half, const Energies& energies) {
-    mechanical[half] += (energies.kinetic + energies.gravity + energies.elastic) / kSamplesHalf;
-    kinetic += 0.5 * energies.kinetic / kSamplesHalf;
-  }
-};
 
 }  // namespace
 
@@ -70,6 +65,10 @@ BallPyramidRun::BallPyramidRun(CaseRun& run, const BallPyramidSetup& setup,
                   kSettlingFriction, between, ground, kinetic.y.back()));
 }
 
+double BallPyramidRun::top_weight() const {
+  return kStandardGravity * ball_pyramid_problem(setup_).bodies[kTopBall].mass;
+}
+
 double BallPyramidRun::broken_at() const { return kSunk * setup_.radius; }
 
 std::unique_ptr<Simulation> BallPyramidRun::simulate(double friction) {
@@ -92,7 +91,8 @@ BallPyramidOutcome BallPyramidRun::continue_with(double friction, bool keep_seri
   Series slip{"ground slip, " + at, "m/s", "time", "s", {}, {}};
   Series speed{"lower balls' speed, " + at, "m/s", "time", "s", {}, {}};
   BallPyramidOutcome outcome;
-  EnergyMeans means;
+  MeanContacts contacts;
+  double highest = 0.0;  // the top ball's sinking when judging begins, m
   int breaking = 0;
   const double end = times_.settled + times_.watched;
   const auto looks = static_cast<std::size_t>(std::llround((end - times_.lowered) / kLookEvery));
@@ -111,9 +111,17 @@ BallPyramidOutcome BallPyramidRun::continue_with(double friction, bool keep_seri
     slip.y.push_back(slipping);
     speed.x.push_back(simulation->time());
     speed.y.push_back(shape.speed);
-    if (k == unjudged) outcome.needed_first = shape.critical_friction();
+    if (k == unjudged) {
+      outcome.needed_first = shape.critical_friction();
+      highest = outcome.sunk;
+    }
+    if (k > unjudged) {
+      outcome.freed = std::max(outcome.freed, top_weight() * (outcome.sunk - highest));
+    }
+    if (k + kLooksAtContacts > looks) contacts.add(engine.contacts());
     if (k > unjudged && (k - unjudged) % (judged / (2 * kSamplesHalf)) == 0) {
-      means.add(2 * (k - unjudged) > judged ? 1 : 0, engine.energies());
+      outcome.kinetic[2 * (k - unjudged) > judged ? 1 : 0] +=
+          engine.energies().kinetic / kSamplesHalf;
     }
     if (outcome.sunk <= broken_at()) continue;
     outcome.stands = false;
@@ -127,14 +135,14 @@ BallPyramidOutcome BallPyramidRun::continue_with(double friction, bool keep_seri
     outcome.outward /= breaking;
   }
   outcome.needed_last = pyramid_shape(engine).critical_friction();
-  outcome.kinetic = means.kinetic;
-  outcome.gain = means.mechanical[1] - means.mechanical[0];
   outcome.pair_slip = mean_slip(engine, true);
   if (outcome.stands) {
+    const std::vector<ContactSample> mean = contacts.mean();
     outcome.any_loads =
-        reference::critical_friction(limit_problem(engine, setup_, ContactLoads::kAny));
-    outcome.measured_loads = reference::critical_friction(
-        limit_problem(engine, setup_, ContactLoads::kMeasured), 0.0, {.residual = kMovingResidual});
+        reference::critical_friction(limit_problem(engine, setup_, mean, ContactLoads::kAny));
+    outcome.measured_loads =
+        reference::critical_friction(limit_problem(engine, setup_, mean, ContactLoads::kMeasured),
+                                     0.0, {.residual = kMovingResidual});
   }
   if (keep_series) {
     run_.add(height);

@@ -25,17 +25,18 @@ inline constexpr double kSettlingFriction = 1.0;
 /// What became of the pyramid at one μ.
 struct BallPyramidOutcome {
   bool stands = true;
-  double sunk = 0.0;         ///< the top ball, since friction was lowered, m
-  double spread = 0.0;       ///< the lower balls outwards, since then, m
-  double ground_slip = 0.0;  ///< while it breaks, by normal force, m/s
-  double outward = 0.0;      ///< … of the lower balls' centres, m/s
-  double kinetic = 0.0;      ///< mean while judged, J
-  double gain = 0.0;         ///< mechanical energy, mean of the second half less the first's, J
-  double pair_slip = 0.0;    ///< at the end, between balls, by normal force, m/s
+  double sunk = 0.0;               ///< the top ball, since friction was lowered, m
+  double spread = 0.0;             ///< the lower balls outwards, since then, m
+  double ground_slip = 0.0;        ///< while it breaks, by normal force, m/s
+  double outward = 0.0;            ///< … of the lower balls' centres, m/s
+  double kinetic[2] = {0.0, 0.0};  ///< mean of each half of the window, J
+  double freed = 0.0;              ///< by the top ball's sinking in the window, J
+  double pair_slip = 0.0;          ///< at the end, between balls, by normal force, m/s
   /// μ that smooth rigid balls with centres there need: when judging begins, and at the end.
   double needed_first = 0.0;
   double needed_last = 0.0;
-  /// At the end, if it stands: least μ of its contacts.
+  /// If it stands: least μ of its contacts, mean of the last second. Infinite where the pressures
+  /// are out of balance by more than `kMovingResidual`: then it still moves.
   reference::LimitBracket any_loads{};
   reference::LimitBracket measured_loads{};
 
@@ -60,6 +61,7 @@ class BallPyramidRun {
 
  private:
   std::unique_ptr<Simulation> simulate(double friction);
+  double top_weight() const;  // N
 
   CaseRun& run_;
   BallPyramidSetup setup_;
