@@ -108,6 +108,7 @@ RollingMotions rolling_motions(const std::vector<RigidBall>& balls,
   const MatrixXd operation = inertia.partialPivLu().solve(stiffness);
   const Eigen::EigenSolver<MatrixXd> solver(operation, false);
   motions.rates2 = solver.eigenvalues().real();
+  motions.basis = kernel;
   return motions;
 }
 

@@ -26,6 +26,8 @@ struct RollingMotions {
   /// Squares of the rates (1/s²) at which small motions without slip grow (> 0) or vibrate (< 0);
   /// 0 is neutral: nothing drives the motion and nothing opposes it.
   Eigen::VectorXd rates2;
+  /// 6·balls × motions: velocity and angular velocity of each ball in the motions without slip.
+  Eigen::MatrixXd basis;
 };
 
 /// Linearises M w' = F + Jᵀλ, J(x) w = 0 about rest, for centres and angular velocities w and the

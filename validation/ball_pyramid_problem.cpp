@@ -86,7 +86,9 @@ PyramidShape pyramid_shape(const Engine& engine) {
   return shape;
 }
 
-reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSetup& setup) {
+reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSetup& setup,
+                                      const std::vector<ContactSample>& contacts,
+                                      ContactLoads loads) {
   reference::LimitProblem problem;
   for (std::size_t b = 0; b <= kTopBall; ++b) {
     problem.bodies.push_back(
@@ -94,14 +96,26 @@ reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSet
          engine.body(b).position});
   }
   problem.gravity = Vec3(0.0, 0.0, -kStandardGravity);
-  for (const ContactSample& sample : engine.contacts()) {
+  for (const ContactSample& sample : contacts) {
     if (!(sample.normal_force > 0.0)) continue;
+    if (loads == ContactLoads::kMeasured) {
+      problem.clamps.push_back({{static_cast<int>(problem.contacts.size())}, sample.normal_force});
+    }
     problem.contacts.push_back(
         {static_cast<int>(sample.body),
          sample.against_body ? static_cast<int>(sample.obstacle) : reference::kFixed,
          sample.position, sample.normal.normalized()});
   }
   return problem;
+}
+
+reference::SoftFourBallThreshold smooth_threshold(const BallPyramidSetup& setup) {
+  return reference::soft_four_ball_threshold({.radius = setup.radius,
+                                              .ratio = setup.ratio,
+                                              .density = setup.density,
+                                              .youngs_modulus = setup.elasticity.youngs_modulus,
+                                              .poisson_ratio = setup.elasticity.poisson_ratio,
+                                              .gravity = kStandardGravity});
 }
 
 }  // namespace stiction

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "reference/limit_analysis.h"
+#include "reference/soft_balls.h"
 #include "validation/engine.h"
 #include "validation/problem.h"
 
@@ -46,9 +48,25 @@ struct PyramidShape {
 };
 PyramidShape pyramid_shape(const Engine& engine);
 
-/// The rigid problem of the contacts that carry a load now; each may carry any other one. Rest
-/// below its critical μ is impossible, above it elasticity decides. (One contact point a pair, at
-/// the resultant, gives no reference: 18 forces for 24 equations.)
-reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSetup& setup);
+/// What the contacts of `limit_problem` may carry.
+enum class ContactLoads {
+  /// Each any load: rest with less μ than the answer is impossible, above it elasticity decides.
+  kAny,
+  /// Each the normal force that it has: the answer is what the pressures of these soft bodies need,
+  /// rolling resistance and all. What still swings is out of balance, by 1e-3 of the weight where a
+  /// mean over a second changes by 0.01 m/s, so ask with `kMovingResidual`.
+  kMeasured
+};
+
+inline constexpr double kMovingResidual = 9e-4;  ///< of the whole weight, LimitOptions::residual
+
+/// The rigid problem of those `contacts` that carry a load. (One contact point a pair, at the
+/// resultant, gives no reference: 18 forces for 24 equations.)
+reference::LimitProblem limit_problem(const Engine& engine, const BallPyramidSetup& setup,
+                                      const std::vector<ContactSample>& contacts,
+                                      ContactLoads loads);
+
+/// The least μ that the scene's smooth soft balls need between each other (soft_balls.h).
+reference::SoftFourBallThreshold smooth_threshold(const BallPyramidSetup& setup);
 
 }  // namespace stiction
