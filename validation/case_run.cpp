@@ -142,8 +142,27 @@ void CaseRun::started(const Engine& engine) {
   settings_resolved_ = true;
 }
 
+CaseRun CaseRun::part(const Settings& settings) const {
+  CaseRun part({.name = record_.case_name, .title = record_.title}, engine_, settings,
+               tolerance_scale_);
+  part.passages_noted_ = passages_noted_;
+  return part;
+}
+
+void CaseRun::include(const Record& part, bool pays) {
+  record_.notes.insert(record_.notes.end(), part.notes.begin(), part.notes.end());
+  if (!part.error.empty()) passages_.push_back(part.error);
+  hash_.add(part.state_hash.data(), part.state_hash.size());
+  if (pays) bill(part.cost);
+}
+
 void CaseRun::ended(const Engine& engine) {
-  const Cost cost = engine.cost();
+  bill(engine.cost());
+  const std::uint64_t hash = engine.state_hash();
+  hash_.add(&hash, sizeof hash);
+}
+
+void CaseRun::bill(const Cost& cost) {
   Cost& total = record_.cost;
   total.cpu_seconds += cost.cpu_seconds;
   total.steps += cost.steps;
@@ -154,8 +173,6 @@ void CaseRun::ended(const Engine& engine) {
     timed_contacts_ += updates;
     contact_seconds_ += 1e-9 * cost.ns_per_contact_update * updates;
   }
-  const std::uint64_t hash = engine.state_hash();
-  hash_.add(&hash, sizeof hash);
 }
 
 void CaseRun::passed(const std::vector<std::string>& passages, bool noted) {

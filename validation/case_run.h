@@ -80,6 +80,11 @@ class CaseRun {
   void note(std::string text) { record_.notes.push_back(std::move(text)); }
   void add(Series series) { record_.series.push_back(std::move(series)); }
 
+  /// A run of the same engine with other settings, whose record can be included (shared_run.h).
+  CaseRun part(const Settings& settings) const;
+  /// Takes over the notes and passages of a part, its state hash, and its cost if this run `pays`.
+  void include(const Record& part, bool pays);
+
   const EngineKind& engine() const { return engine_; }
   const Settings& settings() const { return settings_; }
 
@@ -92,6 +97,7 @@ class CaseRun {
   friend class Simulation;
   void started(const Engine& engine);  // the record's settings are those of the first simulation
   void ended(const Engine& engine);
+  void bill(const Cost& cost);
   void passed(const std::vector<std::string>& passages, bool noted);
 
   EngineKind engine_;

@@ -2,6 +2,7 @@
 #include "validation/clamp_problem.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "reference/box_mesh.h"
@@ -144,15 +145,19 @@ ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Settings& ex
   return probe;
 }
 
-ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, double most, double least,
-                               double width, const Settings& extra) {
+ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, const ClampSearch& search,
+                               const Settings& extra) {
   ClampThreshold result;
-  const Bracket bracket = find_threshold(most, least, width, [&](double squeeze) {
-    setup.squeeze = squeeze;
-    const ClampProbe probe = probe_clamp(run, setup, extra);
-    (probe.holds ? result.holds : result.fails) = probe;
-    return probe.holds;
-  });
+  std::map<double, ClampProbe> probes;  // by squeeze
+  const Bracket bracket = find_threshold_near(
+      search.guess, -search.step, search.reach, search.width, [&](double squeeze) {
+        setup.squeeze = squeeze;
+        return (probes[squeeze] = probe_clamp(run, setup, extra)).holds;
+      });
+  if (!std::isnan(bracket.holds)) {
+    result.holds = probes.at(bracket.holds);
+    result.fails = probes.at(bracket.fails);
+  }
   result.squeeze = bracket.holds;
   result.evaluations = bracket.evaluations;
   result.upper = std::isnan(bracket.holds) ? bracket.holds : result.holds.force;

@@ -74,7 +74,15 @@ struct ClampProbe {
 ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Settings& extra = {},
                        bool twice = false);
 
-/// Clamps at either side of the threshold, found by bisection over `squeeze`.
+/// Where a search over `squeeze` begins and how it goes on (threshold.h), m.
+struct ClampSearch {
+  double guess = 0.0;
+  double step = 0.0;   ///< > 0, taken towards less
+  double reach = 0.0;  ///< beyond this from the guess it gives up
+  double width = 0.0;  ///< of the bracket
+};
+
+/// Clamps at either side of the threshold, found by a search over `squeeze`.
 struct ClampThreshold {
   ClampProbe holds, fails;
   double squeeze = 0.0;  ///< of the clamp that holds, m
@@ -85,8 +93,8 @@ struct ClampThreshold {
   double middle() const { return 0.5 * (lower + upper); }
   double half() const { return 0.5 * std::abs(upper - lower); }
 };
-ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, double most, double least,
-                               double width, const Settings& extra = {});
+ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, const ClampSearch& search,
+                               const Settings& extra = {});
 
 /// Motion of one body in the clamp: z and the angle of its rotation, from the start.
 struct Pose {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -25,9 +26,12 @@ ClampSetup stiffer(ClampSetup setup, double factor) {
   return setup;
 }
 
-ClampThreshold search(CaseRun& run, const ClampSetup& setup, double most, double least,
-                      double width, double rigid, const Settings& extra = {}) {
-  const ClampThreshold found = clamp_threshold(run, setup, most, least, width, extra);
+// Its first step outwards, in widths of the bracket.
+constexpr double kStep = 4.0;
+
+ClampThreshold search(CaseRun& run, const ClampSetup& setup, const ClampSearch& about, double rigid,
+                      const Settings& extra = {}) {
+  const ClampThreshold found = clamp_threshold(run, setup, about, extra);
   const ClampProbe& at = found.holds;
   run.note(fmt::format(
       "E = {:.1e} Pa{}: holds at N = {:.4f} N, fails at {:.4f} N ({:+.3f} % of the rigid limit), "
@@ -39,12 +43,29 @@ ClampThreshold search(CaseRun& run, const ClampSetup& setup, double most, double
   return found;
 }
 
-// The same search elsewhere, begun about the way that a search has found, which scales with 1/E.
-ClampThreshold search_about(CaseRun& run, const ClampSetup& setup, const ClampThreshold& known,
-                            double factor, double width, double rigid, const Settings& extra = {}) {
-  const double way = known.squeeze / factor;
-  if (std::isnan(way)) return known;  // nothing held, or nothing failed: no search leads further
-  return search(run, setup, 1.3 * way, 0.75 * way, width / factor, rigid, extra);
+// The way that closes the clamp to a force of `wanted` (before gravity), by the line through two
+// clamps of which the second is nearly it: what is lost until all contacts bear stays out of it.
+double way_for(CaseRun& run, ClampSetup setup, double way, double wanted) {
+  if (std::isnan(way)) return way;
+  const auto force = [&](double squeeze) {
+    setup.squeeze = squeeze;
+    const auto simulation = run.simulate(clamp_problem(setup));
+    simulation->advance_to(kFallFrom);
+    return clamp_force(simulation->engine(), setup);
+  };
+  const double first = force(way), near = way * wanted / first, second = force(near);
+  return near + (wanted - second) * (near - way) / (second - first);
+}
+
+// The same search elsewhere, begun about a clamp that is known from another; `width` is of the way.
+ClampThreshold search_about(CaseRun& run, const ClampSetup& setup, double way, double width,
+                            double rigid, const Settings& extra = {}) {
+  if (std::isnan(way)) {
+    return {.holds = {}, .fails = {}, .squeeze = way, .upper = way, .lower = way};
+  }
+  return search(run, setup,
+                {.guess = way, .step = kStep * width, .reach = 0.3 * way, .width = width}, rigid,
+                extra);
 }
 
 void check_rest(CaseRun& run, ClampSetup setup, const ClampThreshold& soft) {
@@ -67,7 +88,7 @@ void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold
                      double width, double rigid) {
   const double dt = run.simulate(clamp_problem(setup))->engine().time_step();
   const ClampThreshold fine =
-      search_about(run, setup, soft, 1.0, width, rigid, {{"dt", fmt::format("{}", 0.5 * dt)}});
+      search_about(run, setup, soft.squeeze, width, rigid, {{"dt", fmt::format("{}", 0.5 * dt)}});
   run.check({.quantity = "critical clamp force at half the step ÷ at the whole one",
              .unit = "1",
              .claim = "how hard a clamp must press does not depend on the time step",
@@ -88,9 +109,21 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
   const ClampLimit limit = clamp_limit(setup);
   const double rigid = 0.5 * (limit.lower + limit.upper);
   const ClampSetup middle = stiffer(setup, kStiffer), hard = stiffer(middle, kStiffer);
-  const ClampThreshold a = search(run, setup, most, least, width, rigid);
-  const ClampThreshold b = search_about(run, middle, a, kStiffer, width, rigid);
-  const ClampThreshold c = search_about(run, hard, b, kStiffer, width / kStiffer, rigid);
+  // Begun where a clamp of rigid bodies would need no more; then, stiffer, at the force found; then
+  // where the trend of the two leads.
+  const double guess = way_for(run, setup, most, rigid);
+  const ClampThreshold a = search(run, setup,
+                                  {.guess = guess,
+                                   .step = kStep * width,
+                                   .reach = std::max(most - guess, guess - least),
+                                   .width = width},
+                                  rigid);
+  const double known = a.holds.unloaded;
+  const ClampThreshold b = search_about(
+      run, middle, way_for(run, middle, a.squeeze / kStiffer, known), width / kStiffer, rigid);
+  const double trend = b.holds.unloaded + (b.holds.unloaded - known) / kStiffer;
+  const ClampThreshold c = search_about(run, hard, way_for(run, hard, b.squeeze / kStiffer, trend),
+                                        width / (kStiffer * kStiffer), rigid);
   const double coarse = extrapolate_with_order(a.middle(), b.middle(), kStiffer, 1.0);
   const double fine = extrapolate_with_order(b.middle(), c.middle(), kStiffer, 1.0);
   // An error of order 1/E² in the finer extrapolation is a fifteenth of the way that it has come.

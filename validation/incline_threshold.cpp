@@ -2,6 +2,7 @@
 #include "validation/incline_threshold.h"
 
 #include <cmath>
+#include <limits>
 
 #include "validation/incline_run.h"
 
@@ -19,11 +20,19 @@ bool incline_holds(CaseRun& run, const InclineSetup& setup, const Settings& extr
 
 Bracket incline_threshold(CaseRun& run, const InclineSetup& setup, double width,
                           const Settings& extra) {
-  return find_threshold(0.83 * setup.friction, 1.21 * setup.friction, width, [&](double tan_slope) {
+  const auto holds = [&](double tan_slope) {
     InclineSetup sloped = setup;
     sloped.tan_slope = tan_slope;
     return incline_holds(run, sloped, extra);
-  });
+  };
+  // Far from Coulomb's value as theory has it, so that the search about that is about the only one.
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (!holds(0.83 * setup.friction) || holds(1.21 * setup.friction)) return {kNone, kNone, 2};
+  // Begun so that no slope tried is Coulomb's own.
+  Bracket near = find_threshold_near(setup.friction - 3.7 * width, 8.0 * width,
+                                     0.17 * setup.friction, width, holds);
+  near.evaluations += 2;
+  return near;
 }
 
 }  // namespace stiction

@@ -15,8 +15,8 @@ namespace stiction {
 /// decayed to 1e-12 m/s.
 bool incline_holds(CaseRun& run, const InclineSetup& setup, const Settings& extra = {});
 
-/// The critical tan θ of `setup` (whose own tan θ is ignored), searched between 0.83 μ and 1.21 μ
-/// (so that no midpoint is μ itself).
+/// The critical tan θ of `setup` (whose own tan θ is ignored): holds at 0.83 μ, slides at 1.21 μ,
+/// and between them searched outwards from Coulomb's value.
 Bracket incline_threshold(CaseRun& run, const InclineSetup& setup, double width,
                           const Settings& extra = {});
 

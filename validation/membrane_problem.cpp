@@ -15,9 +15,6 @@ namespace {
 
 constexpr int kBlockCells = 3, kLayers = 5, kMiddle = 2;
 
-// Of the slope on which gravity grows; flat enough for the box to stick.
-constexpr double kFirstTangent = 0.5;
-
 double sag(const reference::MembraneProblem& string, double x) {
   const double s = string.start;
   const double kink = x < s ? x * (string.length - s) : (string.length - x) * s;
@@ -28,7 +25,7 @@ double sag(const reference::MembraneProblem& string, double x) {
 // The string while gravity grows.
 reference::MembraneProblem first_string(const MembraneSetup& setup) {
   MembraneSetup first = setup;
-  first.tan_slope = kFirstTangent;
+  first.tan_slope = kMembraneFirstTangent;
   return membrane_string(first);
 }
 
@@ -134,8 +131,10 @@ Problem membrane_problem(const MembraneSetup& setup) {
   problem.obstacles = {
       {.name = "rail", .point = Vec3(0.0, 0.0, -0.5 * setup.block_height - 1e-6), .friction = 0.0}};
   problem.friction = setup.friction;
-  problem.gravity = {{0.0, kMembraneLoaded, kMembraneTilted},
-                     {Vec3::Zero(), gravity_on(kFirstTangent), gravity_on(setup.tan_slope)}};
+  problem.drag = setup.drag;
+  problem.gravity = {
+      {0.0, kMembraneLoaded, kMembraneTilted},
+      {Vec3::Zero(), gravity_on(kMembraneFirstTangent), gravity_on(setup.tan_slope)}};
   problem.duration = 5.2;
   return problem;
 }

@@ -28,15 +28,20 @@ struct MembraneSetup {
   double box_mass = 0.15;           ///< kg
   Vec3 box_size{0.08, 0.04, 0.05};  ///< m
   double start = 0.25;              ///< s₀, m
-  int cells_along = 40;             ///< of the strip
-  int cells_across = 3;             ///< of strip and block
+  /// Takes away what loading has set swinging, and is gone before the slope turns: the start of the
+  /// slide is then the string's, not a matter of the swing's phase.
+  Drag drag{.rate = 20.0, .full_until = 1.8, .ends = 2.0};
+  int cells_along = 40;  ///< of the strip
+  int cells_across = 3;  ///< of strip and block
 };
 
 /// The string model of the set-up, at full load.
 reference::MembraneProblem membrane_string(const MembraneSetup& setup);
 
-/// When gravity has its full size, but a slope of tan θ = 0.5, on which the box sticks; and when it
-/// has turned to the full slope, s.
+/// Of the slope on which gravity grows; flat enough for the box to stick.
+inline constexpr double kMembraneFirstTangent = 0.5;
+
+/// When gravity has its full size on that slope; and when it has turned to the full slope, s.
 inline constexpr double kMembraneLoaded = 2.0, kMembraneTilted = 2.8;
 
 /// Bodies: the membrane (0) and the box (1).

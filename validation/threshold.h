@@ -23,4 +23,15 @@ struct Bracket {
 Bracket find_threshold(double first, double last, double width,
                        const std::function<bool(double)>& holds_at);
 
+/// The same where theory says about where the critical value lies. `step` leads from what holds
+/// towards what fails. From `guess` it goes outwards, at first by one step, then four times as far
+/// each time, until the answer changes, and bisects what lies between: a guess that is a few widths
+/// off costs a few runs, one that is far off a few more, and no answer is taken from theory. When
+/// nothing has changed `reach` away from the guess it gives up: NaN as above.
+Bracket find_threshold_near(double guess, double step, double reach, double width,
+                            const std::function<bool(double)>& holds_at);
+
+/// Goes on bisecting a bracket that was found, with its count of runs; one of NaN stays as it is.
+Bracket narrow(Bracket bracket, double width, const std::function<bool(double)>& holds_at);
+
 }  // namespace stiction

@@ -59,5 +59,46 @@ TEST(Bracket, ContainsItsEnds) {
   EXPECT_FALSE(bracket.contains(std::nan("")));
 }
 
+TEST(FindThresholdNear, FindsWhatTheWholeIntervalDoesInFewerRuns) {
+  const Bracket whole = find_threshold(0.0, 1.0, 1e-9, holds_below);
+  const Bracket near = find_threshold_near(kCritical + 3e-9, 4e-9, 0.5, 1e-9, holds_below);
+  EXPECT_TRUE(near.contains(kCritical));
+  EXPECT_LE(near.width(), 1e-9);
+  EXPECT_LT(near.evaluations, 6);
+  EXPECT_GT(whole.evaluations, 30);
+}
+
+TEST(FindThresholdNear, AWrongGuessOnEitherSideOnlyCostsRuns) {
+  for (const double guess : {0.01, 0.2, 0.4, 0.9}) {
+    int calls = 0;
+    const Bracket near = find_threshold_near(guess, 1e-6, 1.0, 1e-7, [&](double x) {
+      ++calls;
+      return holds_below(x);
+    });
+    EXPECT_TRUE(near.contains(kCritical)) << guess;
+    EXPECT_TRUE(holds_below(near.holds)) << guess;
+    EXPECT_FALSE(holds_below(near.fails)) << guess;
+    EXPECT_LE(near.width(), 1e-7) << guess;
+    EXPECT_EQ(near.evaluations, calls) << guess;
+  }
+}
+
+TEST(FindThresholdNear, SearchesDownwardsAsWell) {
+  const auto holds_above = [](double x) { return x >= kCritical; };
+  for (const double guess : {0.3, 0.4}) {
+    const Bracket near = find_threshold_near(guess, -1e-3, 0.5, 1e-6, holds_above);
+    EXPECT_GT(near.holds, near.fails) << guess;
+    EXPECT_TRUE(near.contains(kCritical)) << guess;
+  }
+}
+
+TEST(FindThresholdNear, GivesUpWithNoNumberBeyondItsReach) {
+  for (const bool always : {true, false}) {
+    const Bracket near = find_threshold_near(0.5, 0.01, 0.3, 1e-6, [&](double) { return always; });
+    EXPECT_TRUE(std::isnan(near.holds) && std::isnan(near.fails)) << always;
+    EXPECT_EQ(near.evaluations, 5) << always;  // the guess, 0.01, 0.05, 0.21 and 0.3 off it
+  }
+}
+
 }  // namespace
 }  // namespace stiction

@@ -16,7 +16,8 @@ namespace stiction {
 
 namespace {
 
-constexpr double kWidth = 1e-3;  // of the bracket on θ, degrees
+constexpr double kWidth = 1e-3;    // of the bracket on θ, degrees
+constexpr double kCoarse = 16e-3;  // … where what holds creeps
 constexpr double kStiffer = 4.0;
 
 double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
@@ -79,15 +80,24 @@ struct Search {
   double creep = 0.0;         // the largest of the slopes that hold, m/s
 };
 
-Search search(CaseRun& run, const SlabSetup& flat, double expected, double first, double last,
+// Outwards from `guess`, first to a bracket of `coarse`. Where what holds creeps that is all: a
+// slope is told from the next one by how fast it creeps, and no finer bracket has a meaning.
+Search search(CaseRun& run, const SlabSetup& flat, double expected, double guess, double coarse,
               double width) {
   Search found;
-  found.bracket = find_threshold(first, last, width, [&](double slope) {
+  const auto holds_at = [&](double slope) {
     SlabSetup setup = flat;
     setup.slope = radians(slope);
     found.seen.push_back(descend(run, setup));
     return found.seen.back().holds;
-  });
+  };
+  const auto creeps = [&] {
+    return std::any_of(found.seen.begin(), found.seen.end(), [](const Descent& one) {
+      return one.holds && std::abs(one.creep) > kStaticSlip;
+    });
+  };
+  found.bracket = find_threshold_near(guess, 2.0 * coarse, 2.0, coarse, holds_at);
+  if (!creeps()) found.bracket = narrow(found.bracket, width, holds_at);
   std::sort(found.seen.begin(), found.seen.end(),
             [](const Descent& a, const Descent& b) { return a.slope < b.slope; });
   for (const Descent& one : found.seen) {
@@ -157,10 +167,11 @@ void check_doubled(CaseRun& run, const SlabSetup& flat, const Bracket& bracket) 
 // E and extrapolated to rigid bodies, about which Coulomb's law is.
 void run_threshold(CaseRun& run, const SlabSetup& flat) {
   const double expected = degrees(std::atan(flat.friction));
-  // Not so that a slope tried is the expected one. The stiffer box leans less than the soft one.
-  const Search soft = search(run, flat, expected, expected - 1.0, expected + 1.2, kWidth);
-  const Search stiff = search(run, stiffer(flat, kStiffer), expected,
-                              soft.bracket.holds - 20.0 * kWidth, expected + 50.0 * kWidth, kWidth);
+  // Not so that a slope tried is the expected one. The stiffer box leans a quarter of the soft one.
+  const Search soft = search(run, flat, expected, expected - 3.7 * kWidth, kCoarse, kWidth);
+  const double lean = expected - soft.bracket.middle();
+  const Search stiff =
+      search(run, stiffer(flat, kStiffer), expected, expected - lean / kStiffer, kCoarse, kWidth);
   const double middle =
       (kStiffer * stiff.bracket.middle() - soft.bracket.middle()) / (kStiffer - 1.0);
   const double half =
@@ -178,10 +189,10 @@ void run_threshold(CaseRun& run, const SlabSetup& flat) {
              .value = middle,
              .expected = expected,
              .tolerance = half + next,
-             .reason = "half the brackets of at most 1e-3°, as the extrapolation weighs them, and "
+             .reason = "half the brackets (1e-3° where what holds is at rest), as the "
+                       "extrapolation weighs them, and "
                        "a tenth of the tilt left at 4 E, twice what 3 mm of way on a slab's cell "
                        "of 67 mm change"});
-  const double lean = expected - soft.bracket.middle();
   check_creep(run, "the slopes that hold", std::max(soft.creep, stiff.creep));
   check_doubled(run, flat, soft.bracket);
   run.note(fmt::format(
@@ -199,8 +210,9 @@ void run_threshold(CaseRun& run, const SlabSetup& flat) {
 // With the bound |F_i| of the paper's (7), which is twice what the pair transmits.
 void run_trap(CaseRun& run, const SlabSetup& flat) {
   const double expected = degrees(std::atan(2.0 * flat.friction));
-  constexpr double kCoarse = 0.01;  // °
-  const Search found = search(run, flat, expected, expected - 1.0, expected + 1.2, kCoarse);
+  constexpr double kTrapWidth = 0.01;  // °
+  const Search found =
+      search(run, flat, expected, expected - 3.7 * kTrapWidth, kTrapWidth, kTrapWidth);
   run.check({.quantity = "critical slope",
              .unit = "°",
              .claim = "(7) with the force before it is halved makes a box stick up to 2μ",
@@ -209,7 +221,7 @@ void run_trap(CaseRun& run, const SlabSetup& flat) {
              .kind = ReferenceKind::kAnalytic,
              .value = found.bracket.middle(),
              .expected = expected,
-             .tolerance = 0.5 * kCoarse + 0.045,
+             .tolerance = 0.5 * kTrapWidth + 0.045,
              .reason = "half the bracket, and the lean of soft bodies, 0.0205° at μ (measured, "
                        "slab/threshold), which grows with the shear: twice at 2μ, and a tenth. Not "
                        "extrapolated, since only the factor of two is claimed"});

@@ -59,9 +59,12 @@ std::vector<Case> cases_stack_flush() {
             fmt::format("stack/flush/{}/{}/n={}", word(ground), slope.word, boxes);
         const std::string title = fmt::format("{} cubes flush on each other rest ({}, {})", boxes,
                                               word(ground), slope.word);
-        // Two heights on every ground, all of them on the slab at 2°.
-        const bool chosen =
-            boxes == 2 || boxes == 7 || (ground == Ground::kSlab && slope.word == "slope=2");
+        // Two cubes everywhere; seven near what they bear, where they lean most, on every ground
+        // and level on the slab; the highest on the slab at 2°.
+        const bool slab = ground == Ground::kSlab;
+        const bool chosen = boxes == 2 || (boxes == 7 && slope.share_of_limit > 0.0) ||
+                            (slab && boxes == 7 && slope.degrees == 0.0) ||
+                            (slab && boxes == 10 && slope.degrees == 2.0);
         cases.push_back({.name = name,
                          .title = title,
                          .set = chosen ? CaseSet::kDefault : CaseSet::kFull,
