@@ -165,10 +165,10 @@ void check_threshold(CaseRun& run, BallPyramidRun& pyramid, const BallPyramidOut
 void run_four_balls(CaseRun& run, int frequency, double width) {
   BallPyramidSetup setup;
   setup.frequency = frequency;
-  // So soft that the patches span several facets, of which at n = 4 a light ball-ball contact has
-  // too few; 1e6 Pa needs n = 8 for that.
+  // So soft that the patches span several facets, if n ≥ 5; stiffer balls need more.
   setup.elasticity.youngs_modulus = 3e5;
-  setup.drag.rate = 12.0;  // balls swing between their facets at about half that many rad/s
+  // Balls swing between their facets at 4.5 (n = 5) to 6.5 rad/s (n = 6); twice that is critical.
+  setup.drag.rate = 12.0;
   BallPyramidRun pyramid(run, setup);
   const BallPyramidOutcome above = pyramid.continue_with(kStands, true);
   const BallPyramidOutcome below = pyramid.continue_with(kBreaks, true);
