@@ -112,7 +112,7 @@ TEST(SideEntry, IsAnsweredByAndBy) {
   const Options options;
   State state = initial_state(scene);
   state.step = 1;
-  double expected = depth - options.pairs.border_margin * scene.topology.mean_edge;
+  double expected = depth - options.pairs.border_margin * scene.topology.mean_edge / 3.0;
   for (int step = 0; step < 3; ++step, expected *= 0.9) {
     const test::Found found(scene, options, state);
     ASSERT_EQ(found.workspace.pairs.size(), 8u);
