@@ -14,7 +14,7 @@ class CaseRun;
 /// How much of the catalog a run takes.
 enum class CaseSet {
   kQuick,    ///< seconds: with --quick, and in every other set
-  kDefault,  ///< the 3.5 minutes of `./stiction validate`
+  kDefault,  ///< the few minutes of `./stiction validate`
   kFull      ///< only with --full
 };
 

@@ -168,7 +168,7 @@ int compare(Arguments& arguments) {
     tables.finished(index);
   });
   const Record found = findings(records);
-  store.append(found);
+  if (!found.notes.empty() || !found.checks.empty()) store.append(found);
   std::string text = "\n## Findings\n\n";
   for (const std::string& sentence : found.notes) text += "- " + sentence + "\n";
   fmt::print("{}", text);
