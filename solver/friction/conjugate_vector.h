@@ -11,7 +11,8 @@ namespace stiction {
 ///   β = |rᵏ|²/|rᵏ⁻¹|²;   β > 1: p ← r,   else   f ← P(f + β p),  p ← β p + r
 ///
 /// after each sweep but the last, which is the one that takes away no more slip than
-/// `slip_tolerance` gΔt, or the `sweeps`th: at rest one sweep does. Contacts of both sides that say
+/// `slip_tolerance` gΔt, or the `sweeps`th, or one after which sweeps hardly help any more: at rest
+/// one sweep does. Contacts of both sides that say
 /// nearly the same twice make a sweep pass slip to and fro; conjugate directions see the pattern.
 /// With one sweep it is the stored vector. Deviation: the accelerated force is clamped to the cone
 /// at once, because a sweep that takes a clamped contact for a sticking one would move its
