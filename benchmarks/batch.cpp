@@ -40,7 +40,7 @@ void add(const PairContact& c, Fnv1a& hash) {
 }  // namespace
 
 std::vector<Timed> timed_parts() {
-  const std::string usual = Options{}.rule;
+  const std::string usual = kTimedRule;
   std::vector<Timed> parts;
   for (std::size_t p = 0; p < kPhaseNames.size(); ++p) {
     const auto phase = static_cast<Phase>(p);

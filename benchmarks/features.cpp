@@ -40,7 +40,7 @@ Workload post_correction(bool used) {
 }
 
 Workload friction_memory(bool used) {
-  return slab_with([&](Options& options) { options.rule = used ? Options{}.rule : "none"; });
+  return slab_with([&](Options& options) { options.rule = used ? kTimedRule : "none"; });
 }
 
 Workload edge_contacts(bool used) {
@@ -88,7 +88,7 @@ Workload timing(bool) {
 
 std::vector<OptionalFeature> optional_features() {
   return {{"post-correction", "post-correction of the paper's normal forces", post_correction},
-          {"friction-memory", "friction memory (rule none / conjugate-vector)", friction_memory},
+          {"friction-memory", "friction memory (rule none / stored-vector)", friction_memory},
           {"edge-contacts", "contacts of crossing edges, where none cross", edge_contacts},
           {"self-collision", "self-collision of both plates", self_collision},
           {"elasticity", "elasticity (point masses / a box)", elasticity},

@@ -51,7 +51,7 @@ std::vector<Scaling> scalings(const std::vector<Result>& results) {
   }
   for (const std::string& family : families) {
     add_sum(all, family, "detect", "depth");
-    add_sum(all, family, "normal-force", "friction:" + Options{}.rule);
+    add_sum(all, family, "normal-force", std::string("friction:") + kTimedRule);
   }
   std::erase_if(all, [](const Scaling& scaling) { return scaling.contacts.size() < kFewest; });
   std::stable_sort(all.begin(), all.end(),

@@ -116,6 +116,7 @@ Workload settle(const Family& family, int contacts) {
   Workload work;
   work.family = family.name;
   work.size = contacts;
+  work.options.rule = kTimedRule;
   work.scene = std::make_shared<const Scene>(build_scene(setup.description));
   const Scene& scene = *work.scene;
   // Where nothing is elastic, any step will do.

@@ -36,6 +36,10 @@ struct Family {
 /// All families of the build, by name. Written by the build from benchmarks/workloads/.
 std::vector<Family> family_catalog();
 
+/// The friction rule of all workloads, one sweep of which is timed: how many sweeps a step takes
+/// depends on how much moves (`quiet` takes one at rest; `./stiction compare` times whole rules).
+inline constexpr const char* kTimedRule = "stored-vector";
+
 /// A scene at rest, ready to be timed, with the proof that it is.
 struct Workload {
   std::string family;

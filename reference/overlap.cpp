@@ -57,23 +57,13 @@ class Solid {
 
   double distance(const Vector3d& x) const { return std::sqrt(tree_.squared_distance(point(x))); }
 
-  // Where the way from a to b meets the surface: shares of it, ascending, with 0 and 1.
+  // Where the way from a to b meets the surface: shares of it, ascending, with 0 and 1. Which
+  // triangles it meets is decided exactly; CGAL's own construction of the points stops the program
+  // where rounding contradicts that.
   std::vector<double> crossings(const Vector3d& a, const Vector3d& b) const {
-    const Kernel::Segment_3 segment(point(a), point(b));
-    std::vector<decltype(tree_.any_intersection(segment))> found;
-    tree_.all_intersections(segment, std::back_inserter(found));
     std::vector<double> shares = {0.0, 1.0};
-    const Vector3d way = b - a;
-    const auto add = [&](const Point& p) {
-      shares.push_back(std::clamp((vector(p) - a).dot(way) / way.squaredNorm(), 0.0, 1.0));
-    };
-    for (const auto& hit : found) {
-      if (const Point* p = boost::get<Point>(&hit->first)) {
-        add(*p);
-      } else if (const auto* s = boost::get<Kernel::Segment_3>(&hit->first)) {
-        add(s->source());
-        add(s->target());
-      }
+    for (const Kernel::Triangle_3& triangle : met(Kernel::Segment_3(point(a), point(b)))) {
+      shares.push_back(std::clamp(share(triangle, a, b - a), 0.0, 1.0));
     }
     std::sort(shares.begin(), shares.end());
     return shares;
@@ -81,20 +71,34 @@ class Solid {
 
   // From a point of the surface straight in to where the way out is; `none` when it isn't.
   double way_through(const Vector3d& from, const Vector3d& into, double none) const {
-    const Kernel::Ray_3 ray(point(from), Kernel::Vector_3(into.x(), into.y(), into.z()));
-    std::vector<decltype(tree_.any_intersection(ray))> found;
-    tree_.all_intersections(ray, std::back_inserter(found));
     double nearest = none;
-    for (const auto& hit : found) {
-      const Point* p = boost::get<Point>(&hit->first);
-      if (!p) continue;
-      const double way = (vector(*p) - from).norm();
-      if (way > 1e-9 * none) nearest = std::min(nearest, way);
+    const Kernel::Vector_3 way(into.x(), into.y(), into.z());
+    for (const Kernel::Triangle_3& triangle : met(Kernel::Ray_3(point(from), way))) {
+      const double length = share(triangle, from, into) * into.norm();
+      if (length > 1e-9 * none) nearest = std::min(nearest, length);
     }
     return nearest;
   }
 
  private:
+  template <class Query>
+  Triangles met(const Query& query) const {
+    std::vector<Tree::Primitive_id> found;
+    tree_.all_intersected_primitives(query, std::back_inserter(found));
+    Triangles all;
+    for (const auto& id : found) all.push_back(*id);
+    return all;
+  }
+
+  // Where a + s way meets the triangle's plane; 0 when it lies in it, and so on the surface.
+  static double share(const Kernel::Triangle_3& triangle, const Vector3d& a, const Vector3d& way) {
+    const Vector3d corner = vector(triangle[0]);
+    const Vector3d normal =
+        (vector(triangle[1]) - corner).cross(vector(triangle[2]) - corner).normalized();
+    const double nearing = normal.dot(way);
+    return nearing == 0.0 ? 0.0 : normal.dot(corner - a) / nearing;
+  }
+
   Triangles triangles_;
   Tree tree_;
 };

@@ -50,8 +50,14 @@ Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& set
 }
 
 Simulation::~Simulation() {
-  if (engine_->steps_done() > 0) watch_->look(*engine_, true);
-  run_.passed(watch_->found(), contrast_);
+  std::vector<std::string> found;
+  try {
+    if (engine_->steps_done() > 0) watch_->look(*engine_, true);
+    found = watch_->found();
+  } catch (const std::exception& error) {  // nothing may leave a destructor
+    found = {fmt::format("whether bodies pass through each other is not known: {}", error.what())};
+  }
+  run_.passed(found, contrast_);
   run_.ended(*engine_);
   if (recorder_ && recorder_->has_frames()) run_.recording_ = std::move(*recorder_).recording();
 }

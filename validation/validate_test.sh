@@ -248,7 +248,7 @@ bites kFrictionSign incline/below/stop/point
 bites kFrictionSign incline/restick/box
 bites kStaleMemory incline/below/creep/99% --set rule=fixed-point
 bites kStaleMemory incline/restick/box --set rule=fixed-point
-bites kStaleMemory 'incline/threshold/mu=0.3/azimuth=30/yaw=0' --set rule=fixed-point
+bites kStaleMemory incline/below/creep/90% --set rule=fixed-point
 for mutation in kFrictionScaled kFrictionSign kStaleMemory; do
   holds 0 "$mutation leaves a free fall alone" \
     "$build/validate_$mutation" --case half-space/free-fall --out unharmed
