@@ -29,6 +29,10 @@ constexpr double kOnJoint = 1e-9;
 // Cosine of the angle to the normal within which edges must near each other to touch near a corner.
 constexpr double kNearing = 0.3;
 
+// Depth of a crossing over how far the edges have neared each other in the step: 1 if they touched
+// in it, and as much again for the step before, in which they may have met beyond the corner.
+constexpr double kJustNow = 2.0;
+
 const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
   return x[static_cast<std::size_t>(v)];
 }
@@ -167,8 +171,7 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   const double widest = options.pairs.hysteresis * dt * dt *
                         scene.gravity.at(static_cast<double>(state.step) * dt).norm();
   const std::vector<ContactKey>& last = state.edge_friction.key;
-  // Where the two edges were at the start of the step; false if they could not touch then.
-  const auto crossing_before = [&](const Found& pair, EdgeCrossing& before) {
+  const auto was_apart = [&](const Found& pair) {
     std::vector<Vec3>& start = workspace.search.start;
     start.resize(state.position.size());
     for (const std::int32_t e : {pair.a, pair.b}) {
@@ -178,27 +181,26 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
         start[static_cast<std::size_t>(v)] = state.position[static_cast<std::size_t>(v)].x;
       }
     }
+    EdgeCrossing before;
     return crossing_of(topology, start, pair.a, pair.b, before) && before.gap >= -deepest;
   };
-  // Whether a crossing near a corner is one that the edges have made in this step, by nearing each
-  // other there or by sliding in over the corner. A corner that is put down on a face crosses the
-  // edges beside it too, but sideways: it hardly nears them.
-  const auto came_in = [&](const Found& pair, const EdgeCrossing& before) {
-    const std::vector<Vec3>& start = workspace.search.start;
-    if (before.gap < 0.0 &&
-        inside_ends(topology, start, pair.a, pair.b, before, {0.0, 0.0}) > 0.0) {
-      return false;
-    }
+  // Whether a crossing near a corner is one that the edges have made just now, by nearing each
+  // other there or by sliding in over the corner: then it is no deeper than what they have come. A
+  // corner that is put down on a face crosses the edges beside it too, but sideways, where it
+  // hardly nears them; and a deeper one would throw the bodies apart, again and again.
+  const auto came_in = [&](const Found& pair) {
     const auto travel = [&](std::int32_t e, double along) -> Vec3 {
       const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
       const auto of = [&](int k) -> Vec3 {
-        return at(x, edge.vertex[k]) - at(start, edge.vertex[k]);
+        const auto v = static_cast<std::size_t>(edge.vertex[k]);
+        return x[v] - state.position[v].x;
       };
       return (1.0 - along) * of(0) + along * of(1);
     };
     const Vec3 relative =
         travel(pair.a, pair.crossing.along_a) - travel(pair.b, pair.crossing.along_b);
-    return -relative.dot(pair.crossing.normal) > kNearing * relative.norm();
+    const double nearing = -relative.dot(pair.crossing.normal);
+    return nearing > kNearing * relative.norm() && -pair.crossing.gap <= kJustNow * nearing;
   };
   std::vector<Found> found;
   for (const ContactKey key : workspace.search.edge_candidate) {
@@ -210,14 +212,12 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
     const double gap = pair.crossing.gap;
     const EndMargins& margins = std::binary_search(last.begin(), last.end(), key) ? lasts : begins;
     const bool persists = &margins == &lasts;
-    EdgeCrossing before;
     if (inside_ends(topology, x, pair.a, pair.b, pair.crossing, margins) < 0.0 &&
         (persists || !(gap < 0.0) ||
-         inside_ends(topology, x, pair.a, pair.b, pair.crossing, lasts) < 0.0 ||
-         !crossing_before(pair, before) || !came_in(pair, before))) {
+         inside_ends(topology, x, pair.a, pair.b, pair.crossing, lasts) < 0.0 || !came_in(pair))) {
       continue;
     }
-    if (persists ? gap < widest : gap < 0.0 && (gap >= -deepest || crossing_before(pair, before))) {
+    if (persists ? gap < widest : gap < 0.0 && (gap >= -deepest || was_apart(pair))) {
       found.push_back(pair);
     }
   }

@@ -170,8 +170,8 @@ EdgeContacts edge_on_bar(double depth, const Vec3& velocity) {
 }
 
 TEST(CrossingEdges, NearACornerAreThoseThatHaveComeIn) {
-  EXPECT_EQ(edge_on_bar(-1e-4, -Vec3::UnitZ()).size(), 2u) << "fallen by 0.2 mm onto the bar";
-  EXPECT_TRUE(edge_on_bar(1e-4, -Vec3::UnitZ()).empty()) << "it was in there before";
+  EXPECT_EQ(edge_on_bar(-1e-4, -Vec3::UnitZ()).size(), 2u) << "0.2 mm of way, onto the bar";
+  EXPECT_TRUE(edge_on_bar(3e-4, -Vec3::UnitZ()).empty()) << "deeper than it has come";
   EXPECT_TRUE(edge_on_bar(1e-4, Vec3::UnitY()).empty()) << "it slides along itself";
 }
 
