@@ -26,6 +26,11 @@ constexpr double kDeepest = 1e-2;
 // In mean edges: far above round-off, so that no crossing falls between two edges in one line.
 constexpr double kOnJoint = 1e-9;
 
+// Distance of a crossing from the nearest corner over its depth: where bodies rest on each other a
+// corner is farther away than they are deep; of a corner that is put down on a face, beside which
+// edges cross sideways, it is nearer.
+constexpr double kFarther = 10.0;
+
 // Cosine of the angle to the normal within which edges must near each other to touch near a corner.
 constexpr double kNearing = 0.3;
 
@@ -167,7 +172,7 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   const double dt = options.time_step;
   const double deepest = kDeepest * topology.mean_edge;
   const double border = options.pairs.border_margin * topology.mean_edge;
-  const EndMargins begins{-kOnJoint * topology.mean_edge, deepest}, lasts{-border, -border};
+  const EndMargins lasts{-border, -border};
   const double widest = options.pairs.hysteresis * dt * dt *
                         scene.gravity.at(static_cast<double>(state.step) * dt).norm();
   const std::vector<ContactKey>& last = state.edge_friction.key;
@@ -210,16 +215,17 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
                {}};
     if (!crossing_of(topology, x, pair.a, pair.b, pair.crossing)) continue;
     const double gap = pair.crossing.gap;
-    const EndMargins& margins = std::binary_search(last.begin(), last.end(), key) ? lasts : begins;
-    const bool persists = &margins == &lasts;
-    if (inside_ends(topology, x, pair.a, pair.b, pair.crossing, margins) < 0.0 &&
-        (persists || !(gap < 0.0) ||
-         inside_ends(topology, x, pair.a, pair.b, pair.crossing, lasts) < 0.0 || !came_in(pair))) {
-      continue;
-    }
-    if (persists ? gap < widest : gap < 0.0 && (gap >= -deepest || was_apart(pair))) {
-      found.push_back(pair);
-    }
+    const auto lies_within = [&](const EndMargins& margins) {
+      return inside_ends(topology, x, pair.a, pair.b, pair.crossing, margins) >= 0.0;
+    };
+    const auto touches = [&] {
+      if (!lies_within(lasts)) return false;
+      if (std::binary_search(last.begin(), last.end(), key)) return gap < widest;
+      if (!(gap < 0.0)) return false;
+      const EndMargins begins{-kOnJoint * topology.mean_edge, std::min(deepest, kFarther * -gap)};
+      return lies_within(begins) ? gap >= -deepest || was_apart(pair) : came_in(pair);
+    };
+    if (touches()) found.push_back(pair);
   }
   workspace.edges.clear();
   for (const Found& pair : found) {

@@ -175,5 +175,10 @@ TEST(CrossingEdges, NearACornerAreThoseThatHaveComeIn) {
   EXPECT_TRUE(edge_on_bar(1e-4, Vec3::UnitY()).empty()) << "it slides along itself";
 }
 
+TEST(CrossingEdges, NearACornerAreThoseThatAreShallow) {
+  EXPECT_EQ(edge_on_bar(1e-6, Vec3::Zero()).size(), 2u) << "0.2 mm from the corners, 1 µm deep";
+  EXPECT_EQ(edge_on_bar(1e-6, 0.1 * Vec3::UnitY()).size(), 2u) << "however it moves";
+}
+
 }  // namespace
 }  // namespace stiction

@@ -62,8 +62,8 @@ std::vector<Case> cases_stack_turned() {
                 .variants = {{{"method", "quiet"}}},
                 .run = [=](CaseRun& run) { run_turned(run, turns, cells, asked); }};
   };
-  return {stack("cells=1", "ten cubes, each turned 7° further than the one below, rest at 2°",
-                CaseSet::kDefault, {7.0 * kDegree}, 1, kOnce),
+  return {stack("cells=1", "ten cubes, each turned 1° or 7° further than the one below, rest at 2°",
+                CaseSet::kDefault, {1.0 * kDegree, 7.0 * kDegree}, 1, kOnce),
           stack("cells=2", "ten turned cubes rest at 2°, two cells an edge", CaseSet::kFull,
                 {7.0 * kDegree}, 2, kOnce),
           stack("ten", "ten stacks of ten turned cubes rest at 2°", CaseSet::kFull, ten, 1, kOnce),
