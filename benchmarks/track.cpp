@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "benchmarks/track/commands.h"
+#include "benchmarks/track/command/commands.h"
 
 namespace stiction::track {
 

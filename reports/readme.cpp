@@ -11,7 +11,7 @@
 
 #include "reports/documents/document.h"
 #include "reports/documents/kept_figures.h"
-#include "reports/record_json.h"
+#include "reports/record/record_json.h"
 
 namespace stiction {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // What a scene may do without. A build leaves out at most one, to measure what that feature costs
-// those who don't use it (benchmarks/features.h); every other build has all of them.
+// those who don't use it (benchmarks/bench/features.h); every other build has all of them.
 
 namespace stiction {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/test_scenes.h"
+#include "solver/testing/test_scenes.h"
 
 namespace stiction {
 namespace {

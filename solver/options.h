@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "solver/contact/pair_options.h"
 #include "solver/friction/rule.h"
-#include "solver/pair_options.h"
 #include "solver/scene.h"
 
 namespace stiction {
@@ -18,7 +18,7 @@ enum class Integrator {
 /// How a scene is stepped: what a user may turn without changing the physics described.
 struct Options {
   double time_step = 2e-4;                ///< Δt, s
-  std::string rule = "conjugate-vector";  ///< friction rule: a file of solver/friction/
+  std::string rule = "conjugate-vector";  ///< friction rule: a file of solver/friction/rules/
   FrictionParameters friction{};          ///< gains of the rules
   Integrator integrator = Integrator::kSymplecticEuler;
   /// Passes over all contacts in the friction phase, ≥ 1; 0: as many as the rule's card says. A

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/friction/catalog.h"
-#include "solver/test_scenes.h"
+#include "solver/testing/test_scenes.h"
 
 namespace stiction {
 namespace {

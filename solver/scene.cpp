@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-#include "solver/numbering.h"
+#include "solver/mesh/numbering.h"
 #include "solver/scene_check.h"
 
 namespace stiction {

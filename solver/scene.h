@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "solver/gravity.h"
-#include "solver/mesh.h"
-#include "solver/topology.h"
+#include "solver/mesh/mesh.h"
+#include "solver/mesh/topology.h"
 
 namespace stiction {
 

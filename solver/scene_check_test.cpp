@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "solver/test_scenes.h"
+#include "solver/testing/test_scenes.h"
 
 namespace stiction {
 namespace {

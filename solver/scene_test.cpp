@@ -10,7 +10,7 @@
 #include <set>
 
 #include "solver/step.h"
-#include "solver/test_scenes.h"
+#include "solver/testing/test_scenes.h"
 
 namespace stiction {
 namespace {

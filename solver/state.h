@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/contacts.h"
+#include "solver/contact/contacts.h"
 #include "solver/scene.h"
 
 namespace stiction {

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "solver/step.h"
-#include "solver/test_scenes.h"
+#include "solver/testing/test_scenes.h"
 
 namespace stiction {
 namespace {

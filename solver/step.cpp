@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/step.h"
 
+#include "solver/depth/depth.h"
+#include "solver/detection/crossing_edges.h"
+#include "solver/detection/detect.h"
+#include "solver/detection/detect_pairs.h"
 #include "solver/elasticity/corotational.h"
 #include "solver/feature.h"
-#include "solver/phases/crossing_edges.h"
-#include "solver/phases/depth.h"
-#include "solver/phases/detect.h"
-#include "solver/phases/detect_pairs.h"
-#include "solver/phases/friction.h"
-#include "solver/phases/integrate.h"
-#include "solver/phases/normal_force.h"
-#include "solver/phases/pair_normal_force.h"
-#include "solver/phases/predict.h"
+#include "solver/friction/friction.h"
+#include "solver/motion/integrate.h"
+#include "solver/motion/predict.h"
+#include "solver/response/normal_force.h"
+#include "solver/response/pair_normal_force.h"
 
 namespace stiction {
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "solver/observables.h"
-#include "solver/test_scenes.h"
+#include "solver/testing/test_scenes.h"
 
 namespace {
 

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/contacts.h"
-#include "solver/edge_contacts.h"
-#include "solver/pair_contacts.h"
-#include "solver/phases/consistent_scratch.h"
-#include "solver/phases/spatial_hash.h"
+#include "solver/contact/contacts.h"
+#include "solver/contact/edge_contacts.h"
+#include "solver/contact/pair_contacts.h"
+#include "solver/depth/consistent_scratch.h"
+#include "solver/detection/spatial_hash.h"
 #include "solver/state.h"
 
 namespace stiction {

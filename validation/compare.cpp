@@ -10,16 +10,16 @@
 #include <cstdio>
 #include <thread>
 
-#include "reports/csv.h"
-#include "reports/markdown.h"
-#include "reports/record_store.h"
+#include "reports/formats/csv.h"
+#include "reports/formats/markdown.h"
+#include "reports/record/record_store.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 #include "validation/comparison/findings.h"
-#include "validation/program.h"
-#include "validation/runner.h"
+#include "validation/core/program.h"
+#include "validation/core/runner.h"
 
 namespace stiction {
 
@@ -37,7 +37,8 @@ struct Arguments {
 };
 
 std::string rule_help() {
-  std::string text = "Rules (solver/friction/), what they remember of a contact and guarantee:\n";
+  std::string text =
+      "Rules (solver/friction/rules/), what they remember of a contact and guarantee:\n";
   for (const std::string& name : friction_rule_names()) {
     const RuleCard card = friction_rule_card(name);
     text += fmt::format("  {:<17} {} ({} B): {}\n", name, card.memory, friction_memory_bytes(name),

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/mesh.h"
-#include "validation/crossed_bars_problem.h"
-#include "validation/sheet_problem.h"
-#include "validation/slab_poses.h"
-#include "validation/stack_problem.h"
+#include "solver/mesh/mesh.h"
+#include "validation/problems/crossed_bars_problem.h"
+#include "validation/problems/sheet_problem.h"
+#include "validation/problems/slab_poses.h"
+#include "validation/problems/stack_problem.h"
 
 namespace stiction {
 namespace {

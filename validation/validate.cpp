@@ -14,18 +14,18 @@
 #include <optional>
 #include <thread>
 
-#include "reports/csv.h"
-#include "reports/junit.h"
-#include "reports/markdown.h"
-#include "reports/record_json.h"
-#include "reports/record_store.h"
-#include "reports/table.h"
-#include "reports/vtk.h"
+#include "reports/formats/csv.h"
+#include "reports/formats/junit.h"
+#include "reports/formats/markdown.h"
+#include "reports/formats/table.h"
+#include "reports/formats/vtk.h"
+#include "reports/record/record_json.h"
+#include "reports/record/record_store.h"
 #include "solver/demand.h"
-#include "validation/program.h"
-#include "validation/runner.h"
-#include "validation/show_expectations.h"
-#include "validation/user_problem.h"
+#include "validation/core/program.h"
+#include "validation/core/runner.h"
+#include "validation/judge/show_expectations.h"
+#include "validation/user/user_problem.h"
 
 namespace stiction {
 
@@ -59,7 +59,7 @@ std::string engine_help() {
 
 void define(CLI::App& app, Arguments& arguments) {
   app.add_option("problem", arguments.problems,
-                 "Your own problems, as TOML files (validation/examples/ramp.toml explains); "
+                 "Your own problems, as TOML files (validation/user/examples/ramp.toml explains); "
                  "without any, the built-in cases run");
   app.add_option("--case", arguments.selection.globs,
                  "Only cases whose name matches, e.g. 'incline/*' or '*/mu=0.3/*'; repeatable")
@@ -90,9 +90,10 @@ void define(CLI::App& app, Arguments& arguments) {
       ->type_name("S")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_option("--show-expectations", arguments.show_expectations,
-                 "Run nothing: list what the engine is expected to fall short of beside what this "
-                 "run measured, and its failures, as rows of validation/expectations/")
+  app.add_option(
+         "--show-expectations", arguments.show_expectations,
+         "Run nothing: list what the engine is expected to fall short of beside what this "
+         "run measured, and its failures, as rows of validation/engines/stiction/expectations/")
       ->type_name("RECORDS.jsonl");
   app.footer(engine_help() +
              "\nExit code: 0 every check holds or falls short as expected (limit, refuted), 1 "

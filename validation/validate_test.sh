@@ -6,8 +6,8 @@ set -uo pipefail
 
 build=$(cd "${1:?usage: validate_test.sh BUILD_DIR}" && pwd)
 validate=$build/validate
-example=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/examples/ramp.toml
-checks=$(dirname "$example")/../end_to_end.sh
+example=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/user/examples/ramp.toml
+checks=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/end_to_end.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1

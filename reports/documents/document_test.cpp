@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/test_message.h"
+#include "reports/record/test_message.h"
 
 namespace stiction {
 namespace {

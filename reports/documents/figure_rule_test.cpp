@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "reports/test_message.h"
+#include "reports/record/test_message.h"
 
 namespace stiction {
 namespace {

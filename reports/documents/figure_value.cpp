@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reports/number.h"
-#include "reports/table.h"
-#include "reports/tally.h"
+#include "reports/formats/table.h"
+#include "reports/text/number.h"
+#include "reports/text/tally.h"
 
 namespace stiction {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/documents/figure_rule.h"
-#include "reports/record.h"
+#include "reports/record/record.h"
 
 namespace stiction {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "reports/test_message.h"
-#include "reports/test_records.h"
+#include "reports/record/test_message.h"
+#include "reports/record/test_records.h"
 
 namespace stiction {
 namespace {

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has neither NaN nor infinities (reports/schema.md).
+// JSON has neither NaN nor infinities (reports/record/schema.md).
 Json number_json(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";

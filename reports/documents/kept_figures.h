@@ -8,7 +8,7 @@
 
 #include "reports/documents/figure_rule.h"
 #include "reports/documents/figure_value.h"
-#include "reports/record.h"
+#include "reports/record/record.h"
 
 namespace stiction {
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "reports/test_message.h"
-#include "reports/test_records.h"
+#include "reports/record/test_message.h"
+#include "reports/record/test_records.h"
 
 namespace stiction {
 namespace {

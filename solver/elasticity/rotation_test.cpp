@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "solver/test_scenes.h"
+#include "solver/testing/test_scenes.h"
 
 namespace stiction {
 namespace {

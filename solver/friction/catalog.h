@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-// Written by the build from the headers of this folder: STICTION_FRICTION_RULES(X) expands to
+// Written by the build from the headers of rules/: STICTION_FRICTION_RULES(X) expands to
 // X(None, "none") X(FixedPoint, "fixed-point") …
-#include "friction_rules.inc"
+#include "solver/friction/friction_rules.inc"
 
 namespace stiction {
 

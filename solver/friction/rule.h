@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "solver/contacts.h"
+#include "solver/contact/contacts.h"
 
 namespace stiction {
 
@@ -62,7 +62,7 @@ inline bool can_stick(const SlipProblem& problem) {
   return problem.free_slip.squaredNorm() <= reach * reach;
 }
 
-// A rule is a struct in a header of its own in this folder, named after the file (fixed_point.h →
+// A rule is a struct in a header of its own in rules/, named after the file (fixed_point.h →
 // FixedPoint; `rule = "fixed-point"` in settings). The build lists them. It has
 //   static constexpr int kValues            memory per contact, in doubles
 //   explicit Rule(const FrictionParameters&)

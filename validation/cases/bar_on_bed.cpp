@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "validation/case_run.h"
-#include "validation/incline_problem.h"
+#include "validation/core/case_run.h"
+#include "validation/problems/incline_problem.h"
 
 namespace stiction {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "validation/crossed_bars_problem.h"
-#include "validation/rest_watch.h"
+#include "validation/observe/rest_watch.h"
+#include "validation/problems/crossed_bars_problem.h"
 
 namespace stiction {
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "solver/demand.h"
-#include "validation/basket_problem.h"
-#include "validation/case_run.h"
-#include "validation/methods.h"
-#include "validation/shared_run.h"
-#include "validation/spread.h"
+#include "validation/core/case_run.h"
+#include "validation/core/shared_run.h"
+#include "validation/estimate/spread.h"
+#include "validation/problems/basket_problem.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

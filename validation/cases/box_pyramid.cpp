@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "validation/incline_problem.h"
-#include "validation/methods.h"
-#include "validation/observe.h"
-#include "validation/paper_figure.h"
-#include "validation/pyramid_problem.h"
-#include "validation/shared_run.h"
-#include "validation/threshold.h"
+#include "validation/core/shared_run.h"
+#include "validation/estimate/threshold.h"
+#include "validation/observe/observe.h"
+#include "validation/problems/incline_problem.h"
+#include "validation/problems/pyramid_problem.h"
+#include "validation/protocols/methods.h"
+#include "validation/protocols/paper_figure.h"
 
 namespace stiction {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/clamp_threshold.h"
-#include "validation/methods.h"
-#include "validation/observe.h"
+#include "validation/observe/observe.h"
+#include "validation/protocols/clamp_threshold.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

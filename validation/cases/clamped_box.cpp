@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string>
 
-#include "validation/clamp_threshold.h"
-#include "validation/incline_problem.h"
-#include "validation/methods.h"
-#include "validation/observe.h"
-#include "validation/paper_figure.h"
+#include "validation/observe/observe.h"
+#include "validation/problems/incline_problem.h"
+#include "validation/protocols/clamp_threshold.h"
+#include "validation/protocols/methods.h"
+#include "validation/protocols/paper_figure.h"
 
 namespace stiction {
 

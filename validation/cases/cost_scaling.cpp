@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/box_mesh.h"
-#include "reference/power_law.h"
-#include "validation/case_run.h"
-#include "validation/incline_problem.h"
+#include "reference/meshes/box_mesh.h"
+#include "reference/statistics/power_law.h"
+#include "validation/core/case_run.h"
+#include "validation/problems/incline_problem.h"
 
 namespace stiction {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "reference/ball_mesh.h"
-#include "reference/box_mesh.h"
-#include "reference/nonconvex_shapes.h"
-#include "validation/case_run.h"
-#include "validation/detection_comparison.h"
+#include "reference/meshes/ball_mesh.h"
+#include "reference/meshes/box_mesh.h"
+#include "reference/meshes/nonconvex_shapes.h"
+#include "validation/core/case_run.h"
+#include "validation/engines/stiction/detection_comparison.h"
 
 namespace stiction {
 

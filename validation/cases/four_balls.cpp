@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "reference/limit_scenes.h"
-#include "validation/ball_pyramid_problem.h"
-#include "validation/ball_pyramid_run.h"
-#include "validation/case_run.h"
-#include "validation/threshold.h"
+#include "reference/limit/limit_scenes.h"
+#include "validation/core/case_run.h"
+#include "validation/estimate/threshold.h"
+#include "validation/problems/ball_pyramid_problem.h"
+#include "validation/protocols/ball_pyramid_run.h"
 
 namespace stiction {
 

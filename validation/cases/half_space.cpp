@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/incline.h"
-#include "validation/case_run.h"
-#include "validation/incline_problem.h"
+#include "reference/motion/incline.h"
+#include "validation/core/case_run.h"
+#include "validation/problems/incline_problem.h"
 
 namespace stiction {
 
@@ -40,7 +40,7 @@ void run_free_fall(CaseRun& run) {
              .unit = "m",
              .claim = "without contact a point mass falls freely",
              .formula = "xₙ = h − gΔt² n(n+1)/2",
-             .source = "symplectic Euler, reference/incline.h",
+             .source = "symplectic Euler, reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
              .value = motion.position.z(),
              .expected = expected.position,
@@ -51,7 +51,7 @@ void run_free_fall(CaseRun& run) {
              .unit = "m/s",
              .claim = "… at the speed it must have",
              .formula = "vₙ = −gΔt n",
-             .source = "symplectic Euler, reference/incline.h",
+             .source = "symplectic Euler, reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
              .value = motion.velocity.z(),
              .expected = expected.velocity,

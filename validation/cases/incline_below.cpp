@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "reference/incline.h"
-#include "validation/convergence.h"
-#include "validation/incline_run.h"
+#include "reference/motion/incline.h"
+#include "validation/estimate/convergence.h"
+#include "validation/protocols/incline_run.h"
 
 namespace stiction {
 
@@ -80,7 +80,7 @@ void check_point_stop(CaseRun& run, const InclineSetup& setup) {
              .unit = "m",
              .claim = "a sliding point mass follows the exact recurrence of the time step",
              .formula = "vₙ₊₁ = vₙ − aΔt, xₙ₊₁ = xₙ + Δt vₙ₊₁, a = g(μ cos θ − sin θ)",
-             .source = "reference/incline.h",
+             .source = "reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
              .value = stop.distance,
              .expected = exact.distance,
@@ -91,7 +91,7 @@ void check_point_stop(CaseRun& run, const InclineSetup& setup) {
              .unit = "s",
              .claim = "it stops in the step in which the recurrence stops",
              .formula = "N = ⌈v₀/(aΔt)⌉",
-             .source = "reference/incline.h",
+             .source = "reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
              .value = stop.time,
              .expected = exact.time,
@@ -163,7 +163,7 @@ void check_box_stop(CaseRun& run, const InclineSetup& setup) {
              .unit = "m",
              .claim = "the centre of mass follows the recurrence of a point mass",
              .formula = "vₙ₊₁ = vₙ − aΔt, xₙ₊₁ = xₙ + Δt vₙ₊₁",
-             .source = "momentum balance; reference/incline.h",
+             .source = "momentum balance; reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
              .value = stop.distance,
              .expected = exact.distance,

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "validation/incline_run.h"
-#include "validation/observe.h"
+#include "validation/observe/observe.h"
+#include "validation/protocols/incline_run.h"
 
 namespace stiction {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "reference/incline.h"
-#include "validation/convergence.h"
-#include "validation/incline_run.h"
-#include "validation/incline_threshold.h"
+#include "reference/motion/incline.h"
+#include "validation/estimate/convergence.h"
+#include "validation/protocols/incline_run.h"
+#include "validation/protocols/incline_threshold.h"
 
 namespace stiction {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <variant>
 
-#include "reference/incline.h"
-#include "validation/incline_run.h"
-#include "validation/incline_threshold.h"
+#include "reference/motion/incline.h"
+#include "validation/protocols/incline_run.h"
+#include "validation/protocols/incline_threshold.h"
 
 namespace stiction {
 

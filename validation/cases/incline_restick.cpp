@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/incline_ode.h"
-#include "validation/extrapolation.h"
-#include "validation/incline_run.h"
+#include "reference/motion/incline_ode.h"
+#include "validation/estimate/extrapolation.h"
+#include "validation/protocols/incline_run.h"
 
 namespace stiction {
 
@@ -57,7 +57,7 @@ Check travel_check(double value, double expected, double tolerance, const std::s
           .unit = "m",
           .claim = "it slides as far as Coulomb's law says for this load history",
           .formula = "v̇ = g_t(t) − μ gₙ(t) while it slides; stick when |g_t| ≤ μ gₙ at v = 0",
-          .source = "GSL odeiv2 with stick and slip events, reference/incline_ode.h",
+          .source = "GSL odeiv2 with stick and slip events, reference/motion/incline_ode.h",
           .kind = ReferenceKind::kExactComputed,
           .value = value,
           .expected = expected,

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "reference/incline.h"
-#include "validation/incline_run.h"
+#include "reference/motion/incline.h"
+#include "validation/protocols/incline_run.h"
 
 namespace stiction {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validation/incline_threshold.h"
+#include "validation/protocols/incline_threshold.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "validation/incline_run.h"
+#include "validation/protocols/incline_run.h"
 
 namespace stiction {
 

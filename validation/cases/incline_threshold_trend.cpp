@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "validation/incline_run.h"
-#include "validation/incline_threshold.h"
+#include "validation/protocols/incline_run.h"
+#include "validation/protocols/incline_threshold.h"
 
 namespace stiction {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/membrane.h"
+#include "reference/motion/membrane.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "validation/case_run.h"
-#include "validation/membrane_problem.h"
-#include "validation/membrane_reference.h"
-#include "validation/methods.h"
+#include "validation/core/case_run.h"
+#include "validation/problems/membrane_problem.h"
+#include "validation/protocols/membrane_reference.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -152,8 +152,8 @@ Figure rests(const Comparison& coarse, const Comparison& fine) {
 }
 
 constexpr const char* kModel =
-    "reference/membrane.h, full law by GSL odeiv2, from rest where the box was laid "
-    "(validation/membrane_reference.h)";
+    "reference/motion/membrane.h, full law by GSL odeiv2, from rest where the box was laid "
+    "(validation/protocols/membrane_reference.h)";
 
 void check_against_model(CaseRun& run, const Comparison& coarse, const Comparison& fine,
                          double refinement) {
@@ -165,7 +165,7 @@ void check_against_model(CaseRun& run, const Comparison& coarse, const Compariso
              .unit = "m",
              .claim = "the box is fastest about mid-span: it speeds up before and slows down after",
              .formula = "∫ s K dt/∫ K dt = ℓ/2; h → 0 from two meshes",
-             .source = "[Lazarevych2009], Fig. 4; reference/membrane.h",
+             .source = "[Lazarevych2009], Fig. 4; reference/motion/membrane.h",
              .kind = ReferenceKind::kAnalytic,
              .value = mean_free.value,
              .expected = 0.5 * length,

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "reference/box_mesh.h"
-#include "validation/free_boxes.h"
-#include "validation/methods.h"
-#include "validation/observe.h"
+#include "reference/meshes/box_mesh.h"
+#include "validation/observe/observe.h"
+#include "validation/problems/free_boxes.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <vector>
 
-#include "validation/case_run.h"
-#include "validation/methods.h"
-#include "validation/slab_problem.h"
+#include "validation/core/case_run.h"
+#include "validation/problems/slab_problem.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "solver/demand.h"
-#include "validation/case_run.h"
-#include "validation/passage_watch.h"
-#include "validation/sheet_problem.h"
+#include "validation/core/case_run.h"
+#include "validation/observe/passage_watch.h"
+#include "validation/problems/sheet_problem.h"
 
 namespace stiction {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/slab_rest.h"
+#include "validation/protocols/slab_rest.h"
 
 namespace stiction {
 

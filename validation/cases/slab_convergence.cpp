@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "solver/demand.h"
-#include "validation/methods.h"
-#include "validation/paper_figure.h"
-#include "validation/slab_problem.h"
-#include "validation/step_rate.h"
+#include "validation/engines/stiction/step_rate.h"
+#include "validation/problems/slab_problem.h"
+#include "validation/protocols/methods.h"
+#include "validation/protocols/paper_figure.h"
 
 namespace stiction {
 
@@ -73,16 +73,17 @@ double predicted_rate(const CaseRun& run, const SlabSetup& setup, SlabRun& settl
 // step. Per second, not per step, it is the same at either time step (measured: 3.95 and 4.0 1/s),
 // hence elastic.
 void note_tail(CaseRun& run, double predicted, double observed, double dt) {
-  run.check({.quantity = "decay of the slip at the end",
-             .unit = "1/s",
-             .claim = "what is left decays as the slowest part of the linearised step",
-             .formula = "−ln ρ/Δt",
-             .source = "eigenvalues of the step's Jacobian, validation/step_rate.h",
-             .kind = ReferenceKind::kExactComputed,
-             .value = -std::log(observed) / dt,
-             .expected = -std::log(predicted) / dt,
-             .reason = "not judged: several parts of about the same decay swing against each other",
-             .verdict = Verdict::kShown});
+  run.check(
+      {.quantity = "decay of the slip at the end",
+       .unit = "1/s",
+       .claim = "what is left decays as the slowest part of the linearised step",
+       .formula = "−ln ρ/Δt",
+       .source = "eigenvalues of the step's Jacobian, validation/engines/stiction/step_rate.h",
+       .kind = ReferenceKind::kExactComputed,
+       .value = -std::log(observed) / dt,
+       .expected = -std::log(predicted) / dt,
+       .reason = "not judged: several parts of about the same decay swing against each other",
+       .verdict = Verdict::kShown});
 }
 
 // A settled box at 20° whose contacts forget their friction for one step: no friction rule keeps

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "solver/step.h"
-#include "validation/methods.h"
-#include "validation/settings.h"
-#include "validation/slab_problem.h"
-#include "validation/stiction_method.h"
-#include "validation/stiction_scene.h"
+#include "validation/engine/settings.h"
+#include "validation/engines/stiction/stiction_method.h"
+#include "validation/engines/stiction/stiction_scene.h"
+#include "validation/problems/slab_problem.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validation/slab_rest.h"
+#include "validation/protocols/slab_rest.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "validation/methods.h"
-#include "validation/slab_problem.h"
+#include "validation/problems/slab_problem.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "validation/rest_watch.h"
-#include "validation/slab_poses.h"
-#include "validation/slab_problem.h"
-#include "validation/slab_rest.h"
+#include "validation/observe/rest_watch.h"
+#include "validation/problems/slab_poses.h"
+#include "validation/problems/slab_problem.h"
+#include "validation/protocols/slab_rest.h"
 
 namespace stiction {
 

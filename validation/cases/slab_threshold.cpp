@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "validation/incline_run.h"
-#include "validation/methods.h"
-#include "validation/paper_figure.h"
-#include "validation/slab_problem.h"
-#include "validation/threshold.h"
+#include "validation/estimate/threshold.h"
+#include "validation/problems/slab_problem.h"
+#include "validation/protocols/incline_run.h"
+#include "validation/protocols/methods.h"
+#include "validation/protocols/paper_figure.h"
 
 namespace stiction {
 

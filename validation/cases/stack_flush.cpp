@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "validation/methods.h"
-#include "validation/rest_watch.h"
-#include "validation/stack_problem.h"
+#include "validation/observe/rest_watch.h"
+#include "validation/problems/stack_problem.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "validation/rest_watch.h"
-#include "validation/stack_problem.h"
+#include "validation/observe/rest_watch.h"
+#include "validation/problems/stack_problem.h"
 
 namespace stiction {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "validation/rest_watch.h"
-#include "validation/stack_problem.h"
+#include "validation/observe/rest_watch.h"
+#include "validation/problems/stack_problem.h"
 
 namespace stiction {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "validation/free_boxes.h"
-#include "validation/methods.h"
+#include "validation/problems/free_boxes.h"
+#include "validation/protocols/methods.h"
 
 namespace stiction {
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "solver/friction/catalog.h"
-#include "validation/stiction_method.h"
+#include "validation/engines/stiction/stiction_method.h"
 
 namespace stiction {
 

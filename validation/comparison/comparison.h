@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/case_run.h"
+#include "validation/core/case_run.h"
 
 namespace stiction {
 

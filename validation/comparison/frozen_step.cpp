@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "solver/step.h"
-#include "validation/settings.h"
-#include "validation/stiction_method.h"
-#include "validation/stiction_scene.h"
+#include "validation/engine/settings.h"
+#include "validation/engines/stiction/stiction_method.h"
+#include "validation/engines/stiction/stiction_scene.h"
 
 namespace stiction {
 

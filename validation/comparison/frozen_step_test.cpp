@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "reference/nonlinear_system.h"
+#include "reference/statistics/nonlinear_system.h"
 
 namespace stiction {
 namespace {

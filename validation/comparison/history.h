@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "validation/case_run.h"
 #include "validation/comparison/scenes.h"
 #include "validation/comparison/turnover.h"
-#include "validation/observe.h"
+#include "validation/core/case_run.h"
+#include "validation/observe/observe.h"
 
 namespace stiction {
 

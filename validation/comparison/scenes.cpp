@@ -8,14 +8,14 @@
 #include <mutex>
 
 #include "solver/demand.h"
-#include "validation/ball_pyramid_problem.h"
-#include "validation/basket_problem.h"
-#include "validation/clamp_problem.h"
-#include "validation/incline_problem.h"
-#include "validation/membrane_problem.h"
-#include "validation/observe.h"
-#include "validation/pyramid_problem.h"
-#include "validation/slab_problem.h"
+#include "validation/observe/observe.h"
+#include "validation/problems/ball_pyramid_problem.h"
+#include "validation/problems/basket_problem.h"
+#include "validation/problems/clamp_problem.h"
+#include "validation/problems/incline_problem.h"
+#include "validation/problems/membrane_problem.h"
+#include "validation/problems/pyramid_problem.h"
+#include "validation/problems/slab_problem.h"
 
 namespace stiction {
 

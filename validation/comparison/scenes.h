@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "validation/engine.h"
-#include "validation/observe.h"
-#include "validation/problem.h"
-#include "validation/slab_problem.h"
+#include "validation/engine/engine.h"
+#include "validation/engine/problem.h"
+#include "validation/observe/observe.h"
+#include "validation/problems/slab_problem.h"
 
 namespace stiction {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "validation/engine.h"
+#include "validation/engine/engine.h"
 
 namespace stiction {
 

@@ -4,7 +4,7 @@
 // own function to unplanted_integrate.
 #include <cstdlib>
 
-#include "solver/phases/integrate.h"
+#include "solver/motion/integrate.h"
 
 namespace stiction {
 

@@ -3,7 +3,7 @@
 // The build renames the solver's own function to unplanted_friction_forces.
 #include <chrono>
 
-#include "solver/phases/friction.h"
+#include "solver/friction/friction.h"
 
 namespace stiction {
 

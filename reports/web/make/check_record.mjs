@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The schema of reports/schema.md as data, and a check of a parsed line against it.
+// The schema of reports/record/schema.md as data, and a check of a parsed line against it.
 
 const NEWEST_SCHEMA = 3;
 

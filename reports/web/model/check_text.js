@@ -20,7 +20,7 @@ export const expected_text = (check) => with_unit(pair(check)[1], check.unit);
 
 /**
  * What its band says of a check's value: "expected in [1e-6, 1e-5] m", "worse than expected […]", "better
- * than known […]: raise the bar"; empty without a band. As band_text() in reports/check_text.h.
+ * than known […]: raise the bar"; empty without a band. As band_text() in reports/text/check_text.h.
  */
 export function band_text(check) {
   if (check.expected_low === null || check.expected_low === undefined) return "";

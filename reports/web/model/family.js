@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** As family_name() in reports/family.h: the path before the first parameter, at most two parts. */
+/** As family_name() in reports/text/family.h: the path before the first parameter, at most two parts. */
 export function family_name(case_name) {
   const first = case_name.indexOf("/");
   if (first < 0) return case_name;

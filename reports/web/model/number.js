@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as people read them, spelled as reports/number.h spells them.
+// Numbers as people read them, spelled as reports/text/number.h spells them.
 
 /** A number of a record: a JSON number or "nan", "inf", "-inf". */
 export function to_number(value) {

@@ -28,7 +28,7 @@ export const is_expected = (verdict) => verdict === "limit" || verdict === "refu
 export const is_decided = (verdict) =>
   verdict === "pass" || verdict === "fail" || is_expected(verdict);
 
-/** The check that decides, as worst_check() in reports/record.h; undefined when none does. */
+/** The check that decides, as worst_check() in reports/record/record.h; undefined when none does. */
 export function worst_check(checks, margin) {
   let worst;
   for (const check of checks) {

@@ -27,7 +27,7 @@ import { case_plots, family_plots } from "../plots/plots.js";
 import { bracket_in } from "../plots/threshold_plot.js";
 import { check, record } from "./records.mjs";
 
-// The expected texts are those of reports/number_test.cpp and of printf("%.6g").
+// The expected texts are those of reports/text/number_test.cpp and of printf("%.6g").
 test("numbers are spelled as in the Markdown report", () => {
   const texts = [
     [0.1 + 0.2, "0.3"],
@@ -73,7 +73,7 @@ test("margins", () => {
   assert.equal(short_margin(6.7e-13), "6.7e-11 %");
 });
 
-// The expected texts are those of reports/check_text_test.cpp.
+// The expected texts are those of reports/text/check_text_test.cpp.
 test("a band says on which side of it a value lies", () => {
   const banded = (value, verdict) =>
     band_text(
@@ -97,7 +97,7 @@ test("the worst check decides as in record.h", () => {
   assert.equal(worst_check([shown], margin), undefined);
 });
 
-// As reports/family_test.cpp has them.
+// As reports/text/family_test.cpp has them.
 test("families and natural order", () => {
   assert.equal(family_name("incline/threshold/mu=0.3/azimuth=30"), "incline/threshold");
   assert.equal(family_name("incline/mu=0.3"), "incline");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a rule costs per contact, against the fixed point in the same run: both advance in turn, so
 // that a noisy machine disturbs both.
-#include "reference/two_samples.h"
+#include "reference/statistics/two_samples.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 #include "validation/comparison/scenes.h"

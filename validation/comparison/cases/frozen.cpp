@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/nonlinear_system.h"
+#include "reference/statistics/nonlinear_system.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/frozen_step.h"
 

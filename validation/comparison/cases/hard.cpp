@@ -6,7 +6,7 @@
 
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/history.h"
-#include "validation/incline_run.h"
+#include "validation/protocols/incline_run.h"
 
 namespace stiction {
 

@@ -6,8 +6,8 @@
 
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/scenes.h"
-#include "validation/incline_run.h"
-#include "validation/slab_rest.h"
+#include "validation/protocols/incline_run.h"
+#include "validation/protocols/slab_rest.h"
 
 namespace stiction {
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/bench/batch.h"
+
+#include <algorithm>
+
+#include "solver/friction/catalog.h"
+#include "solver/hash.h"
+#include "solver/step.h"
+
+namespace stiction::bench {
+
+namespace {
+
+// Steps after which a rule's memory no longer grows: fixed points settle in 8 to 16.
+constexpr int kRuleSteps = 16;
+
+std::string without_spaces(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name;
+}
+
+template <class Value>
+void add(const std::vector<Value>& values, Fnv1a& hash) {
+  hash.add(values.data(), values.size() * sizeof(Value));
+}
+
+// Field by field: the padding between them is nobody's.
+void add(const PairContact& c, Fnv1a& hash) {
+  const std::int32_t numbers[] = {c.vertex, c.element, c.triangle, static_cast<int>(c.status)};
+  hash.add(&c.key, sizeof c.key);
+  hash.add(numbers, sizeof numbers);
+  hash.add(c.partner, sizeof c.partner);
+  hash.add(c.weight, sizeof c.weight);
+  const double values[] = {c.depth, c.inverse_mass, c.normal_force};
+  hash.add(values, sizeof values);
+  hash.add(c.normal.data(), sizeof c.normal);
+  hash.add(c.friction_force.data(), sizeof c.friction_force);
+}
+
+}  // namespace
+
+std::vector<Timed> timed_parts() {
+  const std::string usual = kTimedRule;
+  std::vector<Timed> parts;
+  for (std::size_t p = 0; p < kPhaseNames.size(); ++p) {
+    const auto phase = static_cast<Phase>(p);
+    const std::string name = without_spaces(kPhaseNames[p]);
+    if (phase != Phase::kFriction) {
+      parts.push_back({name, phase, false, usual});
+      if (phase == Phase::kDetect) parts.push_back({name + ":afresh", phase, false, usual, true});
+      continue;
+    }
+    for (const std::string& rule : friction_rule_names()) {
+      parts.push_back({name + ":" + rule, phase, false, rule});
+    }
+  }
+  parts.push_back({"step", {}, true, usual});
+  return parts;
+}
+
+std::string benchmark_name(const Timed& timed, const std::string& family, int size) {
+  return timed.name + "/" + family + "/contacts:" + std::to_string(size);
+}
+
+Batch::Batch(const Workload& settled, const Timed& timed) : work_(settled), timed_(timed) {
+  if (timed.rule != work_.options.rule) {
+    work_.options.rule = timed.rule;
+    go_on(work_, kRuleSteps);
+  }
+  if (!timed.whole_step) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(timed.phase); ++p) {
+      run_phase(static_cast<Phase>(p), *work_.scene, work_.options, work_.state, work_.workspace);
+    }
+  }
+  start_ = work_.state;
+  velocity_ = work_.workspace.velocity;
+  pairs_ = work_.workspace.pairs;
+}
+
+void Batch::restore() {
+  if (timed_.whole_step) {
+    work_.state = start_;
+    return;
+  }
+  Workspace& workspace = work_.workspace;
+  switch (timed_.phase) {
+    case Phase::kForces:
+    case Phase::kPredict:
+      return;  // these read the state and write the workspace afresh
+    case Phase::kDetect:
+      if (timed_.afresh) workspace.search.scene = 0;
+      return;
+    case Phase::kDepth:
+      workspace.pairs = pairs_;
+      return;
+    case Phase::kNormalForce:
+      workspace.velocity = velocity_;
+      return;
+    case Phase::kFriction:
+      workspace.velocity = velocity_;
+      work_.state.memory = start_.memory;
+      work_.state.pair_friction = start_.pair_friction;
+      work_.state.edge_friction = start_.edge_friction;
+      return;
+    case Phase::kIntegrate:
+      workspace.velocity = velocity_;
+      work_.state.position = start_.position;
+      work_.state.velocity = start_.velocity;
+      return;
+  }
+}
+
+void Batch::run() {
+  if (timed_.whole_step) {
+    step(*work_.scene, work_.options, work_.state, work_.workspace);
+  } else {
+    run_phase(timed_.phase, *work_.scene, work_.options, work_.state, work_.workspace);
+  }
+}
+
+std::uint64_t Batch::hash() const {
+  const Workspace& workspace = work_.workspace;
+  Fnv1a hash;
+  const std::uint64_t state = hash_of(work_.state);
+  hash.add(&state, sizeof state);
+  for (const Vec3& force : workspace.force) hash.add(force.data(), sizeof force);
+  for (const Velocity& velocity : workspace.velocity) hash.add(velocity.v.data(), sizeof(Vec3));
+  for (const PairContact& pair : workspace.pairs) add(pair, hash);
+  for (const EdgeContact& edge : workspace.edges) {
+    hash.add(&edge.key, sizeof edge.key);
+    hash.add(&edge.normal_force, sizeof edge.normal_force);
+    hash.add(edge.friction_force.data(), sizeof edge.friction_force);
+  }
+  const OneSidedContacts& contacts = workspace.contacts;
+  add(contacts.key, hash);
+  add(contacts.depth, hash);
+  add(contacts.normal_force, hash);
+  for (const Vec3& force : contacts.friction_force) hash.add(force.data(), sizeof force);
+  return hash.value();
+}
+
+}  // namespace stiction::bench

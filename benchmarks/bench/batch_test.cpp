@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/bench/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "benchmarks/bench/cost_model.h"
+#include "benchmarks/bench/measure.h"
+#include "solver/demand.h"
+
+namespace stiction::bench {
+namespace {
+
+constexpr int kContacts = 100;
+
+class EveryFamily : public testing::TestWithParam<std::string> {
+ protected:
+  static Workload settled(const std::string& name) {
+    for (const Family& family : family_catalog()) {
+      if (family.name == name) return settle(family, kContacts);
+    }
+    throw InputError("no family " + name);
+  }
+};
+
+std::vector<std::string> family_names() {
+  std::vector<std::string> names;
+  for (const Family& family : family_catalog()) names.push_back(family.name);
+  return names;
+}
+
+TEST_P(EveryFamily, ComesToRestWithAboutTheContactsAskedFor) {
+  const Workload work = settled(GetParam());
+  for (const Check& check : work.checks) {
+    EXPECT_EQ(check.verdict, Verdict::kPass) << check.quantity << " " << check.value;
+  }
+  // The formulas for sizes are for large scenes; a small one has more border.
+  EXPECT_GT(work.contacts(), kContacts / 2u);
+  EXPECT_LT(work.contacts(), kContacts * 2u);
+}
+
+TEST_P(EveryFamily, EachBatchOfEachPartDoesTheSameWork) {
+  const Workload work = settled(GetParam());
+  for (const Timed& timed : timed_parts()) {
+    Batch batch(work, timed);
+    batch.run();
+    const std::uint64_t first = batch.hash();
+    for (int k = 0; k < 3; ++k) {
+      batch.restore();
+      batch.run();
+      EXPECT_EQ(batch.hash(), first) << timed.name << ", batch " << k;
+    }
+  }
+}
+
+// The parts of one step in their order are the step.
+TEST_P(EveryFamily, PhasesOneByOneEndWhereTheStepEnds) {
+  const Workload work = settled(GetParam());
+  const std::vector<Timed> parts = timed_parts();
+  const auto part = [&](const std::string& name) {
+    return *std::find_if(parts.begin(), parts.end(),
+                         [&](const Timed& timed) { return timed.name == name; });
+  };
+  Batch last(work, part("integrate")), whole(work, part("step"));
+  last.run();
+  whole.run();
+  State by_phases = last.work().state;
+  ++by_phases.step;
+  EXPECT_EQ(hash_of(by_phases), hash_of(whole.work().state));
+}
+
+TEST_P(EveryFamily, TheStepCostsWhatItsPhasesCost) {
+  const Workload work = settled(GetParam());
+  Cost sum, step;
+  for (const Timed& timed : timed_parts()) {
+    const Cost cost = modelled_cost(timed, work);
+    if (timed.whole_step) {
+      step = cost;
+    } else if (timed.rule == work.options.rule && !timed.afresh) {
+      sum.bytes += cost.bytes;
+      sum.flops += cost.flops;
+    }
+  }
+  EXPECT_GT(step.flops, 0.0);
+  EXPECT_DOUBLE_EQ(step.bytes, sum.bytes);
+  EXPECT_DOUBLE_EQ(step.flops, sum.flops);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, EveryFamily, testing::ValuesIn(family_names()),
+                         [](const auto& family) { return family.param; });
+
+TEST(Choose, TakesNamesThatMatchAndRefusesWhatMatchesNone) {
+  const std::vector<Chosen> chosen = choose("^friction:none/slab/contacts:1000$", false);
+  ASSERT_EQ(chosen.size(), 1u);
+  EXPECT_EQ(chosen[0].name, "friction:none/slab/contacts:1000");
+  EXPECT_EQ(choose("-slab", false).size() + choose("slab", false).size(), choose("", false).size());
+  EXPECT_GT(choose("", true).size(), choose("", false).size());
+  EXPECT_THROW(choose("no such thing", false), InputError);
+  EXPECT_THROW(choose("(", false), InputError);
+}
+
+TEST(Choose, NamesHaveNoSpaces) {
+  for (const Chosen& chosen : choose("", true)) {
+    EXPECT_EQ(chosen.name.find(' '), std::string::npos) << chosen.name;
+  }
+}
+
+}  // namespace
+}  // namespace stiction::bench

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/bench/bench_records.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/record/environment.h"
+#include "validation/engines/stiction/stiction_method.h"
+#include "validation/judge/verdict.h"
+
+namespace stiction::bench {
+
+namespace {
+
+Record new_record(const std::string& name, const std::string& title) {
+  Record record;
+  record.case_name = name;
+  record.title = title;
+  record.engine = "stiction";
+  record.environment = current_environment();
+  return record;
+}
+
+Record workload_record(const Measure::Settled& settled, const std::vector<Result>& results) {
+  Record record = new_record(fmt::format("bench/{}/contacts={}", settled.family, settled.size), "");
+  record.settings = method_settings(settled.options, true);
+  record.settings["dt"] = fmt::format("{}", settled.options.time_step);
+  record.checks = settled.checks;
+  record.state_hash = fmt::format("{:016x}", settled.hash);
+  record.cost.cpu_seconds = settled.seconds;
+  record.cost.steps = settled.steps;
+  record.cost.contact_updates = settled.contact_updates;
+  for (const Result& result : results) {
+    const Chosen& chosen = result.chosen;
+    if (chosen.family.name != settled.family || chosen.size != settled.size) continue;
+    record.title = chosen.family.title;
+    record.notes.push_back(fmt::format(
+        "{}: {:.1f} ns per contact, {:.0f} bytes and {:.0f} flops by the model, error {:.1g}, hash "
+        "{:08x}",
+        chosen.timed.name, 1e9 * result.seconds / result.contacts,
+        result.cost.bytes / result.contacts, result.cost.flops / result.contacts, result.error,
+        result.hash & 0xffffffffu));
+    const bool usual = chosen.timed.rule == settled.options.rule && !chosen.timed.afresh;
+    if (chosen.timed.whole_step || !usual) continue;
+    // Of a step, times the steps done: the cost table shows shares.
+    record.cost.phase_seconds[kPhaseNames[static_cast<std::size_t>(chosen.timed.phase)]] =
+        result.seconds * static_cast<double>(settled.steps);
+    if (chosen.timed.phase == Phase::kNormalForce || chosen.timed.phase == Phase::kFriction) {
+      record.cost.ns_per_contact_update += 1e9 * result.seconds / result.contacts;
+    }
+  }
+  record.verdict = combined_verdict(record.checks);
+  return record;
+}
+
+Check exponent_check(const Scaling& scaling) {
+  Check check{.quantity = "exponent of cost over contacts, " + scaling.part,
+              .unit = "1",
+              .claim = "the cost grows linearly with the number of contacts",
+              .formula = "time ∝ contactsᵖ, p = 1",
+              .source = "one pass over contacts a phase, and overlap regions for the search",
+              .kind = ReferenceKind::kAnalytic,
+              .value = scaling.law.exponent,
+              .expected = 1.0,
+              .tolerance = 0.2,
+              .reason =
+                  "from cache to memory a contact may cost four times as much: log₁₀ 4 over "
+                  "three decades"};
+  judge(check, 1.0);
+  return check;
+}
+
+std::vector<Record> scaling_records(const std::vector<Scaling>& scalings) {
+  std::vector<Record> records;
+  for (const Scaling& scaling : scalings) {
+    const std::string name = "bench/" + scaling.family + "/scaling";
+    if (records.empty() || records.back().case_name != name) {
+      records.push_back(new_record(name, "cost of each phase over the number of contacts"));
+    }
+    Record& record = records.back();
+    record.notes.push_back(fmt::format("{}: exponent {:.3f}, 95 % interval ± {:.3f}", scaling.part,
+                                       scaling.law.exponent, scaling.law.exponent_margin));
+    Series series{scaling.part + " per contact", "s", "contacts", "1", scaling.contacts, {}};
+    for (std::size_t k = 0; k < scaling.seconds.size(); ++k) {
+      series.y.push_back(scaling.seconds[k] / scaling.contacts[k]);
+    }
+    record.series.push_back(std::move(series));
+    if (scaling.part == "step") record.checks.push_back(exponent_check(scaling));
+  }
+  for (Record& record : records) record.verdict = combined_verdict(record.checks);
+  return records;
+}
+
+Record feature_record(const std::vector<FeatureCost>& features) {
+  Record record = new_record("bench/features", "model only what a scene needs");
+  for (const FeatureCost& feature : features) {
+    Check check{.quantity = "instructions of a step, " + feature.title + ": unused ÷ without",
+                .unit = "1",
+                .claim = "a feature that a scene does not use costs nothing",
+                .source = "callgrind, a build without the feature beside the usual one",
+                .kind = ReferenceKind::kExactComputed,
+                .value = feature.unused / feature.without,
+                .expected = 1.0,
+                .tolerance = 0.01,
+                .reason =
+                    "one test a contact and phase, of the hundreds of instructions that "
+                    "each of these takes"};
+    judge(check, 1.0);
+    record.checks.push_back(std::move(check));
+    record.notes.push_back(fmt::format("{}: used ÷ without {:.3f}, {:.0f} instructions without",
+                                       feature.title, feature.used / feature.without,
+                                       feature.without));
+  }
+  record.verdict = combined_verdict(record.checks);
+  return record;
+}
+
+}  // namespace
+
+std::vector<Record> records_of(const Measure& measure, const std::vector<Scaling>& scalings,
+                               const std::vector<FeatureCost>& features) {
+  std::vector<Record> records;
+  for (const Measure::Settled& settled : measure.settled()) {
+    records.push_back(workload_record(settled, measure.results()));
+  }
+  for (Record& record : scaling_records(scalings)) records.push_back(std::move(record));
+  if (!features.empty()) records.push_back(feature_record(features));
+  return records;
+}
+
+}  // namespace stiction::bench

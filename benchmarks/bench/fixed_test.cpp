@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/bench/fixed.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "benchmarks/bench/allocations.h"
+#include "solver/demand.h"
+
+namespace stiction::bench {
+namespace {
+
+TEST(Fixed, DoesExactlySoManyBatchesOfTheSameWork) {
+  const auto one = nlohmann::json::parse(run_fixed("friction:none/slab/contacts:1000", 1));
+  const auto three = nlohmann::json::parse(run_fixed("friction:none/slab/contacts:1000", 3));
+  EXPECT_EQ(one["batches"], 1);
+  EXPECT_EQ(one["contact_updates"], one["contacts"]);
+  EXPECT_EQ(three["contact_updates"], 3 * one["contacts"].get<int>());
+  EXPECT_EQ(three["hash"], one["hash"]);
+  EXPECT_EQ(three["allocations"], 0) << "a warm step allocates nothing";
+  EXPECT_LT(one["error"], 0.05) << "the tolerance of the workload's checks";
+}
+
+TEST(Fixed, RefusesAnUnknownName) {
+  EXPECT_THROW(run_fixed("friction:none/slab/contacts:7", 1), InputError);
+}
+
+TEST(Fixed, EachRuleAndPhaseHasAName) {
+  const std::vector<std::string> names = fixed_names();
+  for (const char* name : {"detect/slab/contacts:1000", "friction:secant/slab/contacts:1000",
+                           "step/slab/contacts:1000"}) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  }
+}
+
+struct alignas(64) Wide {
+  double value[8];
+};
+
+TEST(Allocations, AreCounted) {
+  const std::uint64_t before = allocations();
+  const auto kept = std::make_unique<int>(1);
+  const auto aligned = std::make_unique<Wide>();
+  EXPECT_GE(allocations() - before, 2u);
+}
+
+}  // namespace
+}  // namespace stiction::bench

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/bench/measure.h"
+
+#include <algorithm>
+#include <regex>
+
+#include "solver/demand.h"
+
+namespace stiction::bench {
+
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<Chosen> choose(const std::string& filter, bool full) {
+  const bool without = !filter.empty() && filter[0] == '-';
+  std::regex wanted;
+  try {
+    wanted = std::regex(without ? filter.substr(1) : filter, std::regex::extended);
+  } catch (const std::regex_error&) {
+    throw InputError("--benchmark_filter: '" + filter + "' is no regular expression");
+  }
+  std::vector<Chosen> chosen;
+  for (const Family& family : family_catalog()) {
+    std::vector<int> sizes = family.sizes;
+    if (full) sizes.insert(sizes.end(), family.full_sizes.begin(), family.full_sizes.end());
+    for (const int size : sizes) {
+      for (const Timed& timed : timed_parts()) {
+        if (!family.two_sided && (timed.phase == Phase::kDepth || timed.afresh)) continue;
+        const std::string name = benchmark_name(timed, family.name, size);
+        if (!filter.empty() && std::regex_search(name, wanted) == without) continue;
+        chosen.push_back({timed, family, size, name});
+      }
+    }
+  }
+  if (chosen.empty()) throw InputError("no benchmark matches '" + filter + "'");
+  return chosen;
+}
+
+void Measure::run(benchmark::State& state, const Chosen& chosen) {
+  Batch& batch = batch_of(chosen);
+  std::vector<double> seconds;
+  seconds.reserve(static_cast<std::size_t>(state.max_iterations));
+  for (auto _ : state) {
+    batch.restore();
+    const double start = thread_seconds();
+    batch.run();
+    seconds.push_back(std::max(1e-9, thread_seconds() - start - overhead_));
+    state.SetIterationTime(seconds.back());
+  }
+  Result result{chosen,
+                static_cast<double>(batch.work().contacts()),
+                median(std::move(seconds)),
+                modelled_cost(chosen.timed, batch.work()),
+                batch.hash(),
+                batch.work().error()};
+  state.counters["contacts"] = result.contacts;
+  state.counters["time_per_contact"] = result.seconds / result.contacts;
+  // 32 bits of it, which a double holds exactly.
+  state.counters["hash"] = static_cast<double>(result.hash & 0xffffffffu);
+  state.counters["error"] = result.error;
+  state.counters["bytes_per_contact"] = result.cost.bytes / result.contacts;
+  state.counters["flops_per_contact"] = result.cost.flops / result.contacts;
+  state.counters["of_bandwidth"] = result.cost.bytes / result.seconds / machine_.bytes_per_second;
+  state.counters["of_peak"] = result.cost.flops / result.seconds / machine_.flops_per_second;
+  keep(std::move(result));
+}
+
+Batch& Measure::batch_of(const Chosen& chosen) {
+  if (batch_ && batch_name_ == chosen.name) return *batch_;
+  batch_.reset();
+  if (!workload_ || workload_->family != chosen.family.name || workload_->size != chosen.size) {
+    workload_.reset();
+    const double start = thread_seconds();
+    workload_ = std::make_unique<Workload>(settle(chosen.family, chosen.size));
+    settled_.push_back({chosen.family.name, chosen.size, static_cast<double>(workload_->contacts()),
+                        workload_->options, workload_->checks, hash_of(workload_->state),
+                        workload_->state.step, workload_->workspace.contact_updates,
+                        thread_seconds() - start});
+  }
+  batch_ = std::make_unique<Batch>(*workload_, chosen.timed);
+  batch_name_ = chosen.name;
+  return *batch_;
+}
+
+void Measure::keep(Result result) {
+  const auto at = std::find_if(results_.begin(), results_.end(), [&](const Result& known) {
+    return known.chosen.name == result.chosen.name;
+  });
+  if (at == results_.end()) {
+    results_.push_back(std::move(result));
+  } else if (result.seconds < at->seconds) {
+    *at = std::move(result);
+  }
+}
+
+}  // namespace stiction::bench

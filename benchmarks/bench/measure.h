@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "benchmarks/bench/batch.h"
+#include "benchmarks/bench/cost_model.h"
+#include "benchmarks/bench/machine.h"
+
+namespace stiction::bench {
+
+/// A benchmark that was chosen to run.
+struct Chosen {
+  Timed timed;
+  Family family;
+  int size = 0;  ///< contacts asked for
+  std::string name;
+};
+
+/// What was measured of one.
+struct Result {
+  Chosen chosen;
+  double contacts = 0.0;
+  double seconds = 0.0;  ///< CPU time of a batch, median over batches
+  Cost cost;             ///< of a batch, by the model
+  std::uint64_t hash = 0;
+  double error = 0.0;  ///< of the workload with the part's friction rule, dimensionless
+};
+
+/// All benchmarks, or those whose name holds a match of the regular expression (not those, when it
+/// begins with '-'), family by family and size by size. Throws InputError when there is none, or
+/// when it is no regular expression.
+std::vector<Chosen> choose(const std::string& filter, bool full);
+
+/// Runs benchmarks for Google Benchmark and keeps what they measured. Of workloads and batches it
+/// holds only the last, so order them by workload.
+class Measure {
+ public:
+  explicit Measure(const Machine& machine) : machine_(machine), overhead_(clock_overhead()) {}
+
+  void run(benchmark::State& state, const Chosen& chosen);
+
+  /// In the order of the first run; of repetitions the fastest.
+  const std::vector<Result>& results() const { return results_; }
+  /// One settled workload a family and size, without its arrays: for the records.
+  struct Settled {
+    std::string family;
+    int size = 0;
+    double contacts = 0.0;
+    Options options;
+    std::vector<Check> checks;
+    std::uint64_t hash = 0;
+    std::uint64_t steps = 0;
+    std::uint64_t contact_updates = 0;
+    double seconds = 0.0;  ///< CPU time of the settling
+  };
+  const std::vector<Settled>& settled() const { return settled_; }
+
+ private:
+  Batch& batch_of(const Chosen& chosen);
+  void keep(Result result);
+
+  Machine machine_;
+  double overhead_;
+  std::unique_ptr<Workload> workload_;
+  std::unique_ptr<Batch> batch_;
+  std::string batch_name_;
+  std::vector<Settled> settled_;
+  std::vector<Result> results_;
+};
+
+}  // namespace stiction::bench

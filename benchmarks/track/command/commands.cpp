@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/track/command/commands.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "benchmarks/track/command/bisect.h"
+#include "benchmarks/track/command/output.h"
+#include "benchmarks/track/measure/child.h"
+#include "benchmarks/track/measure/google_json.h"
+#include "benchmarks/track/store/trend_records.h"
+#include "reports/record/environment.h"
+#include "reports/record/record_store.h"
+
+namespace stiction::track {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Project project_of(const Arguments& arguments) {
+  Project project;
+  project.root = arguments.root;
+  if (arguments.root.empty()) {
+    project.root = last_line(demand_run("this folder is in no clone of stiction",
+                                        {"git", "rev-parse", "--show-toplevel"}));
+  }
+  project.build =
+      arguments.build.empty() ? project.root / "build/release" : fs::absolute(arguments.build);
+  project.work =
+      arguments.work.empty() ? project.root / "build/track" : fs::absolute(arguments.work);
+  return project;
+}
+
+History history_of(const Arguments& arguments) {
+  return History(arguments.history.empty() ? project_of(arguments).work / "history.sqlite"
+                                           : fs::path(arguments.history));
+}
+
+Scope scope_of(const Arguments& arguments) {
+  Scope scope = arguments.scope;
+  // One case of each kind takes seconds; --full takes the cases of a whole validation.
+  if (scope.cases.empty() && !arguments.full) scope.cases = {"--quick"};
+  if (scope.benchmarks.empty() && arguments.quick) scope.benchmarks = {"friction*", "step*"};
+  return scope;
+}
+
+void show(const Outcome& outcome, const Arguments& arguments) {
+  fmt::print("{}", arguments.json       ? json_text(outcome)
+                   : arguments.markdown ? markdown(outcome, arguments.all)
+                                        : table(outcome, arguments.all));
+}
+
+int code_of(const Outcome& outcome, const Arguments& arguments) {
+  if (any(outcome.comparisons, Change::kWorse)) return kRegressed;
+  const bool improved = any(outcome.comparisons, Change::kBetter);
+  return improved && arguments.report_improvement ? kImproved : kNothingWorse;
+}
+
+// The machine whose runs are looked at: that of the last run, or all.
+std::optional<Machine> machine_of(const std::vector<StoredRun>& runs, const Arguments& arguments) {
+  if (arguments.scope.any_machine || runs.empty()) return std::nullopt;
+  return runs.back().machine;
+}
+
+std::int64_t last_id(const History& history) {
+  const std::vector<StoredRun> runs = history.runs(std::nullopt);
+  if (runs.empty()) throw TrackError("the history holds no run yet; `track record` makes one");
+  return runs.back().id;
+}
+
+std::string content(const std::string& file) {
+  if (file == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::ifstream stream(file);
+  if (!stream) throw TrackError(fmt::format("cannot read {}", file));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+int track_against(const Arguments& arguments) {
+  const Project project = project_of(arguments);
+  const Tree after = present_tree(project);
+  const Tree before = build_tree(project, arguments.against);
+  const Outcome outcome = compare_trees(project, before, after, scope_of(arguments));
+  if (!arguments.no_record) {
+    History history = history_of(arguments);
+    history.add(outcome.before);
+    history.add(outcome.after);
+  }
+  show(outcome, arguments);
+  return code_of(outcome, arguments);
+}
+
+int track_record(const Arguments& arguments) {
+  const Project project = project_of(arguments);
+  const StoredRun run = measure(project, present_tree(project), scope_of(arguments));
+  History history = history_of(arguments);
+  const std::int64_t id = history.add(run);
+  fmt::print("Run {} of {}: {} metrics.\n", id, run.revision, run.measurements.all().size());
+  return kNothingWorse;
+}
+
+int track_compare(const Arguments& arguments) {
+  const History history = history_of(arguments);
+  Outcome outcome{.before = history.run(arguments.other),
+                  .after = history.run(arguments.run == 0 ? last_id(history) : arguments.run)};
+  const std::string what = difference(outcome.before.machine, outcome.after.machine);
+  if (!what.empty() && !arguments.scope.any_machine) {
+    throw TrackError(
+        fmt::format("runs {} and {} are of different machines ({}); --any-machine "
+                    "compares them all the same",
+                    outcome.before.id, outcome.after.id, what));
+  }
+  outcome.comparisons = compare(outcome.before.measurements, outcome.after.measurements);
+  outcome.appeared = missing(outcome.after.measurements, outcome.before.measurements);
+  outcome.disappeared = missing(outcome.before.measurements, outcome.after.measurements);
+  show(outcome, arguments);
+  return code_of(outcome, arguments);
+}
+
+int track_history(const Arguments& arguments) {
+  const History history = history_of(arguments);
+  const std::vector<StoredRun> all = history.runs(std::nullopt);
+  const std::optional<Machine> machine = machine_of(all, arguments);
+  const std::vector<Trend> trends = history.trends(arguments.metric, machine);
+  if (!arguments.metric.empty() && trends.empty()) {
+    throw TrackError(fmt::format("the history has no metric '{}'", arguments.metric));
+  }
+  const std::vector<StoredRun> runs = history.runs(machine);
+  for (const StoredRun& run : runs) {
+    fmt::print("{:>5}  {}  {:<13}  {}\n", run.id, run.date, run.revision, run.label);
+  }
+  if (machine) fmt::print("Machine: {}\n", machine->text());
+  if (runs.size() < all.size()) {
+    fmt::print("{} runs of other machines are left out; --any-machine shows them.\n",
+               all.size() - runs.size());
+  }
+  for (const Trend& trend : trends) {
+    if (arguments.metric.empty() && !arguments.all) break;
+    fmt::print("{} [{}]\n", trend.metric.name(), trend.metric.unit);
+    for (std::size_t k = 0; k < trend.runs.size(); ++k) {
+      fmt::print("  {:>5}  {:.6g}\n", trend.runs[k], trend.medians[k]);
+    }
+  }
+  if (arguments.out.empty()) return kNothingWorse;
+  RecordStore store = RecordStore::create(arguments.out);
+  for (const Record& record : trend_records(trends, current_environment())) store.append(record);
+  store.finish();
+  fmt::print("Records: {}\n", store.folder().string());
+  store.tell_caller();
+  return kNothingWorse;
+}
+
+int track_import(const Arguments& arguments) {
+  StoredRun run = run_from_google_json(content(arguments.file), arguments.file);
+  if (run.date.empty()) run.date = current_environment().date;
+  History history = history_of(arguments);
+  const std::int64_t id = history.add(run);
+  fmt::print("Run {}: {} metrics of {}.\n", id, run.measurements.all().size(), run.machine.text());
+  return kNothingWorse;
+}
+
+int track_export(const Arguments& arguments) {
+  const History history = history_of(arguments);
+  const std::string text =
+      to_google_json(history.run(arguments.run == 0 ? last_id(history) : arguments.run));
+  if (arguments.file == "-") {
+    fmt::print("{}", text);
+    return kNothingWorse;
+  }
+  std::ofstream stream(arguments.file);
+  stream << text << std::flush;
+  if (!stream) throw TrackError(fmt::format("cannot write {}", arguments.file));
+  return kNothingWorse;
+}
+
+int track_bisect(const Arguments& arguments) {
+  const Project project = project_of(arguments);
+  const std::optional<Found> found =
+      bisect(project, arguments.metric, arguments.good, arguments.bad, scope_of(arguments));
+  if (!found) {
+    fmt::print("{} did not move between {} and {}.\n", arguments.metric, arguments.good,
+               arguments.bad);
+    return kNothingWorse;
+  }
+  const Comparison& one = found->comparison;
+  const std::string unit = one.metric.unit == "1" ? "" : " " + one.metric.unit;
+  fmt::print("{} moved in {}: {:.6g} → {:.6g}{}.\n", arguments.metric,
+             subject_of(project, found->commit), one.before, one.after, unit);
+  for (const std::string& commit : found->also) {
+    fmt::print("It may be this one too, which could not be measured: {}\n",
+               subject_of(project, commit));
+  }
+  return one.change == Change::kWorse ? kRegressed : kNothingWorse;
+}
+
+}  // namespace stiction::track

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/workloads/workload.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/observables.h"
+#include "solver/step.h"
+#include "validation/judge/verdict.h"
+
+namespace stiction::bench {
+
+namespace {
+
+// ωT of the time under drag, after which (1 + ωT) e^{−ωT} = 5e-4 of the bounce is left, and of the
+// free time behind it.
+constexpr double kDragPhase = 7.0;
+constexpr double kFreePhase = 0.5;
+
+bool held(const Scene& scene, const Body& body) {
+  const auto first = scene.inverse_mass.begin() + body.first_vertex;
+  return std::find(first, first + body.vertex_count, 0.0) != first + body.vertex_count;
+}
+
+// The worst body's |Δ momentum| in one step over its weight × Δt.
+double unbalance(const Scene& scene, const State& before, const State& after, double gravity_step,
+                 std::string& worst) {
+  double largest = 0.0;
+  for (const Body& body : scene.bodies) {
+    if (held(scene, body)) continue;
+    const double change =
+        (centre_velocity(scene, after, body) - centre_velocity(scene, before, body)).norm();
+    if (!(change / gravity_step <= largest) && !std::isnan(largest)) {
+      largest = change / gravity_step;
+      worst = body.name;
+    }
+  }
+  return largest;
+}
+
+// Mean tangential slip of the loaded contacts, m/s.
+double mean_slip(const Scene& scene, const State& state, const Workspace& workspace) {
+  double sum = 0.0;
+  int loaded = 0;
+  const auto add = [&](const Vec3& slip, const Vec3& normal, double force) {
+    if (force == 0.0) return;
+    sum += (slip - normal.dot(slip) * normal).norm();
+    ++loaded;
+  };
+  const auto v = [&](std::int32_t k) { return state.velocity[static_cast<std::size_t>(k)].v; };
+  for (const PairContact& pair : workspace.pairs) {
+    Vec3 slip = v(pair.vertex);
+    for (int k = 0; k < 4; ++k) slip -= pair.weight[k] * v(pair.partner[k]);
+    add(slip, pair.normal, pair.normal_force);
+  }
+  const OneSidedContacts& contacts = workspace.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    add(v(contacts.vertex[c]),
+        scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])].normal,
+        contacts.normal_force[c]);
+  }
+  return loaded > 0 ? sum / loaded : 0.0;
+}
+
+Check rest_check(const std::string& quantity, const std::string& claim, double value,
+                 const std::string& worst) {
+  Check check{.quantity = quantity,
+              .unit = "1",
+              .claim = claim,
+              .source = "equilibrium",
+              .kind = ReferenceKind::kAnalytic,
+              .value = value,
+              .expected = 0.0,
+              .tolerance = 0.05,
+              .reason =
+                  "the drag leaves (1 + ωT) e^(−ωT) = 5e-4 of the bounce, ωT = 10; modes a "
+                  "hundred times weaker than the slowest bounce was taken for are left whole",
+              .worst = worst};
+  judge(check, 1.0);
+  return check;
+}
+
+}  // namespace
+
+double Workload::error() const {
+  double largest = 0.0;
+  for (const Check& check : checks) {
+    // What is no number stays so.
+    if (!(std::abs(check.error) <= largest) && !std::isnan(largest))
+      largest = std::abs(check.error);
+  }
+  return largest;
+}
+
+void go_on(Workload& work, int steps) {
+  const Scene& scene = *work.scene;
+  State before;
+  for (int k = 0; k < steps; ++k) {
+    if (k + 1 == steps) before = work.state;
+    step(scene, work.options, work.state, work.workspace);
+  }
+  const double gravity_step = work.options.time_step * scene.gravity.at(0.0).norm();
+  std::string worst;
+  const double force = unbalance(scene, before, work.state, gravity_step, worst);
+  const double slip = mean_slip(scene, work.state, work.workspace) / gravity_step;
+  work.checks = {rest_check("unbalanced force over weight", "each body is carried by its contacts",
+                            force, worst),
+                 rest_check("mean slip over gΔt", "static friction holds all contacts", slip, "")};
+}
+
+Workload settle(const Family& family, int contacts) {
+  Setup setup = family.make(contacts);
+  const double drag_ends = kDragPhase / setup.bounce;
+  setup.description.drag = {
+      .rate = 2.0 * setup.bounce, .full_until = 0.9 * drag_ends, .ends = drag_ends};
+  Workload work;
+  work.family = family.name;
+  work.size = contacts;
+  work.options.rule = kTimedRule;
+  work.scene = std::make_shared<const Scene>(build_scene(setup.description));
+  const Scene& scene = *work.scene;
+  // Where nothing is elastic, any step will do.
+  work.options.time_step =
+      std::isfinite(scene.stable_time_step) ? 0.8 * scene.stable_time_step : 0.1 / setup.bounce;
+  check_options(work.options, scene);
+  work.state = initial_state(scene);
+  const double seconds = (kDragPhase + kFreePhase) / setup.bounce;
+  go_on(work, static_cast<int>(std::ceil(seconds / work.options.time_step)));
+  return work;
+}
+
+}  // namespace stiction::bench

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/exact/overlap.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace stiction::reference {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Eigen::Vector3d;
+
+Point point(const Vector3d& x) { return {x.x(), x.y(), x.z()}; }
+Vector3d vector(const Point& p) { return {p.x(), p.y(), p.z()}; }
+
+Triangles triangles_of(const Skin& skin) {
+  Triangles all;
+  for (Eigen::Index t = 0; t < skin.triangles().cols(); ++t) {
+    const auto corner = [&](int k) { return point(skin.vertices().col(skin.triangles()(k, t))); };
+    const Kernel::Triangle_3 triangle(corner(0), corner(1), corner(2));
+    if (!triangle.is_degenerate()) all.push_back(triangle);
+  }
+  return all;
+}
+
+class Solid {
+ public:
+  explicit Solid(const Skin& skin)
+      : triangles_(triangles_of(skin)), tree_(triangles_.begin(), triangles_.end()) {}
+
+  // A ray leaves a closed surface once more often than it enters, if it starts inside. One that
+  // meets an edge counts it twice; of three in directions that no mesh has, two agree.
+  bool holds(const Vector3d& x) const {
+    static const Kernel::Vector_3 ways[3] = {{0.5432917, 0.3917351, 0.7424113},
+                                             {-0.6113971, 0.7712345, -0.1771929},
+                                             {0.2911743, -0.8341197, 0.4685231}};
+    int inside = 0;
+    for (const Kernel::Vector_3& way : ways) {
+      const Kernel::Ray_3 ray(point(x), way);
+      inside += tree_.number_of_intersected_primitives(ray) % 2 == 1 ? 1 : 0;
+    }
+    return inside >= 2;
+  }
+
+  double distance(const Vector3d& x) const { return std::sqrt(tree_.squared_distance(point(x))); }
+
+  // Where the way from a to b meets the surface: shares of it, ascending, with 0 and 1. Which
+  // triangles it meets is decided exactly; CGAL's own construction of the points stops the program
+  // where rounding contradicts that.
+  std::vector<double> crossings(const Vector3d& a, const Vector3d& b) const {
+    std::vector<double> shares = {0.0, 1.0};
+    for (const Kernel::Triangle_3& triangle : met(Kernel::Segment_3(point(a), point(b)))) {
+      shares.push_back(std::clamp(share(triangle, a, b - a), 0.0, 1.0));
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+  }
+
+  // From a point of the surface straight in to where the way out is; `none` when it isn't.
+  double way_through(const Vector3d& from, const Vector3d& into, double none) const {
+    double nearest = none;
+    const Kernel::Vector_3 way(into.x(), into.y(), into.z());
+    for (const Kernel::Triangle_3& triangle : met(Kernel::Ray_3(point(from), way))) {
+      const double length = share(triangle, from, into) * into.norm();
+      if (length > 1e-9 * none) nearest = std::min(nearest, length);
+    }
+    return nearest;
+  }
+
+ private:
+  template <class Query>
+  Triangles met(const Query& query) const {
+    std::vector<Tree::Primitive_id> found;
+    tree_.all_intersected_primitives(query, std::back_inserter(found));
+    Triangles all;
+    for (const auto& id : found) all.push_back(*id);
+    return all;
+  }
+
+  // Where a + s way meets the triangle's plane; 0 when it lies in it, and so on the surface.
+  static double share(const Kernel::Triangle_3& triangle, const Vector3d& a, const Vector3d& way) {
+    const Vector3d corner = vector(triangle[0]);
+    const Vector3d normal =
+        (vector(triangle[1]) - corner).cross(vector(triangle[2]) - corner).normalized();
+    const double nearing = normal.dot(way);
+    return nearing == 0.0 ? 0.0 : normal.dot(corner - a) / nearing;
+  }
+
+  Triangles triangles_;
+  Tree tree_;
+};
+
+// Whether the way from a to b touches the box.
+bool meets_box(const Vector3d& a, const Vector3d& b, const Vector3d& low, const Vector3d& high) {
+  double from = 0.0, to = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    const double way = b[k] - a[k];
+    if (way == 0.0) {
+      if (a[k] < low[k] || a[k] > high[k]) return false;
+      continue;
+    }
+    const double one = (low[k] - a[k]) / way, other = (high[k] - a[k]) / way;
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+  }
+  return from <= to;
+}
+
+}  // namespace
+
+Skin::Skin(Eigen::Matrix3Xi triangles, Eigen::Matrix3Xd vertices)
+    : triangles_(std::move(triangles)) {
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangles_(k, t), b = triangles_((k + 1) % 3, t);
+      edges_.emplace_back(std::min(a, b), std::max(a, b));
+      used_.push_back(a);
+    }
+  }
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  std::sort(used_.begin(), used_.end());
+  used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+  move(std::move(vertices));
+}
+
+void Skin::move(Eigen::Matrix3Xd vertices) {
+  vertices_ = std::move(vertices);
+  low_.setConstant(std::numeric_limits<double>::infinity());
+  high_ = -low_;
+  for (const int v : used_) {
+    low_ = low_.cwiseMin(vertices_.col(v));
+    high_ = high_.cwiseMax(vertices_.col(v));
+  }
+}
+
+double Skin::thickness() const {
+  const Solid solid(*this);
+  const double diagonal = (high_ - low_).norm();
+  std::vector<std::pair<double, double>> ways;  // and areas
+  double area = 0.0;
+  const Eigen::Index stride = 1 + (triangles_.cols() - 1) / kThicknessSamples;
+  for (Eigen::Index t = 0; t < triangles_.cols(); t += stride) {
+    const Vector3d a = vertices_.col(triangles_(0, t)), b = vertices_.col(triangles_(1, t)),
+                   c = vertices_.col(triangles_(2, t));
+    const Vector3d normal = (b - a).cross(c - a);  // twice the area
+    if (!(normal.norm() > 0.0)) continue;
+    ways.emplace_back(solid.way_through((a + b + c) / 3.0, -normal.normalized(), diagonal),
+                      normal.norm());
+    area += normal.norm();
+  }
+  std::sort(ways.begin(), ways.end());
+  double seen = 0.0;
+  for (const auto& [way, share] : ways) {
+    seen += share;
+    if (seen >= 0.1 * area) return way;
+  }
+  return diagonal;
+}
+
+std::optional<Overlap> deepest(const Skin& inner, const Skin& outer, double allowed) {
+  // What is deeper than `allowed` lies as deep in the bounding box.
+  const Vector3d low = outer.low().array() + allowed, high = outer.high().array() - allowed;
+  if ((low.array() > high.array()).any() || (inner.low().array() > high.array()).any() ||
+      (inner.high().array() < low.array()).any()) {
+    return std::nullopt;
+  }
+  const Eigen::Matrix3Xd& x = inner.vertices();
+  std::optional<Solid> solid;
+  const auto body = [&]() -> const Solid& {
+    if (!solid) solid.emplace(outer);
+    return *solid;
+  };
+  std::optional<Overlap> worst;
+  const auto look = [&](const Vector3d& at) {
+    if (!body().holds(at)) return;
+    const double depth = body().distance(at);
+    if (depth > allowed && (!worst || depth > worst->depth)) worst = {depth, at, false};
+  };
+  const auto in_box = [&](const Vector3d& at) {
+    return (at.array() >= low.array()).all() && (at.array() <= high.array()).all();
+  };
+  for (const int v : inner.used()) {
+    if (in_box(x.col(v))) look(x.col(v));
+  }
+  for (const auto& [a, b] : inner.edges()) {
+    if (!meets_box(x.col(a), x.col(b), low, high)) continue;
+    const std::vector<double> shares = body().crossings(x.col(a), x.col(b));
+    for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
+      const Vector3d middle = x.col(a) + 0.5 * (shares[k] + shares[k + 1]) * (x.col(b) - x.col(a));
+      if (!in_box(middle)) continue;
+      const double before = worst ? worst->depth : 0.0;
+      look(middle);
+      if (worst && worst->depth > before) {
+        worst->by_an_edge = !body().holds(x.col(a)) && !body().holds(x.col(b));
+      }
+    }
+  }
+  return worst;
+}
+
+}  // namespace stiction::reference

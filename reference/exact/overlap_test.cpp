@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/exact/overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "reference/meshes/ball_mesh.h"
+#include "reference/meshes/box_mesh.h"
+#include "reference/meshes/nonconvex_shapes.h"
+
+namespace stiction::reference {
+namespace {
+
+using Eigen::Vector3d;
+
+Skin skin_of(const TetMesh& mesh, const Vector3d& at = Vector3d::Zero(),
+             const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
+  return {surface_triangles(mesh.tetrahedra), (turn * mesh.vertices).colwise() + at};
+}
+
+Skin box(const Vector3d& size, const Vector3d& at, const Eigen::Vector3i& cells = {1, 1, 1}) {
+  return skin_of(box_mesh(size, cells), at);
+}
+
+TEST(Overlap, OfBoxesApartIsNone) {
+  const Skin a = box({1, 1, 1}, {0, 0, 0}), b = box({1, 1, 1}, {1.5, 0.2, 0.1});
+  EXPECT_FALSE(deepest(a, b, 0.0));
+  EXPECT_FALSE(deepest(b, a, 0.0));
+}
+
+TEST(Overlap, OfFlushBoxesIsNoneWhateverTheirRounding) {
+  const Skin a = box({0.1, 0.1, 0.1}, {0, 0, 0.05}), b = box({0.1, 0.1, 0.1}, {0, 0, 0.15});
+  EXPECT_FALSE(deepest(a, b, 1e-12));
+  EXPECT_FALSE(deepest(b, a, 1e-12));
+}
+
+TEST(Overlap, DepthOfACornerIsItsDistanceFromTheNearestFace) {
+  const Skin a = box({1, 1, 1}, {0, 0, 0}), b = box({1, 1, 1}, {0.9, 0.7, 0.8});
+  const auto found = deepest(b, a, 0.01);  // its corner at (0.4, 0.2, 0.3)
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->depth, 0.1, 1e-15);
+  EXPECT_FALSE(found->by_an_edge);
+  EXPECT_FALSE(deepest(b, a, 0.101)) << "what is allowed is not told";
+}
+
+TEST(Overlap, OfCrossedBarsIsByAnEdge) {
+  // The upper one has sunk by 0.02: no vertex of one lies in the other.
+  const Skin lower = box({1, 0.1, 0.1}, {0, 0, 0}), upper = box({0.1, 1, 0.1}, {0, 0, 0.08});
+  const auto found = deepest(upper, lower, 0.01);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->by_an_edge);
+  EXPECT_NEAR(found->depth, 0.02, 1e-15);
+  EXPECT_NEAR(found->at.z(), 0.03, 1e-15);
+}
+
+TEST(Overlap, OfABarThroughASheetIsHalfItsThickness) {
+  const Skin sheet = box({1, 1, 0.01}, {0, 0, 0}), bar = box({0.1, 0.1, 1}, {0.1, 0.2, 0.3});
+  const auto bar_in_sheet = deepest(bar, sheet, 0.0025);
+  ASSERT_TRUE(bar_in_sheet);
+  EXPECT_TRUE(bar_in_sheet->by_an_edge);
+  EXPECT_NEAR(bar_in_sheet->depth, 0.005, 1e-15);
+}
+
+TEST(Overlap, OfASwallowedBodyIsOfItsVertices) {
+  const Skin big = box({1, 1, 1}, {0, 0, 0}, {2, 2, 2}), small = box({0.2, 0.2, 0.2}, {0, 0, 0});
+  const auto found = deepest(small, big, 0.1);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->depth, 0.5, 0.1 + 1e-12);  // at least that of a vertex, 0.4
+  EXPECT_FALSE(deepest(big, small, 0.01));
+}
+
+// By the closed form: centres d apart, of radius r, leave 2r − d; facets take up to their sagitta.
+TEST(Overlap, OfBallsIsTheirRadiiLessTheirDistance) {
+  const TetMesh ball = ball_mesh({.radius = 1.0, .frequency = 8});
+  const auto found = deepest(skin_of(ball, {1.8, 0, 0}), skin_of(ball), 0.01);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->depth, 0.2, 0.02);
+}
+
+// A jack's box holds what the jack does not.
+TEST(Overlap, OfWhatLiesBetweenTheArmsOfAJackIsNone) {
+  const TetMesh jack = shape_mesh(Shape::jack, 1.0, 1);
+  const Skin whole = skin_of(jack), between = box({0.2, 0.2, 0.2}, {1.0, 1.0, 1.0});
+  EXPECT_FALSE(deepest(between, whole, 0.01));
+  EXPECT_TRUE(deepest(box({0.2, 0.2, 0.2}, {0, 0, 0}), whole, 0.01));
+}
+
+TEST(Overlap, SurvivesEveryTurn) {
+  for (int k = 0; k < 50; ++k) {
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.37 * k, Vector3d(1, 2, 3).normalized()) *
+                                  Eigen::AngleAxisd(1.1 * k, Vector3d::UnitY()))
+                                     .toRotationMatrix();
+    const Vector3d aside = turn * Vector3d(0.9, 0.7, 0.8);
+    const Skin a = skin_of(box_mesh({1, 1, 1}, {1, 1, 1}), {0, 0, 0}, turn);
+    const Skin b = skin_of(box_mesh({1, 1, 1}, {1, 1, 1}), aside, turn);
+    const auto found = deepest(b, a, 0.01);
+    ASSERT_TRUE(found) << k;
+    EXPECT_NEAR(found->depth, 0.1, 1e-14) << k;
+  }
+}
+
+TEST(Thickness, OfBoxesAndSheetsIsTheirLeastEdge) {
+  EXPECT_NEAR(box({1, 1, 1}, {0, 0, 0}, {2, 2, 2}).thickness(), 1.0, 1e-12);
+  EXPECT_NEAR(box({1, 2, 0.01}, {3, 0, 0}, {4, 4, 1}).thickness(), 0.01, 1e-12);
+  EXPECT_NEAR(box({4, 0.5, 0.5}, {0, 0, 0}, {3, 1, 1}).thickness(), 0.5, 1e-12);
+}
+
+TEST(Thickness, OfABallIsAboutItsDiameter) {
+  EXPECT_NEAR(skin_of(ball_mesh({.radius = 1.0, .frequency = 6})).thickness(), 2.0, 0.1);
+}
+
+TEST(Thickness, OfAJackIsThatOfItsArms) {
+  EXPECT_NEAR(skin_of(shape_mesh(Shape::jack, 0.05, 1)).thickness(), 0.05, 1e-12);
+}
+
+}  // namespace
+}  // namespace stiction::reference

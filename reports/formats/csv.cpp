@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/formats/csv.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "reports/text/check_text.h"
+#include "reports/text/number.h"
+
+namespace stiction {
+namespace {
+
+constexpr std::size_t kCheckColumns = 19;
+constexpr std::string_view kHeader =
+    "case,title,engine,settings,case_verdict,case_error,"
+    "quantity,unit,claim,formula,source,kind,value,expected,error,relative,scale,tolerance,reason,"
+    "digits,worst,expected_low,expected_high,cause,verdict,"
+    "cpu_seconds,steps,contact_updates,ns_per_contact_update,state_hash,"
+    "revision,toolchain,machine,date";
+
+std::string cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string row(const std::vector<std::string>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) text += ',';
+    text += cell(values[i]);
+  }
+  return text;
+}
+
+std::string case_cells(const Record& record) {
+  return row({record.case_name, record.title, record.engine, settings_text(record.settings),
+              to_string(record.verdict), record.error});
+}
+
+std::string check_cells(const Check& check) {
+  return row(
+      {check.quantity, check.unit, check.claim, check.formula, check.source, to_string(check.kind),
+       format_exact(check.value), format_exact(check.expected), format_exact(check.error),
+       check.relative ? "true" : "false", format_exact(check.scale), format_exact(check.tolerance),
+       check.reason, format_exact(check.digits), check.worst,
+       check.band ? format_exact(check.band->low) : "",
+       check.band ? format_exact(check.band->high) : "", check.cause, to_string(check.verdict)});
+}
+
+std::string run_cells(const Record& record) {
+  const Cost& cost = record.cost;
+  const Environment& environment = record.environment;
+  return row({format_exact(cost.cpu_seconds), std::to_string(cost.steps),
+              std::to_string(cost.contact_updates), format_exact(cost.ns_per_contact_update),
+              record.state_hash, environment.revision, environment.toolchain, environment.machine,
+              environment.date});
+}
+
+}  // namespace
+
+std::string csv_table(const std::vector<Record>& records) {
+  std::string table(kHeader);
+  table += "\r\n";
+  for (const Record& record : records) {
+    const std::string before = fmt::format("{},", case_cells(record));
+    const std::string after = fmt::format(",{}\r\n", run_cells(record));
+    for (const Check& check : record.checks) table += before + check_cells(check) + after;
+    if (record.checks.empty()) table += before + std::string(kCheckColumns - 1, ',') + after;
+  }
+  return table;
+}
+
+}  // namespace stiction

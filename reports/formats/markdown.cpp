@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/formats/markdown.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <set>
+
+#include "reports/formats/markdown_family.h"
+#include "reports/text/check_text.h"
+#include "reports/text/family.h"
+#include "reports/text/markdown_text.h"
+#include "reports/text/number.h"
+#include "reports/text/tally.h"
+
+namespace stiction {
+namespace {
+
+constexpr auto kRight = MarkdownTable::Align::kRight;
+
+bool needs_attention(const Record& record) {
+  return record.verdict == Verdict::kFail || record.verdict == Verdict::kError;
+}
+
+std::string environment_table(const std::vector<Record>& records) {
+  std::set<std::string> revisions, toolchains, machines, dates;
+  for (const Record& record : records) {
+    revisions.insert(record.environment.revision);
+    toolchains.insert(record.environment.toolchain);
+    machines.insert(record.environment.machine);
+    dates.insert(record.environment.date);
+  }
+  if (records.empty()) return "";
+  // ISO 8601 sorts by time, so the first and the last span the run.
+  const std::string first = markdown_escaped(*dates.begin());
+  const std::string last = markdown_escaped(*dates.rbegin());
+  MarkdownTable table({{"environment"}, {"value"}});
+  table.add_row({"revision", markdown_joined(revisions)});
+  table.add_row({"toolchain", markdown_joined(toolchains)});
+  table.add_row({"machine", markdown_joined(machines)});
+  table.add_row({"date (UTC)", first == last ? first : first + " to " + last});
+  return table.text();
+}
+
+std::string overview(const std::vector<Family>& families) {
+  MarkdownTable table({{"family"},
+                       {"pass", kRight},
+                       {"fail", kRight},
+                       {"limit", kRight},
+                       {"refuted", kRight},
+                       {"error", kRight},
+                       {"not applicable", kRight},
+                       {"shown", kRight},
+                       {"fewest digits", kRight},
+                       {"CPU s", kRight}});
+  for (const Family& family : families) {
+    Tally tally;
+    double fewest = std::numeric_limits<double>::infinity();
+    for (const Record* record : family.records) {
+      tally.add(*record);
+      for (const Check& check : record->checks) {
+        const bool decides = check.verdict == Verdict::kPass || check.verdict == Verdict::kFail;
+        if (decides && !(check.digits >= fewest)) fewest = check.digits;  // NaN is fewest
+      }
+    }
+    const auto count = [](std::size_t n) { return n == 0 ? std::string() : std::to_string(n); };
+    table.add_row({markdown_escaped(family.name), count(tally.pass), count(tally.fail),
+                   count(tally.limit), count(tally.refuted), count(tally.error),
+                   count(tally.not_applicable), count(tally.shown),
+                   fewest == std::numeric_limits<double>::infinity() ? "" : format_digits(fewest),
+                   format_seconds(tally.cpu_seconds)});
+  }
+  return table.text();
+}
+
+std::string attention(const Record& record) {
+  std::string text = fmt::format("### {}: {}\n\n", markdown_verdict(record.verdict),
+                                 markdown_escaped(record.case_name));
+  std::map<std::string, std::string> settings = record.settings;
+  settings.emplace("engine", record.engine);
+  text += fmt::format("{}{}({})\n\n", markdown_escaped(record.title),
+                      record.title.empty() ? "" : " ", markdown_escaped(settings_text(settings)));
+  if (!record.error.empty())
+    text += fmt::format("- What went wrong: {}\n", markdown_escaped(record.error));
+  for (const Check& check : record.checks) {
+    if (check.verdict != Verdict::kFail && check.verdict != Verdict::kError) continue;
+    text += fmt::format("- {}\n", markdown_escaped(check_sentence(check)));
+    const auto item = [&](const char* name, const std::string& content) {
+      if (!content.empty()) text += fmt::format("  - {}: {}\n", name, markdown_escaped(content));
+    };
+    item("Claim", check.claim);
+    item("Worst offender", check.worst);
+    item("Why this tolerance", check.reason);
+    if (check.band) item("Cause of the band", check.cause);
+  }
+  for (const std::string& note : record.notes) {
+    text += fmt::format("- Note: {}\n", markdown_escaped(note));
+  }
+  return text + "\n";
+}
+
+constexpr const char* kHowToRead =
+    "## How to read this\n\n"
+    "- **error** is measured − expected, or with \"rel\" behind it the same divided by a stated "
+    "scale; a check passes when its size is at most the **tolerance**.\n"
+    "- **digits** are those that agree with the expected value, −log10 of the relative error, at "
+    "most 16.\n"
+    "- **Reference**: *analytic*: a closed form; *exact-computed*: computed in exact or much more "
+    "precise arithmetic; *self-converged*: the limit of this program's own refinement; *external*: "
+    "published or measured elsewhere; *golden*: an earlier result of this program, which proves "
+    "sameness and not truth.\n"
+    "- *limit*: the claim does not hold, but the value lies in a band that was stated beforehand "
+    "with its measured cause. *refuted*: likewise, and the claim is one of the paper, tested and "
+    "found not to hold. Neither makes the run fail; a value outside its band does, on either side: "
+    "a better one means that the band has to be drawn anew.\n"
+    "- *shown* is reported beside the verdicts and decides none; *not applicable* means that the "
+    "engine cannot do what the case asks.\n"
+    "- A CPU time counts the engine's steps; ns per contact update counts the contact phases only. "
+    "Equal state hashes mean bit-identical end states.\n";
+
+}  // namespace
+
+std::string markdown_report(const std::vector<Record>& records, const std::string& title) {
+  const Tally tally = tally_of(records);
+  const std::vector<Family> families = families_of(records);
+  std::string report = fmt::format("# {}\n\n**{}** of {} records. {}.\n\n", markdown_escaped(title),
+                                   verdicts_text(tally), tally.records(), cost_text(tally));
+  report += environment_table(records);
+  if (tally.fail + tally.error > 0) {
+    report += "## What failed\n\n";
+    for (const Family& family : families) {
+      for (const Record* record : family.records) {
+        if (needs_attention(*record)) report += attention(*record);
+      }
+    }
+  }
+  if (!families.empty()) report += "## Overview\n\n" + overview(families);
+  for (const Family& family : families) report += markdown_family(family);
+  return report + kHowToRead;
+}
+
+}  // namespace stiction

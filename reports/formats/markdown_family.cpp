@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/formats/markdown_family.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "reports/text/check_text.h"
+#include "reports/text/markdown_text.h"
+#include "reports/text/number.h"
+
+namespace stiction {
+namespace {
+
+constexpr auto kRight = MarkdownTable::Align::kRight;
+
+// Distinct texts in the order they came, each with the labels of the cases that have it.
+class SharedTexts {
+ public:
+  void add(const std::string& text, const std::string& label) {
+    if (text.empty()) return;
+    const auto found = std::find_if(texts_.begin(), texts_.end(),
+                                    [&](const Entry& entry) { return entry.text == text; });
+    if (found == texts_.end()) {
+      texts_.push_back({text, {label}});
+    } else if (found->labels.back() != label) {
+      found->labels.push_back(label);
+    }
+  }
+
+  struct Entry {
+    std::string text;
+    std::vector<std::string> labels;
+  };
+  const std::vector<Entry>& entries() const { return texts_; }
+
+  // The mark of a text's footnote (a, b, …, z, aa, …); empty when one text serves all.
+  std::string mark(const std::string& text) const {
+    if (texts_.size() < 2) return "";
+    const auto found = std::find_if(texts_.begin(), texts_.end(),
+                                    [&](const Entry& entry) { return entry.text == text; });
+    return found == texts_.end() ? "" : mark(static_cast<std::size_t>(found - texts_.begin()));
+  }
+  static std::string mark(std::size_t index) {
+    constexpr std::size_t kLetters = 26;
+    std::string letters(1, static_cast<char>('a' + index % kLetters));
+    return index < kLetters ? letters : mark(index / kLetters - 1) + letters;
+  }
+
+ private:
+  std::vector<Entry> texts_;
+};
+
+// What the checks of one table share.
+using ClaimKey = std::tuple<std::string, std::string, ReferenceKind, std::string>;
+
+ClaimKey key_of(const Check& check) {
+  return {check.claim, check.formula, check.kind, check.source};
+}
+
+std::vector<ClaimKey> claims_of(const Family& family) {
+  std::vector<ClaimKey> claims;  // in the order they came; a family has few
+  for (const Record* record : family.records) {
+    for (const Check& check : record->checks) {
+      const ClaimKey key = key_of(check);
+      if (std::find(claims.begin(), claims.end(), key) == claims.end()) claims.push_back(key);
+    }
+  }
+  return claims;
+}
+
+template <typename Visit>
+void for_checks(const Family& family, const ClaimKey& key, Visit visit) {
+  for (const Record* record : family.records) {
+    for (const Check& check : record->checks) {
+      if (key_of(check) == key) visit(*record, check);
+    }
+  }
+}
+
+std::string claim_text(const ClaimKey& key, const SharedTexts& reasons, const SharedTexts& causes) {
+  const auto& [claim, formula, kind, source] = key;
+  std::string text =
+      fmt::format("**Claim.** {}\n\n", claim.empty() ? "(none given)" : markdown_escaped(claim));
+  if (!formula.empty()) text += fmt::format("- Formula: {}\n", markdown_escaped(formula));
+  text += fmt::format("- Reference: {}{}{}\n", to_string(kind), source.empty() ? "" : "; ",
+                      markdown_escaped(source));
+  for (const SharedTexts::Entry& reason : reasons.entries()) {
+    const std::string mark = reasons.mark(reason.text);
+    text += fmt::format("- Tolerance{}: {}\n", mark.empty() ? "" : " (" + mark + ")",
+                        markdown_escaped(reason.text));
+  }
+  for (const SharedTexts::Entry& cause : causes.entries()) {
+    text += fmt::format("- Cause: {}\n", markdown_escaped(cause.text));
+  }
+  return text + "\n";
+}
+
+std::string claim_section(const Family& family, const ClaimKey& key) {
+  SharedTexts reasons, causes;
+  for_checks(family, key, [&](const Record& record, const Check& check) {
+    reasons.add(check.reason, record.case_name);
+    causes.add(check.cause, record.case_name);
+  });
+  MarkdownTable table({{"case"},
+                       {"quantity"},
+                       {"measured", kRight},
+                       {"expected", kRight},
+                       {"error", kRight},
+                       {"digits", kRight},
+                       {"tolerance", kRight},
+                       {"verdict"},
+                       {"worst offender"}});
+  for_checks(family, key, [&](const Record& record, const Check& check) {
+    const std::string mark = reasons.mark(check.reason);
+    table.add_row(
+        {markdown_escaped(family.label(record)), markdown_escaped(check.quantity),
+         markdown_escaped(with_unit(format_value(check.value), check.unit)),
+         markdown_escaped(with_unit(format_value(check.expected), check.unit)),
+         markdown_escaped(error_text(check)), format_digits(check.digits),
+         markdown_escaped(tolerance_text(check)) + (mark.empty() ? "" : " (" + mark + ")"),
+         markdown_verdict(check.verdict) + markdown_escaped(band_text(check)),
+         markdown_escaped(check.worst)});
+  });
+  return claim_text(key, reasons, causes) + table.text();
+}
+
+std::string notes_list(const Family& family) {
+  SharedTexts notes;
+  for (const Record* record : family.records) {
+    for (const std::string& note : record->notes) notes.add(note, family.label(*record));
+    notes.add(record->error, family.label(*record));
+  }
+  std::string text;
+  for (const auto& [note, labels] : notes.entries()) {
+    text += fmt::format("- Note: {}", markdown_escaped(note));
+    if (labels.size() < family.records.size()) {
+      std::string cases;
+      for (const std::string& label : labels) {
+        cases += (cases.empty() ? "" : "; ") + markdown_escaped(label);
+      }
+      text += fmt::format(" ({})", cases);
+    }
+    text += "\n";
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+std::string mesh_lines(const Family& family) {
+  SharedTexts meshes;
+  for (const Record* record : family.records) {
+    for (const Mesh& mesh : record->meshes) {
+      meshes.add(fmt::format("{}: {} vertices, {} tetrahedra, dihedral angles {:.1f}° to {:.1f}°, "
+                             "shortest altitude {:.3g} m",
+                             mesh.bodies, mesh.vertices, mesh.tetrahedra, mesh.min_dihedral_angle,
+                             mesh.max_dihedral_angle, mesh.min_altitude),
+                 "");
+    }
+  }
+  std::string text;
+  for (const auto& [mesh, labels] : meshes.entries()) {
+    text += fmt::format("- Mesh: {}\n", markdown_escaped(mesh));
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+std::string cost_table(const Family& family) {
+  MarkdownTable table({{"case"},
+                       {"verdict"},
+                       {"CPU s", kRight},
+                       {"steps", kRight},
+                       {"contact updates", kRight},
+                       {"ns per contact update", kRight},
+                       {"state hash"}});
+  for (const Record* record : family.records) {
+    const Cost& cost = record->cost;
+    table.add_row(
+        {markdown_escaped(family.label(*record)), markdown_verdict(record->verdict),
+         format_seconds(cost.cpu_seconds), format_count(cost.steps),
+         format_count(cost.contact_updates),
+         cost.ns_per_contact_update == 0.0 ? "" : fmt::format("{:.3g}", cost.ns_per_contact_update),
+         markdown_escaped(record->state_hash)});
+  }
+  return "**Runs and what they cost.**\n\n" + table.text();
+}
+
+std::string series_line(const Family& family) {
+  std::set<std::string> names;
+  for (const Record* record : family.records) {
+    for (const Series& series : record->series)
+      names.insert(series.name + " over " + series.x_name);
+  }
+  return names.empty() ? ""
+                       : fmt::format("Series in records.jsonl: {}.\n\n", markdown_joined(names));
+}
+
+}  // namespace
+
+std::string markdown_family(const Family& family) {
+  std::string text = fmt::format("## {}\n\n", markdown_escaped(family.name));
+  SharedTexts titles;
+  for (const Record* record : family.records) titles.add(record->title, "");
+  if (titles.entries().size() == 1) {
+    text += markdown_escaped(titles.entries().front().text) + "\n\n";
+  }
+  if (!family.common_settings.empty()) {
+    text +=
+        fmt::format("All with {}.\n\n", markdown_escaped(settings_text(family.common_settings)));
+  }
+  for (const ClaimKey& key : claims_of(family)) text += claim_section(family, key);
+  return text + notes_list(family) + mesh_lines(family) + series_line(family) + cost_table(family);
+}
+
+}  // namespace stiction

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/record/record_store.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "reports/record/record_json.h"
+#include "reports/text/text.h"
+
+namespace stiction {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr mode_t kFolderMode = 0777;  // less what the umask takes
+constexpr mode_t kFileMode = 0666;
+
+std::string cause(int error) { return std::generic_category().message(error); }
+
+[[noreturn]] void fail(const std::string& action, const fs::path& path, int error) {
+  throw std::runtime_error(
+      fmt::format("Cannot {} \"{}\": {}.", action, path.string(), cause(error)));
+}
+
+// Closes on leaving the scope.
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+  ~Descriptor() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+// Writes everything and waits for the disk. Returns 0 or the error's number.
+int write_fully(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  while (fdatasync(descriptor) != 0) {
+    if (errno == EINTR) continue;
+    // Some file systems have no such call; what was written is all that can be had there.
+    return errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP ? 0 : errno;
+  }
+  return 0;
+}
+
+// A new entry of a folder survives a power cut only once the folder is synced. Best effort.
+void sync_folder(const fs::path& folder) {
+  const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.get() >= 0) fsync(descriptor.get());
+}
+
+// mkdir either makes the folder or says that it is taken, in one step, so that two runs never
+// share.
+fs::path make_run_folder(const fs::path& out_dir) {
+  const std::string stem = fmt::format("{:%Y-%m-%dT%H-%M-%SZ}", fmt::gmtime(std::time(nullptr)));
+  for (int attempt = 1;; ++attempt) {
+    const fs::path folder = out_dir / (attempt == 1 ? stem : fmt::format("{}-{}", stem, attempt));
+    if (mkdir(folder.c_str(), kFolderMode) == 0) return folder;
+    if (errno != EEXIST) fail("create folder", folder, errno);
+  }
+}
+
+}  // namespace
+
+RecordStore RecordStore::create(const fs::path& out_dir) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(out_dir, error);
+  if (!error) fs::create_directories(absolute, error);
+  if (error) fail("create folder", out_dir, error.value());
+  fs::path folder = make_run_folder(absolute);
+  fs::path records_file = folder / "records.jsonl";
+  const int descriptor =
+      open(records_file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, kFileMode);
+  if (descriptor < 0) fail("create", records_file, errno);
+  sync_folder(folder);
+  sync_folder(absolute);
+  return RecordStore(std::move(folder), std::move(records_file), descriptor);
+}
+
+RecordStore::RecordStore(fs::path folder, fs::path records_file, int descriptor)
+    : folder_(std::move(folder)), records_file_(std::move(records_file)), descriptor_(descriptor) {}
+
+RecordStore::~RecordStore() { close(descriptor_); }
+
+bool RecordStore::cut_back() {
+  torn_ = ftruncate(descriptor_, static_cast<off_t>(complete_bytes_)) != 0;
+  return !torn_;
+}
+
+void RecordStore::append(const Record& record) {
+  const std::string line = to_json_line(record) + '\n';
+  const std::lock_guard lock(mutex_);
+  if (torn_ && !cut_back()) fail("mend the cut-off last line of", records_file_, errno);
+  const int error = write_fully(descriptor_, line);
+  if (error != 0) {
+    const bool whole = cut_back();
+    throw std::runtime_error(fmt::format(
+        "Cannot write the record of \"{}\" to \"{}\": {}; the {} record(s) before it are kept{}.",
+        one_line(record.case_name), records_file_.string(), cause(error), complete_records_,
+        whole ? "" : ", but a cut-off line stands behind them"));
+  }
+  complete_bytes_ += line.size();
+  ++complete_records_;
+}
+
+void RecordStore::write_file(const std::string& name, std::string_view content) {
+  const fs::path file = folder_ / name;
+  if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
+      file == records_file_) {
+    throw std::runtime_error(
+        fmt::format("\"{}\" is not a name for a file in \"{}\".", name, folder_.string()));
+  }
+  const fs::path temporary = folder_ / (fmt::format(".{}.tmp", name));
+  const std::lock_guard lock(mutex_);  // two writers of one name would share the temporary
+  int error = 0;
+  {
+    const Descriptor descriptor(
+        open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kFileMode));
+    if (descriptor.get() < 0) fail("create", temporary, errno);
+    error = write_fully(descriptor.get(), content);
+  }
+  if (error == 0 && rename(temporary.c_str(), file.c_str()) != 0) error = errno;
+  if (error != 0) {
+    unlink(temporary.c_str());
+    fail("write", file, error);
+  }
+}
+
+void RecordStore::finish() {
+  // The run folder's name is this run's alone, so the temporary link is too.
+  const fs::path out_dir = folder_.parent_path();
+  const fs::path temporary = out_dir / (fmt::format(".{}.latest", folder_.filename().string()));
+  const fs::path latest = out_dir / "latest";
+  const std::lock_guard lock(mutex_);
+  if (symlink(folder_.filename().c_str(), temporary.c_str()) != 0) fail("create", temporary, errno);
+  if (rename(temporary.c_str(), latest.c_str()) != 0) {
+    const int error = errno;
+    unlink(temporary.c_str());
+    fail("create link", latest, error);
+  }
+}
+
+void RecordStore::tell_caller() const {
+  const char* const file = std::getenv("STICTION_RUN_FILE");
+  if (file != nullptr) std::ofstream(file) << folder_.string() << '\n';
+}
+
+}  // namespace stiction

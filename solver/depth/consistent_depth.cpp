@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/depth/consistent_depth.h"
+
+#include <algorithm>
+
+#include "solver/depth/edge_exit.h"
+
+namespace stiction {
+
+namespace {
+
+// Normals whose mean is this short cancel out: its direction would be rounding.
+constexpr double kCancelled = 1e-12;
+
+// Weighted means over what surrounds a vertex.
+struct Average {
+  double weight = 0.0;
+  double depth = 0.0;
+  Vec3 normal = Vec3::Zero();
+
+  void add(double w, double d, const Vec3& n) {
+    weight += w;
+    depth += w * d;
+    normal += w * n;
+  }
+  bool write_to(PairContact& contact) const {
+    const double length = normal.norm();
+    if (!(weight > 0.0) || !(length > kCancelled * weight)) return false;
+    contact.depth = std::max(0.0, depth / weight);
+    contact.normal = normal / length;
+    return true;
+  }
+};
+
+std::uint32_t body_of(const PairContact& contact) {
+  return static_cast<std::uint32_t>(contact.key);
+}
+
+// One pass over the contacts of a step. Levels: 0 not reached, 1 border, 2 … propagated; −1 for
+// those of the level in work.
+class Pass {
+ public:
+  Pass(const Scene& scene, Workspace& workspace)
+      : scene_(scene),
+        x_(workspace.search.predicted),
+        pairs_(workspace.pairs),
+        scratch_(workspace.consistent) {}
+
+  void run() {
+    begin();
+    for (std::size_t c = 0; c < pairs_.size(); ++c) {
+      if (!pairs_[c].open && set_border(pairs_[c])) reach(c, 1);
+    }
+    for (int level = 1; advance(level); ++level) {
+    }
+    for (const PairContact& contact : pairs_) first_contact(contact.vertex) = -1;
+  }
+
+ private:
+  void begin() {
+    if (scratch_.links.scene != scene_.serial) {
+      build_links(scene_, scratch_.links);
+      scratch_.walk.visited.assign(scene_.elements.size(), 0);
+      scratch_.walk.walk = 0;
+      scratch_.first_contact.assign(scene_.mass.size(), -1);
+    }
+    scratch_.level.assign(pairs_.size(), 0);
+    scratch_.front.clear();
+    for (std::size_t c = pairs_.size(); c-- > 0;) {
+      first_contact(pairs_[c].vertex) = static_cast<std::int32_t>(c);
+    }
+  }
+
+  // All contacts reached in the front become known; those next to them are the next front.
+  bool advance(int level) {
+    scratch_.next.clear();
+    for (const std::int32_t c : scratch_.front) {
+      for_each_beside(pairs_[static_cast<std::size_t>(c)], [&](std::size_t other) {
+        if (scratch_.level[other] != 0) return;
+        scratch_.level[other] = -1;
+        scratch_.next.push_back(static_cast<std::int32_t>(other));
+      });
+    }
+    scratch_.front.clear();
+    for (const std::int32_t c : scratch_.next) {
+      const auto k = static_cast<std::size_t>(c);
+      if (set_inner(pairs_[k], level)) {
+        reach(k, level + 1);
+      } else {
+        scratch_.level[k] = 0;
+      }
+    }
+    return !scratch_.front.empty();
+  }
+
+  void reach(std::size_t c, int level) {
+    scratch_.level[c] = level;
+    scratch_.front.push_back(static_cast<std::int32_t>(c));
+  }
+
+  bool set_border(PairContact& contact) {
+    const Vec3& p = x(contact.vertex);
+    const double thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
+    Average average;
+    for_each_neighbour(contact.vertex, [&](std::int32_t v) {
+      Exit exit;
+      if (!find_exit(scene_, scratch_.links, x_, p, x(v), contact.element, thin, scratch_.walk,
+                     exit)) {
+        return;
+      }
+      const Vec3 away = exit.t * (x(v) - p);
+      average.add(1.0 / (away.squaredNorm() + thin * thin), away.dot(exit.normal), exit.normal);
+    });
+    return average.write_to(contact);
+  }
+
+  bool set_inner(PairContact& contact, int level) {
+    const Vec3& p = x(contact.vertex);
+    Average average;
+    for_each_beside(contact, [&](std::size_t other) {
+      const PairContact& from = pairs_[other];
+      if (scratch_.level[other] < 1 || scratch_.level[other] > level) return;
+      const Vec3 away = x(from.vertex) - p;
+      average.add(1.0 / away.squaredNorm(), away.dot(from.normal) + from.depth, from.normal);
+    });
+    return average.write_to(contact);
+  }
+
+  template <class Use>
+  void for_each_neighbour(std::int32_t vertex, Use&& use) const {
+    const MeshLinks& links = scratch_.links;
+    const auto v = static_cast<std::size_t>(vertex);
+    for (std::int32_t k = links.neighbour_begin[v]; k < links.neighbour_begin[v + 1]; ++k) {
+      use(links.neighbour[static_cast<std::size_t>(k)]);
+    }
+  }
+
+  // The contacts with the same body of the vertex's neighbours.
+  template <class Use>
+  void for_each_beside(const PairContact& contact, Use&& use) {
+    for_each_neighbour(contact.vertex, [&](std::int32_t v) {
+      const std::int32_t first = first_contact(v);
+      if (first < 0) return;
+      for (auto c = static_cast<std::size_t>(first); c < pairs_.size(); ++c) {
+        if (pairs_[c].vertex != v) return;
+        if (body_of(pairs_[c]) == body_of(contact) && !pairs_[c].open) use(c);
+      }
+    });
+  }
+
+  const Vec3& x(std::int32_t v) const { return x_[static_cast<std::size_t>(v)]; }
+  std::int32_t& first_contact(std::int32_t v) {
+    return scratch_.first_contact[static_cast<std::size_t>(v)];
+  }
+
+  const Scene& scene_;
+  const std::vector<Vec3>& x_;
+  PairContacts& pairs_;
+  ConsistentScratch& scratch_;
+};
+
+}  // namespace
+
+void consistent_depths(const Scene& scene, Workspace& workspace) { Pass(scene, workspace).run(); }
+
+}  // namespace stiction

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/depth/consistent_depth.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "solver/testing/test_pairs.h"
+
+namespace stiction {
+namespace {
+
+// Round-off of a mean of some twenty crossings, each of some thirty roundings of lengths about 1.
+constexpr double kRounding = 600 * test::kEpsilon;
+
+struct Depths : test::Found {
+  Depths(const Scene& scene, const State& start) : Found(scene, options(), start) {}
+  static Options options() {
+    Options options;
+    options.pairs.depth = DepthRule::kConsistent;
+    options.pairs.hysteresis = 0.0;
+    return options;
+  }
+};
+
+SceneDescription two_bodies(TetMesh lower, TetMesh upper, const Vec3& shift) {
+  SceneDescription description;
+  description.bodies = {test::elastic_body(std::move(lower)), test::elastic_body(std::move(upper))};
+  description.bodies[0].name = "lower";
+  description.bodies[1].name = "upper";
+  description.bodies[1].mesh.vertices.colwise() += shift;
+  return description;
+}
+
+// The upper body's contacts: vertices of body 1 in body 0.
+std::vector<PairContact> upper_contacts(const Scene& scene, const PairContacts& pairs) {
+  std::vector<PairContact> upper;
+  for (const PairContact& c : pairs) {
+    if (scene.topology.vertex_body[static_cast<std::size_t>(c.vertex)] == 1) upper.push_back(c);
+  }
+  return upper;
+}
+
+std::vector<PairContact> upper_depths(const SceneDescription& description) {
+  const Scene scene = build_scene(description);
+  return upper_contacts(scene, Depths(scene, initial_state(scene)).workspace.pairs);
+}
+
+/// A cube on another that it overhangs, its lowest vertices `above` the face; the scene is turned,
+/// so that rounding alone says on which side of the face a vertex at 0 lies.
+class OnTheSurface : public testing::TestWithParam<double> {};
+
+TEST_P(OnTheSurface, ThereIsNoDepthAndTheDirectionIsTheFaces) {
+  const double above = GetParam();
+  int seen = 0;
+  for (int turn = 0; turn < 8; ++turn) {
+    SceneDescription description =
+        two_bodies(test::cube_mesh(4), test::cube_mesh(2), Vec3(0.375, 0.21, 1.0 + above));
+    const Mat3 rotation =
+        Eigen::AngleAxisd(0.7 * turn, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+    for (BodyDescription& body : description.bodies) {
+      body.mesh.vertices = rotation * body.mesh.vertices;
+    }
+    for (const PairContact& c : upper_depths(description)) {
+      // Other edges leave through a side, at a distance of a tenth or more: by their weight they
+      // turn the direction.
+      const double sides = 100.0 * above * above;
+      EXPECT_NEAR(c.depth, std::max(0.0, -above), kRounding + 2.0 * sides);
+      EXPECT_LT((c.normal - rotation.col(2)).norm(), kRounding + 4.0 * sides);
+      ++seen;
+    }
+  }
+  EXPECT_GE(seen, above > 0.0 ? 1 : 16);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Heights, OnTheSurface,
+    testing::Values(0.0, 2e-16, 1e-15, 1e-13, -1e-15, -1e-12, -1e-9, -1e-6, -1e-3),
+    [](const auto& one) {
+      if (one.param == 0.0) return std::string("Exactly");
+      const int power = static_cast<int>(std::lround(-std::log10(std::abs(one.param))));
+      return (one.param > 0.0 ? "Outside1em" : "Inside1em") + std::to_string(power);
+    });
+
+// Boxes flush with each other: their side faces in one plane, rim on rim and corner on corner.
+class Flush : public testing::TestWithParam<double> {};
+
+TEST_P(Flush, BoxesOnBoxesFeelTheOverlapAndTheVertical) {
+  const double overlap = GetParam();
+  int seen = 0;
+  for (int turn = 0; turn < 8; ++turn) {
+    SceneDescription description =
+        two_bodies(test::cube_mesh(2), test::cube_mesh(2), Vec3(0.0, 0.0, 1.0 - overlap));
+    const Mat3 rotation =
+        Eigen::AngleAxisd(0.7 * turn, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+    for (BodyDescription& body : description.bodies) {
+      body.mesh.vertices = rotation * body.mesh.vertices;
+    }
+    const Scene scene = build_scene(description);
+    for (const PairContact& c : Depths(scene, initial_state(scene)).workspace.pairs) {
+      const bool upper = scene.topology.vertex_body[static_cast<std::size_t>(c.vertex)] == 1;
+      EXPECT_NEAR(c.depth, overlap, kRounding);
+      EXPECT_LT((c.normal - (upper ? 1.0 : -1.0) * rotation.col(2)).norm(), kRounding);
+      ++seen;
+    }
+    if (turn == 0) {
+      EXPECT_EQ(seen, 18);  // later rounding leaves rims outside
+    }
+  }
+  EXPECT_GE(seen, 40);
+}
+
+INSTANTIATE_TEST_SUITE_P(Overlaps, Flush, testing::Values(0.0625, 1e-3, 1e-6, 1e-9),
+                         [](const auto& one) {
+                           return "Em" + std::to_string(std::lround(-std::log10(one.param)));
+                         });
+
+// Corner on the vertical edge of the other: it only touches that.
+TEST(ConsistentDepth, OfACornerAtAnEdgeIsNoneAndLooksBetweenItsFaces) {
+  const auto contacts =
+      upper_depths(two_bodies(test::cube_mesh(2), test::cube_mesh(2), Vec3(1.0, 1.0, 0.9375)));
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_NEAR(contacts[0].depth, 0.0, kRounding);
+  EXPECT_LT((contacts[0].normal - Vec3(1, 1, 0).normalized()).norm(), kRounding);
+}
+
+// A column deep in a block, of which only the block's top is crossed: each level adds a layer.
+TEST(ConsistentDepth, SpreadsInwardsLevelByLevel) {
+  SceneDescription description =
+      two_bodies(test::cube_mesh(3, 3.0), test::cube_mesh(8), Vec3(1.0, 1.0, 2.4375));
+  const Scene scene = build_scene(description);
+  const Depths found(scene, initial_state(scene));
+  std::vector<int> count(8, 0);
+  for (std::size_t c = 0; c < found.workspace.pairs.size(); ++c) {
+    const PairContact& contact = found.workspace.pairs[c];
+    if (scene.topology.vertex_body[static_cast<std::size_t>(contact.vertex)] == 0) continue;
+    const double z = scene.rest_position(2, contact.vertex);
+    const int layer = static_cast<int>(std::lround(8.0 * (z - 2.4375)));
+    // Depths reach the lowest layer from its rim, as those in the column's middle are no contacts.
+    if (layer > 0) {
+      EXPECT_EQ(found.workspace.consistent.level[c], 5 - layer);
+    } else {
+      EXPECT_GE(found.workspace.consistent.level[c], 5);
+    }
+    EXPECT_NEAR(contact.depth, 3.0 - z, kRounding);
+    EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), kRounding);
+    ++count[static_cast<std::size_t>(layer)];
+  }
+  EXPECT_EQ(count, (std::vector<int>{81, 32, 32, 32, 32, 0, 0, 0}));
+}
+
+TEST(ConsistentDepth, OfABodyThatIsWhollyInsideIsTheProjection) {
+  const Scene scene =
+      build_scene(two_bodies(test::cube_mesh(3), test::cube_mesh(1, 0.1), Vec3(0.4, 0.45, 0.8)));
+  const Depths found(scene, initial_state(scene));
+  const test::Found projected(scene, Options{}, initial_state(scene));
+  ASSERT_EQ(found.workspace.pairs.size(), 8u);
+  for (std::size_t c = 0; c < 8; ++c) {
+    EXPECT_EQ(found.workspace.consistent.level[c], 0);
+    EXPECT_EQ(found.workspace.pairs[c].depth, projected.workspace.pairs[c].depth);
+    EXPECT_EQ(found.workspace.pairs[c].normal, projected.workspace.pairs[c].normal);
+  }
+}
+
+// A pyramid's tip in a plate: its edges leave upwards, and one of a second pyramid downwards.
+TEST(ConsistentDepth, InAThinPlateWeighsBothItsSides) {
+  TetMesh plate = test::cube_mesh(2);
+  plate.vertices.row(2) *= 0.0625;
+  TetMesh spindle;  // two tetrahedra that share a face with the corner p = (0.5, 0.5, 0.046875)
+  spindle.vertices.resize(3, 5);
+  spindle.vertices.col(0) = Vec3(0.5, 0.5, 0.046875);
+  spindle.vertices.col(1) = Vec3(0.5, 0.5, 1.046875);
+  spindle.vertices.col(2) = Vec3(0.5, 0.75, 0.546875);
+  spindle.vertices.col(3) = Vec3(0.75, 0.5, 0.546875);
+  spindle.vertices.col(4) = Vec3(0.625, 0.625, -0.953125);
+  spindle.tetrahedra.resize(4, 2);
+  spindle.tetrahedra << 0, 0, 3, 2, 2, 3, 1, 4;
+  const auto contacts = upper_depths(two_bodies(plate, spindle, Vec3::Zero()));
+  ASSERT_EQ(contacts.size(), 1u);
+  // Up: 1/64 high, three ways of lengths s·|edge|; down: 3/64 of height.
+  double weights = 0.0, depth = 0.0, normal = 0.0;
+  for (Eigen::Index k = 1; k < 5; ++k) {
+    const Vec3 edge = spindle.vertices.col(k) - spindle.vertices.col(0);
+    const double high = edge.z() > 0.0 ? 0.015625 : 0.046875;
+    const double w = 1.0 / (edge * high / edge.z()).squaredNorm();
+    weights += w;
+    depth += w * high;
+    normal += edge.z() > 0.0 ? w : -w;
+  }
+  EXPECT_NEAR(contacts[0].depth, depth / weights, kRounding);
+  EXPECT_LT((contacts[0].normal - std::copysign(1.0, normal) * Vec3::UnitZ()).norm(), kRounding);
+}
+
+}  // namespace
+}  // namespace stiction

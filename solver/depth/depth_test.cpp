@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/depth/depth.h"
+
+#include <gtest/gtest.h>
+
+#include "solver/depth/nearest.h"
+#include "solver/testing/test_pairs.h"
+
+namespace stiction {
+namespace {
+
+Options with(PairWeights weights, DepthRule depth) {
+  Options options;
+  options.pairs.weights = weights;
+  options.pairs.face = PairFace::kNearest;
+  options.pairs.depth = depth;
+  return options;
+}
+
+// Nearest point by minimising over a fine grid of weights.
+double sampled_distance2(const Vec3& p, const Eigen::Matrix3d& corners, int n) {
+  double best = test::kInfinity;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n - i; ++j) {
+      const Vec3 weight(i, j, n - i - j);
+      best = std::min(best, (corners * weight / n - p).squaredNorm());
+    }
+  }
+  return best;
+}
+
+TEST(NearestOnTriangle, IsNeverBeatenBySampling) {
+  constexpr int kSamples = 60;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const Eigen::Matrix3d corners = test::noise(3, 1.0, seed);
+    const Vec3 p = test::noise(1, 1.5, 1000 + seed);
+    const NearestOnTriangle nearest =
+        nearest_on_triangle(p, corners.col(0), corners.col(1), corners.col(2));
+    EXPECT_NEAR(nearest.weight.sum(), 1.0, 1e-14);
+    EXPECT_GE(nearest.weight.minCoeff(), 0.0);
+    const double sampled = sampled_distance2(p, corners, kSamples);
+    EXPECT_LE(nearest.distance2, sampled + 1e-14) << "seed " << seed;
+    // A sample lies within an edge/60 of the nearest point.
+    EXPECT_GE(std::sqrt(nearest.distance2) + 3.5 / kSamples, std::sqrt(sampled));
+  }
+}
+
+// A point on the diagonal between two side faces of a cube, a hair nearer to x = 0.
+TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
+  const double depth = 0.1, nearer = 1e-6;
+  SceneDescription description;
+  description.bodies = {test::elastic_body(test::cube_mesh(3)), {}};
+  description.bodies[1].mesh.vertices = Vec3(depth - nearer, depth, 0.45);
+  description.bodies[1].point_mass = 1.0;
+  const Scene scene = build_scene(description);
+  Options options;
+  const auto normal_after = [&](const Vec3& last_normal, double margin) {
+    options.pairs.tie_margin = margin;
+    State state = initial_state(scene);
+    // One step before, the point was nearer to the face of `last_normal`.
+    state.position.back().x += 1e-3 * last_normal;
+    test::Found last(scene, options, state);
+    remember_pairs(last.workspace.pairs, scene.topology, state.pair_memory);
+    state.position.back().x -= 1e-3 * last_normal;
+    const test::Found now(scene, options, state);
+    EXPECT_EQ(now.workspace.pairs.size(), 1u);
+    return now.workspace.pairs.at(0).normal;
+  };
+  const Vec3 x = -Vec3::UnitX(), y = -Vec3::UnitY();
+  EXPECT_LT((normal_after(x, 1e-3) - x).norm(), 1e-12);
+  EXPECT_LT((normal_after(y, 1e-3) - y).norm(), 1e-12);
+  EXPECT_LT((normal_after(y, 0.0) - x).norm(), 1e-12) << "without margin the nearest one wins";
+  EXPECT_LT((normal_after(y, 0.5 * nearer / depth) - x).norm(), 1e-12) << "beyond the margin too";
+}
+
+// Two cubes of one cell, the upper one exactly on the lower one but for `depth`.
+SceneDescription flush_cubes(double depth) {
+  SceneDescription description;
+  description.bodies = {test::elastic_body(test::cube_mesh(1)),
+                        test::elastic_body(test::cube_mesh(1))};
+  description.bodies[1].mesh.vertices.row(2).array() += 1.0 - depth;
+  return description;
+}
+
+TEST(OpposedFace, OfFlushCubesIsTheOneTheyRestOn) {
+  const double depth = 1e-4;
+  const Scene scene = build_scene(flush_cubes(depth));
+  const auto across = [&](PairFace face) {
+    Options options;
+    options.pairs.face = face;
+    const test::Found found(scene, options, initial_state(scene));
+    int count = 0;
+    EXPECT_EQ(found.workspace.pairs.size(), 8u) << "four corners of each";
+    for (const PairContact& contact : found.workspace.pairs) {
+      if (std::abs(contact.normal.z()) < 0.5) {
+        ++count;
+      } else {
+        EXPECT_NEAR(contact.depth, depth, 1e-15);
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(across(PairFace::kOpposed), 0);
+  EXPECT_GT(across(PairFace::kNearest), 0) << "a corner is on a side wall, which is nearer";
+}
+
+// Corners on the side walls of the other cube: what stands behind the face below without having
+// come there is answered by and by, and what has fallen there at once.
+TEST(SideEntry, IsAnsweredByAndBy) {
+  const double depth = 5e-3;
+  const Scene scene = build_scene(flush_cubes(depth));
+  const Options options;
+  State state = initial_state(scene);
+  state.step = 1;
+  double expected = depth - options.pairs.border_margin * scene.topology.mean_edge / 3.0;
+  for (int step = 0; step < 3; ++step, expected *= 0.9) {
+    const test::Found found(scene, options, state);
+    ASSERT_EQ(found.workspace.pairs.size(), 8u);
+    int by_and_by = 0;
+    for (const PairContact& contact : found.workspace.pairs) {
+      EXPECT_NEAR(contact.depth + contact.excess, depth, 1e-15);
+      if (contact.excess == 0.0) continue;
+      EXPECT_NEAR(contact.excess, expected, 1e-15) << "step " << step;
+      ++by_and_by;
+    }
+    EXPECT_GT(by_and_by, 0) << "step " << step;
+    remember_pairs(found.workspace.pairs, scene.topology, state.pair_memory);
+  }
+
+  State falling = initial_state(scene);
+  falling.step = 1;
+  for (int v = scene.bodies[1].first_vertex; v < scene.vertex_count(); ++v) {
+    const auto k = static_cast<std::size_t>(v);
+    falling.position[k].x.z() += depth;
+    falling.velocity[k].v.z() = -depth / options.time_step;
+  }
+  const test::Found found(scene, options, falling);
+  ASSERT_EQ(found.workspace.pairs.size(), 8u);
+  for (const PairContact& contact : found.workspace.pairs) {
+    EXPECT_NEAR(contact.excess, 0.0, 1e-15);
+    EXPECT_NEAR(contact.depth, depth, 1e-15);
+  }
+}
+
+TEST(BorderMargin, KeepsAVertexAHairBeyondItsFace) {
+  Scene scene = build_scene(flush_cubes(1e-4));
+  const auto contacts_after = [&](double shift) {
+    Options options;
+    State state = initial_state(scene);
+    const test::Found before(scene, options, state);
+    remember_pairs(before.workspace.pairs, scene.topology, state.pair_memory);
+    for (int v = scene.bodies[1].first_vertex; v < scene.vertex_count(); ++v) {
+      state.position[static_cast<std::size_t>(v)].x += Vec3(shift, shift, 0.0);
+    }
+    const test::Found after(scene, options, state);
+    for (const PairContact& contact : after.workspace.pairs) {
+      EXPECT_GT(std::abs(contact.normal.z()), 0.99);
+      EXPECT_NEAR(contact.depth, 1e-4, 1e-15);
+    }
+    return after.workspace.pairs.size();
+  };
+  const double margin = 1e-3 * scene.topology.mean_edge;
+  EXPECT_EQ(contacts_after(0.5 * margin), 8u);
+  EXPECT_EQ(contacts_after(2.0 * margin), 2u) << "one corner of each is in the other";
+}
+
+// The nearest of all triangles of the penetrated body, of equals the lowest number; and how many
+// are as near.
+struct BruteForce {
+  std::int32_t triangle = -1;
+  int equals = 0;
+
+  BruteForce(const Topology& topology, const Eigen::Matrix3Xd& x, const PairContact& contact) {
+    const auto body =
+        static_cast<std::size_t>(topology.element_body[static_cast<std::size_t>(contact.element)]);
+    double least = test::kInfinity;
+    for (std::int32_t t = topology.body_triangle_begin[body];
+         t < topology.body_triangle_begin[body + 1]; ++t) {
+      const auto& v = topology.triangle[static_cast<std::size_t>(t)].vertex;
+      const double distance2 =
+          nearest_on_triangle(x.col(contact.vertex), x.col(v[0]), x.col(v[1]), x.col(v[2]))
+              .distance2;
+      if (distance2 > least) continue;
+      if (distance2 < least) equals = 0;
+      if (distance2 < least) triangle = t;
+      least = distance2;
+      ++equals;
+    }
+  }
+};
+
+// One body slides off another, along edges between triangles, where equal distances are exactly
+// equal, or across them, while the lists of near triangles grow old.
+class SlidingContact : public testing::TestWithParam<double> {};
+
+TEST_P(SlidingContact, ProjectsOnTheNearestTriangleAndOfEqualsOnTheLowest) {
+  SceneDescription description;
+  description.bodies = {test::elastic_body(test::cube_mesh(2)),
+                        test::elastic_body(test::cube_mesh(2))};
+  description.bodies[1].mesh.vertices.colwise() += Vec3(0.375, GetParam(), 1.0 - 1.0 / 16.0);
+  const Scene scene = build_scene(description);
+  const Body& upper = scene.bodies[1];
+  Options options;
+  options.pairs.face = PairFace::kNearest;
+  options.pairs.hysteresis = 0.0;
+  options.pairs.tie_margin = 0.0;
+  Workspace kept;
+  int ties = 0, old_lists = 0;
+  for (int k = 0; k < 256; ++k) {
+    Eigen::Matrix3Xd position = scene.rest_position;
+    position.middleCols(upper.first_vertex, upper.vertex_count).row(0).array() -= k / 512.0;
+    const State state =
+        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    kept.velocity = state.velocity;
+    detect_pairs(scene, options, state, kept);
+    old_lists += kept.search.moved[1] > 0.0 ? 1 : 0;
+    depths(scene, options, state, kept);
+    EXPECT_GE(kept.pairs.size(), 4u);
+    for (const PairContact& contact : kept.pairs) {
+      const BruteForce expected(scene.topology, position, contact);
+      EXPECT_EQ(contact.triangle, expected.triangle)
+          << "step " << k << ", vertex " << contact.vertex;
+      ties += expected.equals > 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(ties, GetParam() == 0.5 ? 256 : 0);
+  EXPECT_GT(old_lists, 200);
+}
+
+INSTANTIATE_TEST_SUITE_P(Offsets, SlidingContact, testing::Values(0.5, 0.375),
+                         [](const auto& one) { return one.param == 0.5 ? "Along" : "Across"; });
+
+TEST(Topology, TheLeastWidthOfAKuhnCubeIsThatBetweenItsSkewEdges) {
+  const Scene scene = build_scene(test::stacked_cubes(0.1));
+  // Of a cell of edge c the edges (0, 0, 0)–(c, c, 0) and (c, 0, 0)–(c, c, c) are c/√3 apart.
+  EXPECT_NEAR(scene.topology.least_width[0], std::sqrt(1.0 / 3.0) / 3.0, 1e-15);
+  EXPECT_NEAR(scene.topology.least_width[1], std::sqrt(1.0 / 3.0) / 2.0, 1e-15);
+}
+
+// However deep: of the triangles near its element none may be the nearest.
+TEST(Depths, OfDeepPointsAreTheDistanceToTheWholeSurface) {
+  SceneDescription description;
+  TetMesh block = test::cube_mesh(6);
+  block.vertices += test::noise(block.vertices.cols(), 0.02, 1);
+  description.bodies = {test::elastic_body(std::move(block)),
+                        test::point_masses(0.8 * test::noise(400, 0.5, 2), 1.0)};
+  description.bodies[1].mesh.vertices.array() += 0.5;
+  const Scene scene = build_scene(description);
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  const test::Found found(scene, options, initial_state(scene));
+  ASSERT_GT(found.workspace.pairs.size(), 380u);
+  for (const PairContact& contact : found.workspace.pairs) {
+    EXPECT_EQ(contact.triangle, BruteForce(scene.topology, scene.rest_position, contact).triangle);
+  }
+}
+
+// A state that diverges is told of by its engine, some steps later. What is read for a triangle of
+// number −1 only a sanitizer sees.
+TEST(Depths, AreThoseOfNumbers) {
+  const Scene scene = build_scene(test::stacked_cubes(0.01));
+  Options options;
+  State state = initial_state(scene);
+  const test::Found last(scene, options, state);
+  remember_pairs(last.workspace.pairs, scene.topology, state.pair_memory);
+  for (const double bad : {test::kNaN, test::kInfinity}) {
+    const std::int32_t vertex = last.workspace.pairs.front().vertex;
+    state.position[static_cast<std::size_t>(vertex)].x = Vec3(0.0, bad, 0.0);
+    const test::Found now(scene, options, state);
+    EXPECT_GT(now.workspace.pairs.size(), 0u);
+    for (const PairContact& contact : now.workspace.pairs) {
+      EXPECT_NE(contact.vertex, vertex);
+      EXPECT_GE(contact.triangle, 0);
+    }
+  }
+}
+
+class FlatContact : public testing::TestWithParam<DepthRule> {};
+
+// Upper vertices inside the lower cube's top, and lower ones inside the upper's bottom: both faces
+// are flat, so each rule must find the overlap and the vertical.
+TEST_P(FlatContact, HasTheOverlapAsDepthAndTheFaceNormal) {
+  const double overlap = 0.01;
+  const Scene scene = build_scene(test::stacked_cubes(overlap));
+  test::Found found(scene, with(PairWeights::kTriangle, GetParam()), initial_state(scene));
+  ASSERT_GT(found.workspace.pairs.size(), 8u);
+  int deep = 0;
+  for (const PairContact& contact : found.workspace.pairs) {
+    // Vertices on a side of the other body, within the overlap of a vertical face, look sideways.
+    if (std::abs(contact.normal.z()) < 0.9) continue;
+    const bool upper = scene.topology.vertex_body[static_cast<std::size_t>(contact.vertex)] == 1;
+    // The consistent rule averages over all edges that leave the other body, those through its side
+    // faces included: at ≥ 0.13 from the side they weigh (0.01/0.13)² = 0.6 % of a vertical one,
+    // and ask for 13 times its depth.
+    const bool averages = GetParam() == DepthRule::kConsistent;
+    EXPECT_NEAR(contact.depth, overlap, averages ? 0.08 * overlap : 1e-12);
+    EXPECT_NEAR(contact.normal.z(), upper ? 1.0 : -1.0, averages ? 1e-4 : 1e-12);
+    ++deep;
+  }
+  EXPECT_GE(deep, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, FlatContact,
+                         testing::Values(DepthRule::kProjection, DepthRule::kConsistent),
+                         [](const auto& one) {
+                           return one.param == DepthRule::kProjection ? "Projection" : "Consistent";
+                         });
+
+// The triangles near an element hold the nearest one of all.
+TEST(Depths, AreTheDistanceToTheWholeSurface) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Scene scene = build_scene(test::stacked_cubes(0.25));
+    const State state =
+        test::state_at(scene, scene.rest_position + test::noise(scene.vertex_count(), 0.04, seed),
+                       Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    const test::Found found(scene, with(PairWeights::kTriangle, DepthRule::kProjection), state);
+    ASSERT_FALSE(found.workspace.pairs.empty());
+    for (const PairContact& contact : found.workspace.pairs) {
+      double best = test::kInfinity;
+      const auto x = [&](std::int32_t v) -> const Vec3& {
+        return state.position[static_cast<std::size_t>(v)].x;
+      };
+      for (const Topology::Triangle& triangle : scene.topology.triangle) {
+        if (scene.topology.vertex_body[static_cast<std::size_t>(triangle.vertex[0])] ==
+            scene.topology.vertex_body[static_cast<std::size_t>(contact.vertex)]) {
+          continue;
+        }
+        best = std::min(best, nearest_on_triangle(x(contact.vertex), x(triangle.vertex[0]),
+                                                  x(triangle.vertex[1]), x(triangle.vertex[2]))
+                                  .distance2);
+      }
+      EXPECT_NEAR(contact.depth, std::sqrt(best), 1e-14) << "seed " << seed;
+    }
+  }
+}
+
+TEST(Depths, TetrahedralWeightsGiveTheVertexItsPlaceAtTheStartOfTheStep) {
+  const Scene scene = build_scene(test::stacked_cubes(0.05));
+  const test::Found found(
+      scene, with(PairWeights::kTetrahedron, DepthRule::kProjection),
+      test::state_at(scene, scene.rest_position, test::noise(scene.vertex_count(), 1.0, 5)));
+  for (const PairContact& contact : found.workspace.pairs) {
+    Vec3 x = Vec3::Zero();
+    double sum = 0.0;
+    double inverse_mass = scene.inverse_mass[static_cast<std::size_t>(contact.vertex)];
+    for (int k = 0; k < 4; ++k) {
+      const auto j = static_cast<std::size_t>(contact.partner[k]);
+      x += contact.weight[k] * found.state.position[j].x;
+      sum += contact.weight[k];
+      inverse_mass += contact.weight[k] * contact.weight[k] * scene.inverse_mass[j];
+    }
+    // Round-off of a 3 × 3 solve in numbers of order one.
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    EXPECT_LT((x - found.state.position[static_cast<std::size_t>(contact.vertex)].x).norm(), 1e-14);
+    EXPECT_NEAR(contact.inverse_mass, inverse_mass, 1e-14 * inverse_mass);
+  }
+}
+
+TEST(Depths, TheLiteralKeyNamesTheTriangle) {
+  const Scene scene = build_scene(test::stacked_cubes(0.05));
+  Options options;
+  options.pairs.key = PairKey::kTriangle;
+  const test::Found found(scene, options, initial_state(scene));
+  for (const PairContact& contact : found.workspace.pairs) {
+    EXPECT_EQ(contact.key, contact_key(static_cast<std::uint32_t>(contact.vertex),
+                                       static_cast<std::uint32_t>(contact.triangle)));
+  }
+}
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/depth/nearest_face.h"
+#include "solver/state.h"
+
+namespace stiction {
+
+/// The triangle through which a vertex is pushed out.
+struct Choice {
+  Projection projection;
+  bool passed_over = false;  ///< a nearer triangle, which the vertex can't rest on
+  /// By how much the vertex stands deeper than it has come in this step, m: it came in through the
+  /// nearer triangle. 0 where it was there before, or was put there; may be negative.
+  double unexplained = 0.0;
+};
+
+/// With `resting`, the vertex's number, the nearest triangle counts only if it can rest on it; else
+/// the nearest on which it can does, if the contact was there before or can have come through it in
+/// this step. `margin`: see PairOptions::tie_margin. Positions are those of the search.
+Choice choose_face(const Topology& topology, const State& state, PairSearch& search,
+                   PairSearch::Group* group, const Vec3& point, const PairContact& contact,
+                   double margin, std::int32_t resting);
+
+/// Whether a contact that was with one triangle goes on with another.
+bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t from,
+             std::int32_t to);
+
+}  // namespace stiction

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/detection/crossing_edges.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "solver/depth/depth.h"
+#include "solver/detection/detect_pairs.h"
+#include "solver/feature.h"
+
+namespace stiction {
+
+namespace {
+
+// Sine of the least angle between edges that cross.
+constexpr double kParallel = 0.087;
+
+// Sine of the angle by which a face may stand before the plane between the bodies: as for vertices
+// (nearest_face.cpp).
+constexpr double kBehind = 0.5;
+
+// In mean edges: a crossing that is deeper when it is first seen is one of another kind.
+constexpr double kDeepest = 1e-2;
+
+// In mean edges: far above round-off, so that no crossing falls between two edges in one line.
+constexpr double kOnJoint = 1e-9;
+
+// Distance of a crossing from the nearest corner over its depth: where bodies rest on each other a
+// corner is farther away than they are deep; of a corner that is put down on a face, beside which
+// edges cross sideways, it is nearer.
+constexpr double kFarther = 10.0;
+
+// Cosine of the angle to the normal within which edges must near each other to touch near a corner.
+constexpr double kNearing = 0.3;
+
+// Depth of a crossing over how far the edges have neared each other in the step: 1 if they touched
+// in it, and as much again for the step before, in which they may have met beyond the corner.
+constexpr double kJustNow = 2.0;
+
+const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
+  return x[static_cast<std::size_t>(v)];
+}
+
+// Unit vector in a face, from the edge inwards.
+Vec3 into_face(const std::vector<Vec3>& x, const Topology::SharpEdge& edge, int face) {
+  const Vec3 along = (at(x, edge.vertex[1]) - at(x, edge.vertex[0])).normalized();
+  const Vec3 to = at(x, edge.opposite[face]) - at(x, edge.vertex[0]);
+  return (to - along.dot(to) * along).normalized();
+}
+
+double length_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge) {
+  return (at(x, edge.vertex[1]) - at(x, edge.vertex[0])).norm();
+}
+
+// How far a crossing must be from an edge's end, m, where the edge goes on and where it does not.
+struct EndMargins {
+  double joint, corner;
+};
+
+// How far the crossing lies beyond such margins of one edge, m; negative outside.
+double inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t e,
+                   double along, const EndMargins& margins) {
+  const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
+  const double length = length_of(x, edge);
+  const auto margin = [&](int end) { return edge.goes_on[end] ? margins.joint : margins.corner; };
+  return std::min(along * length - margin(0), (1.0 - along) * length - margin(1));
+}
+
+double inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
+                   std::int32_t b, const EdgeCrossing& crossing, const EndMargins& margins) {
+  return std::min(inside_ends(topology, x, a, crossing.along_a, margins),
+                  inside_ends(topology, x, b, crossing.along_b, margins));
+}
+
+struct Found {
+  ContactKey key;
+  std::int32_t a, b;
+  EdgeCrossing crossing;
+};
+
+// One edge crosses another body in two directions at once where that body has a corner: the one
+// that is the deeper is an artefact of straight lines.
+bool outdone(const Topology& topology, const std::vector<Found>& all, const Found& found) {
+  const auto body = [&](std::int32_t e) {
+    return topology.vertex_body[static_cast<std::size_t>(
+        topology.sharp_edge[static_cast<std::size_t>(e)].vertex[0])];
+  };
+  return std::any_of(all.begin(), all.end(), [&](const Found& other) {
+    const bool same = (other.a == found.a && body(other.b) == body(found.b)) ||
+                      (other.b == found.b && body(other.a) == body(found.a));
+    return same && other.crossing.gap > found.crossing.gap &&
+           other.crossing.normal.dot(found.crossing.normal) < 0.5;
+  });
+}
+
+EdgeContact contact_of(const Scene& scene, const State& state, const Workspace& workspace,
+                       const Found& found) {
+  const Topology& topology = scene.topology;
+  const auto& a = topology.sharp_edge[static_cast<std::size_t>(found.a)];
+  const auto& b = topology.sharp_edge[static_cast<std::size_t>(found.b)];
+  EdgeContact contact;
+  contact.key = found.key;
+  contact.own_weight[0] = 1.0 - found.crossing.along_a;
+  contact.own_weight[1] = found.crossing.along_a;
+  contact.normal = found.crossing.normal;
+  contact.depth = std::max(0.0, -found.crossing.gap);
+  contact.element = b.element;
+  const auto x = [&](std::int32_t v) -> const Vec3& {
+    return state.position[static_cast<std::size_t>(v)].x;
+  };
+  Vec3 point = Vec3::Zero();
+  const auto inverse_mass = [&](std::int32_t v) {
+    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
+  };
+  for (int k = 0; k < 2; ++k) {
+    contact.vertex[k] = a.vertex[k];
+    point += contact.own_weight[k] * x(a.vertex[k]);
+    contact.inverse_mass +=
+        contact.own_weight[k] * contact.own_weight[k] * inverse_mass(a.vertex[k]);
+  }
+  const auto& corner = scene.elements[static_cast<std::size_t>(b.element)].vertex;
+  const Eigen::Vector4d weight =
+      barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
+  for (int k = 0; k < 4; ++k) {
+    contact.partner[k] = corner[k];
+    contact.weight[k] = weight[k];
+    contact.inverse_mass += weight[k] * weight[k] * inverse_mass(corner[k]);
+  }
+  return contact;
+}
+
+}  // namespace
+
+bool with_edges(const Options& options) {
+  return built_in(Feature::kEdgeContacts) && options.pairs.edges &&
+         options.pairs.gain == NormalGain::kHarmonic;
+}
+
+bool crossing_of(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
+                 std::int32_t b, EdgeCrossing& crossing) {
+  const auto& edge_a = topology.sharp_edge[static_cast<std::size_t>(a)];
+  const auto& edge_b = topology.sharp_edge[static_cast<std::size_t>(b)];
+  const Vec3 u = at(x, edge_a.vertex[1]) - at(x, edge_a.vertex[0]);
+  const Vec3 v = at(x, edge_b.vertex[1]) - at(x, edge_b.vertex[0]);
+  const Vec3 across = u.cross(v);
+  const double across2 = across.squaredNorm();
+  if (!(across2 > kParallel * kParallel * u.squaredNorm() * v.squaredNorm())) return false;
+  const Vec3 between = at(x, edge_b.vertex[0]) - at(x, edge_a.vertex[0]);
+  crossing.along_a = between.cross(v).dot(across) / across2;
+  crossing.along_b = between.cross(u).dot(across) / across2;
+  if (std::abs(crossing.along_a - 0.5) > 1.0 || std::abs(crossing.along_b - 0.5) > 1.0) {
+    return false;  // far from it, before anything else is computed
+  }
+  crossing.normal = across / std::sqrt(across2);
+  const Vec3 b0 = into_face(x, edge_b, 0), b1 = into_face(x, edge_b, 1);
+  if (crossing.normal.dot(b0 + b1) > 0.0) crossing.normal = -crossing.normal;
+  if (std::max(crossing.normal.dot(b0), crossing.normal.dot(b1)) > kBehind) return false;
+  const Vec3 a0 = into_face(x, edge_a, 0), a1 = into_face(x, edge_a, 1);
+  if (crossing.normal.dot(a0 + a1) <= 0.0 ||
+      std::min(crossing.normal.dot(a0), crossing.normal.dot(a1)) < -kBehind) {
+    return false;
+  }
+  crossing.gap = -crossing.normal.dot(between);
+  return true;
+}
+
+void crossing_edges(const Scene& scene, const Options& options, const State& state,
+                    Workspace& workspace) {
+  const Topology& topology = scene.topology;
+  const std::vector<Vec3>& x = workspace.search.predicted;
+  const double dt = options.time_step;
+  const double deepest = kDeepest * topology.mean_edge;
+  const double border = options.pairs.border_margin * topology.mean_edge;
+  const EndMargins lasts{-border, -border};
+  const double widest = options.pairs.hysteresis * dt * dt *
+                        scene.gravity.at(static_cast<double>(state.step) * dt).norm();
+  const std::vector<ContactKey>& last = state.edge_friction.key;
+  const auto was_apart = [&](const Found& pair) {
+    std::vector<Vec3>& start = workspace.search.start;
+    start.resize(state.position.size());
+    for (const std::int32_t e : {pair.a, pair.b}) {
+      const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
+      for (const std::int32_t v :
+           {edge.vertex[0], edge.vertex[1], edge.opposite[0], edge.opposite[1]}) {
+        start[static_cast<std::size_t>(v)] = state.position[static_cast<std::size_t>(v)].x;
+      }
+    }
+    EdgeCrossing before;
+    return crossing_of(topology, start, pair.a, pair.b, before) && before.gap >= -deepest;
+  };
+  // Whether a crossing near a corner is one that the edges have made just now, by nearing each
+  // other there or by sliding in over the corner: then it is no deeper than what they have come. A
+  // corner that is put down on a face crosses the edges beside it too, but sideways, where it
+  // hardly nears them; and a deeper one would throw the bodies apart, again and again.
+  const auto came_in = [&](const Found& pair) {
+    const auto travel = [&](std::int32_t e, double along) -> Vec3 {
+      const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
+      const auto of = [&](int k) -> Vec3 {
+        const auto v = static_cast<std::size_t>(edge.vertex[k]);
+        return x[v] - state.position[v].x;
+      };
+      return (1.0 - along) * of(0) + along * of(1);
+    };
+    const Vec3 relative =
+        travel(pair.a, pair.crossing.along_a) - travel(pair.b, pair.crossing.along_b);
+    const double nearing = -relative.dot(pair.crossing.normal);
+    return nearing > kNearing * relative.norm() && -pair.crossing.gap <= kJustNow * nearing;
+  };
+  std::vector<Found> found;
+  for (const ContactKey key : workspace.search.edge_candidate) {
+    Found pair{key,
+               static_cast<std::int32_t>(key >> 32),
+               static_cast<std::int32_t>(key & 0xffffffffu),
+               {}};
+    if (!crossing_of(topology, x, pair.a, pair.b, pair.crossing)) continue;
+    const double gap = pair.crossing.gap;
+    const auto lies_within = [&](const EndMargins& margins) {
+      return inside_ends(topology, x, pair.a, pair.b, pair.crossing, margins) >= 0.0;
+    };
+    const auto touches = [&] {
+      if (!lies_within(lasts)) return false;
+      if (std::binary_search(last.begin(), last.end(), key)) return gap < widest;
+      if (!(gap < 0.0)) return false;
+      const EndMargins begins{-kOnJoint * topology.mean_edge, std::min(deepest, kFarther * -gap)};
+      return lies_within(begins) ? gap >= -deepest || was_apart(pair) : came_in(pair);
+    };
+    if (touches()) found.push_back(pair);
+  }
+  workspace.edges.clear();
+  for (const Found& pair : found) {
+    if (outdone(topology, found, pair)) continue;
+    const EdgeContact contact = contact_of(scene, state, workspace, pair);
+    if (contact.inverse_mass == 0.0) continue;
+    note_too_deep(topology, contact.vertex[0],
+                  topology.element_body[static_cast<std::size_t>(contact.element)], contact.depth,
+                  workspace.search);
+    workspace.edges.push_back(contact);
+  }
+}
+
+}  // namespace stiction

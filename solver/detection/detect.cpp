@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/detection/detect.h"
+
+namespace stiction {
+
+void detect(const Scene& scene, double dt, const std::vector<Position>& position,
+            const std::vector<Velocity>& predicted, OneSidedContacts& contacts, double time) {
+  contacts.clear();
+  for (std::size_t o = 0; o < scene.half_spaces.size(); ++o) {
+    const HalfSpace& obstacle = scene.half_spaces[o];
+    const Vec3 offset = obstacle.motion.at(time + dt);
+    const Vec3 velocity = (offset - obstacle.motion.at(time)) / dt;
+    const Vec3 point = obstacle.point + offset;
+    for (const int vertex : scene.surface_vertex) {
+      const auto v = static_cast<std::size_t>(vertex);
+      if (predicted[v].inverse_mass == 0.0) continue;
+      const Vec3 x = position[v].x + dt * predicted[v].v;
+      const double depth = -obstacle.normal.dot(x - point);
+      if (depth > 0.0) {
+        contacts.add(contact_key(static_cast<std::uint32_t>(o), static_cast<std::uint32_t>(vertex)),
+                     vertex, static_cast<std::int32_t>(o), depth, velocity);
+      }
+    }
+  }
+}
+
+}  // namespace stiction

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/detection/detect_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <set>
+
+#include "solver/testing/test_pairs.h"
+
+namespace stiction {
+namespace {
+
+// The slow twin: every surface vertex against every tetrahedron of the other bodies.
+std::set<ContactKey> brute_force(const Scene& scene, const State& state) {
+  const auto x = [&](int v) { return state.position[static_cast<std::size_t>(v)].x; };
+  std::set<ContactKey> keys;
+  for (const int v : scene.surface_vertex) {
+    const int own = scene.topology.vertex_body[static_cast<std::size_t>(v)];
+    for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+      const int body = scene.topology.element_body[e];
+      if (body == own) continue;
+      const auto& corner = scene.elements[e].vertex;
+      const Eigen::Vector4d weight =
+          barycentric(x(v), x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
+      if (weight.minCoeff() >= 0.0) {
+        keys.insert(contact_key(static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(body)));
+      }
+    }
+  }
+  return keys;
+}
+
+std::set<ContactKey> found(const Scene& scene, const State& state) {
+  Workspace workspace;
+  workspace.velocity = state.velocity;
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  detect_pairs(scene, options, state, workspace);
+  std::set<ContactKey> keys;
+  for (const PairContact& contact : workspace.pairs) keys.insert(contact.key);
+  EXPECT_EQ(keys.size(), workspace.pairs.size()) << "one contact a vertex and body";
+  return keys;
+}
+
+TEST(Barycentric, WeightsGiveThePointBackAndSumToOne) {
+  const Eigen::Matrix3Xd x = test::noise(5, 1.0, 3);
+  const Eigen::Vector4d weight = barycentric(x.col(4), x.col(0), x.col(1), x.col(2), x.col(3));
+  // A handful of roundings of numbers of order one over a volume of order 0.1.
+  EXPECT_NEAR(weight.sum(), 1.0, 1e-14);
+  EXPECT_LT((x.leftCols<4>() * weight - x.col(4)).norm(), 1e-13);
+}
+
+TEST(DetectPairs, FindsWhatBruteForceFindsInTumbledDeformedBodies) {
+  std::size_t contacts = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SceneDescription description = test::stacked_cubes(0.3);
+    const Vec3 axis = test::noise(1, 1.0, 100 + seed);
+    const Mat3 turn = Eigen::AngleAxisd(0.3 * seed, axis.normalized()).toRotationMatrix();
+    const Vec3 place = Vec3(0.5, 0.5, 1.1) + 0.3 * axis;
+    Eigen::Matrix3Xd& upper = description.bodies[1].mesh.vertices;
+    for (Eigen::Index v = 0; v < upper.cols(); ++v) {
+      upper.col(v) = (turn * (upper.col(v) - Vec3(0.71, 0.63, 1.2)) + place).eval();
+    }
+    const Scene scene = build_scene(description);
+    const State state = test::state_at(
+        scene, scene.rest_position + test::noise(scene.vertex_count(), 0.03, 200 + seed),
+        Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    const std::set<ContactKey> expected = brute_force(scene, state);
+    EXPECT_EQ(found(scene, state), expected) << "seed " << seed;
+    contacts += expected.size();
+  }
+  EXPECT_GT(contacts, 100u) << "the configurations do touch";
+}
+
+// One body passes through another while the lists of candidates go stale and are renewed; each time
+// what is found is what fresh lists find.
+TEST(DetectPairs, FindsTheSameWhenItsListsWereMadeForEarlierPositions) {
+  const Scene scene = build_scene(test::stacked_cubes(0.2));
+  const Body& upper = scene.bodies[1];
+  Workspace kept;
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  std::size_t renewed = 0, contacts = 0;
+  for (int k = 0; k < 200; ++k) {
+    Eigen::Matrix3Xd position = scene.rest_position + test::noise(scene.vertex_count(), 0.004,
+                                                                  300 + static_cast<unsigned>(k));
+    position.middleCols(upper.first_vertex, upper.vertex_count).colwise() +=
+        0.004 * k * Vec3(0.3, -0.2, -1.0);
+    const State state =
+        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    kept.velocity = state.velocity;
+    const std::vector<Vec3> before = kept.search.reference;
+    detect_pairs(scene, options, state, kept);
+    if (before != kept.search.reference) ++renewed;
+    Workspace fresh;
+    fresh.velocity = state.velocity;
+    detect_pairs(scene, options, state, fresh);
+    depths(scene, options, state, kept);
+    depths(scene, options, state, fresh);
+    ASSERT_EQ(kept.pairs.size(), fresh.pairs.size()) << "step " << k;
+    for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
+      EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].element, fresh.pairs[c].element) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].normal, fresh.pairs[c].normal) << "step " << k;
+    }
+    contacts += kept.pairs.size();
+  }
+  EXPECT_GT(contacts, 200u * 10u) << "the bodies touch all the time";
+  EXPECT_GT(renewed, 10u) << "the lists were renewed";
+  EXPECT_LT(renewed, 100u) << "and served several steps";
+}
+
+TEST(DetectPairs, MakesNewListsForAnotherScene) {
+  const Scene apart = build_scene(test::stacked_cubes(-0.5));
+  const Scene touching = build_scene(test::stacked_cubes(0.1));
+  Workspace workspace;
+  for (const Scene* scene : {&apart, &touching}) {
+    const State state = initial_state(*scene);
+    workspace.velocity = state.velocity;
+    detect_pairs(*scene, {}, state, workspace);
+  }
+  EXPECT_FALSE(workspace.pairs.empty());
+}
+
+TEST(DetectPairs, LooksAtThePredictedPositions) {
+  const Scene scene = build_scene(test::stacked_cubes(-0.1));
+  State state = initial_state(scene);
+  EXPECT_TRUE(found(scene, state).empty());
+  const Body& upper = scene.bodies[1];
+  for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) {
+    state.velocity[static_cast<std::size_t>(v)].v = Vec3(0.0, 0.0, -0.2 / Options{}.time_step);
+  }
+  EXPECT_FALSE(found(scene, state).empty());
+}
+
+TEST(DetectPairs, OrdersContactsByVertexThenBody) {
+  const Scene scene = build_scene(test::stacked_cubes(0.1));
+  const test::Found all(scene, {}, initial_state(scene));
+  ASSERT_GT(all.workspace.pairs.size(), 4u);
+  for (std::size_t c = 1; c < all.workspace.pairs.size(); ++c) {
+    EXPECT_LT(all.workspace.pairs[c - 1].key, all.workspace.pairs[c].key);
+  }
+}
+
+// A cube folded so that one corner lies inside it, touches itself only where that is asked for.
+TEST(DetectPairs, FindsSelfContactOnlyWhereTheSceneAsksForIt) {
+  SceneDescription description = test::one_body(test::elastic_body(test::cube_mesh(3)));
+  for (const bool asked : {false, true}) {
+    description.bodies[0].self_collision = asked;
+    const Scene scene = build_scene(description);
+    EXPECT_EQ(scene.pairs_possible, asked);
+    if (!asked) continue;
+    State state = initial_state(scene);
+    for (Position& p : state.position) {
+      if ((p.x - Vec3(1, 1, 1)).norm() < 1e-12) p.x = Vec3(0.2, 0.15, 0.1);
+    }
+    EXPECT_FALSE(found(scene, state).empty());
+  }
+}
+
+TEST(DetectPairs, NeverTestsTwoBodiesThatAreBothFixed) {
+  SceneDescription description = test::stacked_cubes(0.1);
+  for (BodyDescription& body : description.bodies) {
+    for (int v = 0; v < body.mesh.vertices.cols(); ++v) body.pinned.push_back(v);
+  }
+  EXPECT_FALSE(build_scene(description).pairs_possible);
+}
+
+TEST(DetectPairs, KeepsAContactThatHasJustOpenedAndDropsItBeyondTheHysteresis) {
+  const double depth = 1e-7;
+  SceneDescription description = test::stacked_cubes(depth);
+  description.gravity = {{0.0}, {Vec3(0, 0, -10)}};
+  const Scene scene = build_scene(description);
+  Options options;
+  options.time_step = 1e-3;
+  options.pairs.hysteresis = 1.0;  // gaps below |g|Δt² = 1e-5 m
+  test::Found touching(scene, options, initial_state(scene));
+  const std::size_t count = touching.workspace.pairs.size();
+  ASSERT_GT(count, 0u);
+  State state = touching.state;
+  remember_pairs(touching.workspace.pairs, scene.topology, state.pair_memory);
+  const auto lifted = [&](double gap) {
+    State up = state;
+    const Body& upper = scene.bodies[1];
+    for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) {
+      up.position[static_cast<std::size_t>(v)].x.z() += depth + gap;
+    }
+    return test::Found(scene, options, up).workspace.pairs;
+  };
+  const PairContacts kept = lifted(0.9e-5);
+  EXPECT_EQ(kept.size(), count);
+  for (const PairContact& contact : kept) EXPECT_EQ(contact.depth, 0.0);
+  EXPECT_TRUE(lifted(1.1e-5).empty());
+}
+
+TEST(DetectPairs, ForgetsAContactThatHasOpenedWhereOnlyTheTieMarginRemembers) {
+  const double depth = 1e-7;
+  const Scene scene = build_scene(test::stacked_cubes(depth));
+  Options options;
+  options.pairs.hysteresis = 0.0;
+  options.pairs.tie_margin = 1e-3;
+  const test::Found touching(scene, options, initial_state(scene));
+  ASSERT_FALSE(touching.workspace.pairs.empty());
+  State state = touching.state;
+  remember_pairs(touching.workspace.pairs, scene.topology, state.pair_memory);
+  const Body& upper = scene.bodies[1];
+  for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) {
+    state.position[static_cast<std::size_t>(v)].x.z() += 2.0 * depth;
+  }
+  Workspace workspace;
+  workspace.velocity = state.velocity;
+  detect_pairs(scene, options, state, workspace);
+  EXPECT_TRUE(workspace.pairs.empty());
+}
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/friction/friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "solver/demand.h"
+#include "solver/feature.h"
+#include "solver/friction/catalog.h"
+#include "solver/friction/conjugate_directions.h"
+#include "solver/mutation.h"
+#include "solver/response/pair_normal_force.h"
+
+namespace stiction {
+
+namespace {
+
+Vec3 tangential(const Vec3& v, const Vec3& normal) { return v - normal.dot(v) * normal; }
+
+double mutated(double mu) {
+  if constexpr (kMutation == Mutation::kFrictionScaled) return 1.02 * mu;
+  return mu;
+}
+
+FrictionParameters mutated(FrictionParameters friction) {
+  if constexpr (kMutation == Mutation::kGainReversed) {
+    friction.gain = -friction.gain;
+    friction.raw_alpha = -friction.raw_alpha;
+    friction.relaxation = -friction.relaxation;
+  }
+  if constexpr (kMutation == Mutation::kStaleMemory) friction.keep_through_slip = true;
+  return friction;
+}
+
+// The contacts with obstacles, as the sweep sees them.
+struct ObstacleSide {
+  const Scene& scene;
+  double dt;
+  OneSidedContacts& contacts;
+
+  std::size_t size() const { return contacts.size(); }
+  ContactKey key(std::size_t c) const { return contacts.key[c]; }
+  Vec3& force(std::size_t c) const { return contacts.friction_force[c]; }
+  ContactStatus& status(std::size_t c) const { return contacts.status[c]; }
+  const HalfSpace& obstacle(std::size_t c) const {
+    return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
+  }
+  const Vec3& normal(std::size_t c) const { return obstacle(c).normal; }
+  double bound(std::size_t c) const {
+    return mutated(obstacle(c).friction) * contacts.normal_force[c];
+  }
+  double inverse_mass(std::size_t c, const std::vector<Velocity>& velocity) const {
+    return dt * velocity[static_cast<std::size_t>(contacts.vertex[c])].inverse_mass;
+  }
+  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+    const Vec3& v = velocity[static_cast<std::size_t>(contacts.vertex[c])].v;
+    return tangential(v - contacts.obstacle_velocity[c], normal(c));
+  }
+  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
+    Velocity& own = velocity[static_cast<std::size_t>(contacts.vertex[c])];
+    own.v += dt * own.inverse_mass * force;
+  }
+};
+
+// The contacts between bodies.
+struct PairSide {
+  const Options& options;
+  double mu;
+  PairContacts& pairs;
+
+  std::size_t size() const { return pairs.size(); }
+  ContactKey key(std::size_t c) const { return pairs[c].key; }
+  Vec3& force(std::size_t c) const { return pairs[c].friction_force; }
+  ContactStatus& status(std::size_t c) const { return pairs[c].status; }
+  const Vec3& normal(std::size_t c) const { return pairs[c].normal; }
+  double bound(std::size_t c) const {
+    const PairOptions& pair = options.pairs;
+    const bool doubled =
+        pair.literal_bound && pair.gain == NormalGain::kPaper && pair.post_correction;
+    return mutated(mu) * (doubled ? 2.0 : 1.0) * pairs[c].normal_force;
+  }
+  double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
+    return options.time_step * pairs[c].inverse_mass;
+  }
+  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+    const PairContact& contact = pairs[c];
+    Vec3 v = velocity[static_cast<std::size_t>(contact.vertex)].v;
+    for (int k = 0; k < 4; ++k) {
+      v -= contact.weight[k] * velocity[static_cast<std::size_t>(contact.partner[k])].v;
+    }
+    return tangential(v, contact.normal);
+  }
+  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
+    const PairContact& contact = pairs[c];
+    Vec3 impulse = options.time_step * force;
+    Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
+    own.v += own.inverse_mass * impulse;
+    if (!options.pairs.friction_reaction) return;
+    if constexpr (kMutation == Mutation::kFrictionReaction) impulse *= 0.98;
+    for (int k = 0; k < 4; ++k) {
+      Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
+      other.v -= contact.weight[k] * other.inverse_mass * impulse;
+    }
+  }
+};
+
+// The contacts of crossing edges.
+struct EdgeSide {
+  double dt;
+  double mu;
+  EdgeContacts& edges;
+
+  std::size_t size() const { return edges.size(); }
+  ContactKey key(std::size_t c) const { return edges[c].key; }
+  Vec3& force(std::size_t c) const { return edges[c].friction_force; }
+  ContactStatus& status(std::size_t c) const { return edges[c].status; }
+  const Vec3& normal(std::size_t c) const { return edges[c].normal; }
+  double bound(std::size_t c) const { return mutated(mu) * edges[c].normal_force; }
+  double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
+    return dt * edges[c].inverse_mass;
+  }
+  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+    const EdgeContact& contact = edges[c];
+    Vec3 v = Vec3::Zero();
+    for (int k = 0; k < 2; ++k) {
+      v += contact.own_weight[k] * velocity[static_cast<std::size_t>(contact.vertex[k])].v;
+    }
+    for (int k = 0; k < 4; ++k) {
+      v -= contact.weight[k] * velocity[static_cast<std::size_t>(contact.partner[k])].v;
+    }
+    return tangential(v, contact.normal);
+  }
+  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
+    stiction::apply(dt * force, edges[c], velocity);
+  }
+};
+
+// Moves the memory of the contacts that persist to their new places, both lists being in the order
+// of their keys, and resets it for the others.
+template <class Rule, class Side>
+void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
+                  FrictionMemory& memory) {
+  constexpr auto kValues = static_cast<std::size_t>(Rule::kValues);
+  const std::size_t count = side.size();
+  memory.key.resize(count);
+  memory.status.resize(count);
+  memory.value.resize(count * kValues);
+  std::size_t from = 0;
+  for (std::size_t c = 0; c < count; ++c) {
+    memory.key[c] = side.key(c);
+    while (from < old.key.size() && old.key[from] < memory.key[c]) ++from;
+    const bool persists = built_in(Feature::kFrictionMemory) && from < old.key.size() &&
+                          old.key[from] == memory.key[c] &&
+                          old.value.size() == old.key.size() * kValues;
+    double* const value = memory.value.data() + c * kValues;
+    if (persists) {
+      memory.status[c] = old.status[from];
+      std::copy_n(old.value.data() + from * kValues, kValues, value);
+    } else {
+      memory.status[c] = ContactStatus::kNew;
+      rule.reset(value);
+    }
+  }
+}
+
+template <class Rule, class Side>
+void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory,
+                std::vector<Velocity>& velocity) {
+  for (std::size_t c = 0; c < side.size(); ++c) {
+    side.force(c) = Vec3::Zero();
+    if constexpr (Rule::kWarmStart) {
+      Vec3 force = tangential(rule.start(memory.value.data() + c * Rule::kValues), side.normal(c));
+      const double bound = side.bound(c);
+      const double size2 = force.squaredNorm();
+      if (size2 > bound * bound) force *= bound / std::sqrt(size2);
+      side.apply(c, force, velocity);
+      side.force(c) = force;
+    }
+  }
+}
+
+// One contact of a sweep; `first` is true in the first sweep of a step, `was` its status at the
+// start of the step. Returns the change of its force, N.
+template <class Rule, class Side>
+Vec3 solve(const Rule& rule, const Side& side, std::size_t c, bool first, ContactStatus was,
+           const std::vector<Velocity>& start, std::vector<Velocity>& velocity, double* memory) {
+  const double inverse_mass = side.inverse_mass(c, velocity);
+  const SlipProblem problem{.free_slip = side.slip(c, velocity) - inverse_mass * side.force(c),
+                            .start_slip = side.slip(c, start),
+                            .inverse_mass = inverse_mass,
+                            .bound = side.bound(c),
+                            .was = was,
+                            .normal = side.normal(c),
+                            .first_sweep = first,
+                            .force = side.force(c)};
+  SlipSolution solution = rule.solve(problem, memory);
+  if constexpr (kMutation == Mutation::kStaleMemory) {
+    if (was == ContactStatus::kStick) solution.status = ContactStatus::kStick;
+  }
+  if constexpr (kMutation == Mutation::kFrictionSign) solution.force = -solution.force;
+  const Vec3 change = solution.force - side.force(c);
+  side.apply(c, change, velocity);
+  side.force(c) = solution.force;
+  side.status(c) = solution.status;
+  return change;
+}
+
+// A sweep over contacts of one kind; `changed(c, change)` hears of each.
+template <class Rule, class Side, class Before, class Changed>
+void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memory,
+           const std::vector<Velocity>& start, std::vector<Velocity>& velocity,
+           const Before& before, const Changed& changed) {
+  for (std::size_t c = 0; c < side.size(); ++c) {
+    before(c);
+    changed(c, solve(rule, side, c, first, memory.status[c], start, velocity,
+                     memory.value.data() + c * static_cast<std::size_t>(Rule::kValues)));
+  }
+}
+
+template <class Rule>
+constexpr bool is_conjugate() {
+  if constexpr (requires { Rule::kConjugate; }) {
+    return Rule::kConjugate;
+  } else {
+    return false;
+  }
+}
+
+template <class Side>
+void remember_status(const Side& side, FrictionMemory& memory) {
+  for (std::size_t c = 0; c < side.size(); ++c) memory.status[c] = side.status(c);
+}
+
+}  // namespace
+
+void friction_forces(const Scene& scene, const Options& options, State& state,
+                     Workspace& workspace) {
+  std::vector<Velocity>& velocity = workspace.velocity;
+  const ObstacleSide obstacles{scene, options.time_step, workspace.contacts};
+  const PairSide pairs{options, scene.friction, workspace.pairs};
+  const EdgeSide edges{options.time_step, scene.friction, workspace.edges};
+  const FrictionParameters friction = mutated(options.friction);
+  const bool known = with_friction_rule(options.rule, friction, [&](const auto& rule) {
+    carry_memory(rule, state.memory, obstacles, workspace.memory);
+    carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
+    carry_memory(rule, state.edge_friction, edges, workspace.edge_friction);
+    warm_start(rule, pairs, workspace.pair_friction, velocity);
+    warm_start(rule, edges, workspace.edge_friction, velocity);
+    warm_start(rule, obstacles, workspace.memory, velocity);
+    const auto nothing = [](std::size_t) {};
+    const auto sweep_all = [&](bool first, const auto& pair_changed, const auto& edge_changed,
+                               const auto& obstacle_changed) {
+      const auto normal_force = [&](std::size_t c) {
+        if (first && !options.pairs.normals_first) {
+          apply_normal_force(options, workspace.pairs[c], velocity);
+        }
+      };
+      sweep(rule, pairs, first, workspace.pair_friction, state.velocity, velocity, normal_force,
+            pair_changed);
+      sweep(rule, edges, first, workspace.edge_friction, state.velocity, velocity, nothing,
+            edge_changed);
+      sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, nothing,
+            obstacle_changed);
+    };
+    const int sweeps = options.sweeps > 0 ? options.sweeps : rule.kCard.sweeps;
+    if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
+      const double tolerance = friction.slip_tolerance * scene.gravity.scale() * options.time_step;
+      ConjugateSide pair_side(pairs, workspace.pair_conjugate, velocity);
+      ConjugateSide edge_side(edges, workspace.edge_conjugate, velocity);
+      ConjugateSide obstacle_side(obstacles, workspace.conjugate, velocity);
+      workspace.sweeps += static_cast<std::uint64_t>(
+          conjugate_sweeps(sweeps, tolerance, sweep_all, pair_side, edge_side, obstacle_side));
+    } else {
+      const auto unheard = [](std::size_t, const Vec3&) {};
+      for (int s = 0; s < sweeps; ++s) sweep_all(s == 0, unheard, unheard, unheard);
+      workspace.sweeps += static_cast<std::uint64_t>(sweeps);
+    }
+  });
+  demand(known, "the options were checked, so the friction rule exists");
+  remember_status(obstacles, workspace.memory);
+  remember_status(pairs, workspace.pair_friction);
+  remember_status(edges, workspace.edge_friction);
+  std::swap(state.memory, workspace.memory);
+  if (kMutation != Mutation::kStalePairMemory ||
+      state.pair_friction.key != workspace.pair_friction.key) {
+    std::swap(state.pair_friction, workspace.pair_friction);
+  }
+  std::swap(state.edge_friction, workspace.edge_friction);
+  workspace.contact_updates += obstacles.size() + pairs.size() + edges.size();
+}
+
+}  // namespace stiction

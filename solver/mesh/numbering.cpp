@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/mesh/numbering.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+namespace stiction {
+
+namespace {
+
+// Spreads the low 21 bits of `x` so that two zero bits follow each.
+std::uint64_t spread_bits(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  x = (x | x << 2) & 0x1249249249249249;
+  return x;
+}
+
+std::vector<std::uint64_t> morton_codes(const Eigen::Matrix3Xd& vertices) {
+  const Eigen::Vector3d low = vertices.rowwise().minCoeff();
+  const double extent = (vertices.rowwise().maxCoeff() - low).maxCoeff();
+  const double scale = extent > 0.0 ? 2097151.0 / extent : 0.0;
+  std::vector<std::uint64_t> codes(static_cast<std::size_t>(vertices.cols()));
+  for (Eigen::Index v = 0; v < vertices.cols(); ++v) {
+    const Eigen::Vector3d cell = (vertices.col(v) - low) * scale;
+    std::uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      code |= spread_bits(static_cast<std::uint64_t>(cell[axis])) << axis;
+    }
+    codes[static_cast<std::size_t>(v)] = code;
+  }
+  return codes;
+}
+
+}  // namespace
+
+Numbering spatial_numbering(const TetMesh& mesh) {
+  const auto count = static_cast<std::size_t>(mesh.vertices.cols());
+  std::vector<bool> inner(count, false);
+  for (const int v : mesh.tetrahedra.reshaped()) inner[static_cast<std::size_t>(v)] = true;
+  const Eigen::Matrix3Xi triangles = surface_triangles(mesh.tetrahedra);
+  for (const int v : triangles.reshaped()) inner[static_cast<std::size_t>(v)] = false;
+
+  const std::vector<std::uint64_t> codes = morton_codes(mesh.vertices);
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return inner[a] != inner[b] ? !inner[a] : codes[a] < codes[b];
+  });
+
+  Numbering numbering;
+  numbering.place.resize(count);
+  for (std::size_t k = 0; k < count; ++k) numbering.place[order[k]] = static_cast<int>(k);
+  numbering.surface_count = static_cast<int>(std::count(inner.begin(), inner.end(), false));
+  return numbering;
+}
+
+}  // namespace stiction

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "solver/mesh/mesh.h"
+
+namespace stiction {
+
+/// A renumbering of a mesh's vertices for locality: surface vertices first, each group along a
+/// Z-order (Morton) curve. Natural numbering of a volume costs 2.5 times the memory traffic at 1e5
+/// contacts.
+struct Numbering {
+  std::vector<int> place;  ///< new number of each vertex; a permutation of 0 … vertex count − 1
+  int surface_count = 0;   ///< how many come first because they can touch something
+};
+
+/// Vertices that belong to no tetrahedron (point masses) count as surface.
+Numbering spatial_numbering(const TetMesh& mesh);
+
+}  // namespace stiction

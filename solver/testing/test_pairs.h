@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Two-sided contacts for the unit tests of the solver.
+
+#include "solver/depth/depth.h"
+#include "solver/detection/detect_pairs.h"
+#include "solver/motion/predict.h"
+#include "solver/options.h"
+#include "solver/testing/test_scenes.h"
+
+namespace stiction::test {
+
+/// A cube of 3³ cells and edge 1 at the origin, and one of 2³ cells above it that reaches `depth`
+/// into it, shifted by `shift` along x and y. μ = 0.5.
+inline SceneDescription stacked_cubes(double depth, const Vec3& shift = Vec3(0.21, 0.13, 0.0)) {
+  SceneDescription description;
+  description.bodies = {elastic_body(cube_mesh(3)), elastic_body(cube_mesh(2))};
+  description.bodies[0].name = "lower";
+  description.bodies[1].name = "upper";
+  description.bodies[1].mesh.vertices.colwise() += shift + Vec3(0.0, 0.0, 1.0 - depth);
+  description.friction = 0.5;
+  return description;
+}
+
+/// What `depths` finds when every vertex goes on with its present velocity.
+struct Found {
+  State state;
+  Workspace workspace;
+
+  Found(const Scene& scene, const Options& options, State start) : state(std::move(start)) {
+    workspace.velocity = state.velocity;
+    detect_pairs(scene, options, state, workspace);
+    depths(scene, options, state, workspace);
+  }
+};
+
+/// Σ m v of the velocities in a workspace, and the same about the origin at the state's positions.
+inline Vec3 momentum(const Scene& scene, const std::vector<Velocity>& velocity) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < velocity.size(); ++k) sum += scene.mass[k] * velocity[k].v;
+  return sum;
+}
+
+}  // namespace stiction::test

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Small scenes for the unit tests of the solver.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "solver/scene.h"
+#include "solver/state.h"
+#include "solver/testing/test_refusal.h"
+
+namespace stiction::test {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// The corner tetrahedron (0, e₁, e₂, e₃) × edge.
+inline TetMesh corner_tetrahedron(double edge = 1.0) {
+  TetMesh mesh;
+  mesh.vertices = Eigen::Matrix3Xd::Zero(3, 4);
+  mesh.vertices.rightCols<3>().diagonal().setConstant(edge);
+  mesh.tetrahedra = Eigen::Vector4i(0, 1, 2, 3);
+  return mesh;
+}
+
+/// The cube [0, edge]³ of n³ cells, each split into the six tetrahedra along its diagonal (Kuhn).
+/// Vertices run along x first, then y, then z.
+inline TetMesh cube_mesh(int n, double edge = 1.0) {
+  const auto vertex = [n](const Eigen::Vector3i& at) {
+    return at.x() + (n + 1) * (at.y() + (n + 1) * at.z());
+  };
+  TetMesh mesh;
+  mesh.vertices.resize(3, (n + 1) * (n + 1) * (n + 1));
+  mesh.tetrahedra.resize(4, 6 * n * n * n);
+  Eigen::Index e = 0;
+  for (int z = 0; z <= n; ++z) {
+    for (int y = 0; y <= n; ++y) {
+      for (int x = 0; x <= n; ++x) {
+        const Eigen::Vector3i at(x, y, z);
+        mesh.vertices.col(vertex(at)) = edge / n * at.cast<double>();
+        if (at.maxCoeff() == n) continue;
+        std::array<int, 3> axes = {0, 1, 2};
+        bool even = true;
+        do {
+          Eigen::Vector4i corners;
+          Eigen::Vector3i corner = at;
+          corners[0] = vertex(corner);
+          for (int k = 0; k < 3; ++k) {
+            ++corner[axes[static_cast<std::size_t>(k)]];
+            corners[k + 1] = vertex(corner);
+          }
+          even = (axes[1] - axes[0] + 3) % 3 == 1;
+          if (!even) std::swap(corners[2], corners[3]);
+          mesh.tetrahedra.col(e++) = corners;
+        } while (std::next_permutation(axes.begin(), axes.end()));
+      }
+    }
+  }
+  return mesh;
+}
+
+inline BodyDescription elastic_body(TetMesh mesh, const Material& material = {}) {
+  BodyDescription body;
+  body.name = "cube";
+  body.mesh = std::move(mesh);
+  body.material = material;
+  body.point_mass = kNaN;  // unused: every vertex has a tetrahedron
+  return body;
+}
+
+/// Point masses at `vertices`, m. Their order is kept by the numbering when it increases along x
+/// and the points differ in nothing else.
+inline BodyDescription point_masses(const Eigen::Matrix3Xd& vertices, double mass) {
+  BodyDescription body;
+  body.name = "points";
+  body.mesh.vertices = vertices;
+  body.material = {kNaN, kNaN, kNaN, kNaN};  // unused: nothing is elastic
+  body.point_mass = mass;
+  return body;
+}
+
+inline SceneDescription one_body(BodyDescription body) {
+  SceneDescription description;
+  description.bodies.push_back(std::move(body));
+  return description;
+}
+
+/// The half-space z < 0.
+inline HalfSpace ground(double friction) {
+  return {"ground", Vec3::Zero(), Vec3::UnitZ(), friction};
+}
+
+/// Adds uniform noise of up to ± `amplitude` to each coordinate.
+inline Eigen::Matrix3Xd noise(Eigen::Index count, double amplitude, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::uniform_real_distribution<double> uniform(-amplitude, amplitude);
+  Eigen::Matrix3Xd values(3, count);
+  for (double& value : values.reshaped()) value = uniform(generator);
+  return values;
+}
+
+/// The scene's state at other positions and velocities; what no force law may read is NaN.
+inline State state_at(const Scene& scene, const Eigen::Matrix3Xd& position,
+                      const Eigen::Matrix3Xd& velocity) {
+  State state = initial_state(scene);
+  for (std::size_t k = 0; k < state.position.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    state.position[k] = {position.col(column), kNaN};
+    state.velocity[k].v = velocity.col(column);
+  }
+  return state;
+}
+
+}  // namespace stiction::test

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/core/case_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "validation/judge/verdict.h"
+#include "validation/observe/passage_watch.h"
+
+namespace stiction {
+
+namespace {
+
+Settings merged(Settings base, const Settings& over) {
+  for (const auto& [name, value] : over) base[name] = value;
+  return base;
+}
+
+bool is_old(const Settings& settings) {
+  const auto method = settings.find("method");
+  return method != settings.end() && method->second == "old";
+}
+
+// The first few of what may be hundreds.
+std::string joined(const std::vector<std::string>& sentences) {
+  constexpr std::size_t kTold = 3;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kTold, sentences.size()); ++k) {
+    text += (k == 0 ? "" : "; ") + sentences[k];
+  }
+  if (sentences.size() > kTold) text += fmt::format("; and {} more", sentences.size() - kTold);
+  return text;
+}
+
+}  // namespace
+
+Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
+                       const Problem& problem)
+    : run_(run),
+      engine_(kind.make(settings)),
+      watch_(std::make_unique<PassageWatch>(problem)),
+      contrast_(is_old(settings)) {
+  engine_->load(problem);
+  if (run_.keeps_frames_) recorder_.emplace(problem);
+  run_.started(*engine_);
+}
+
+Simulation::~Simulation() {
+  std::vector<std::string> found;
+  try {
+    if (engine_->steps_done() > 0) watch_->look(*engine_, true);
+    found = watch_->found();
+  } catch (const std::exception& error) {  // nothing may leave a destructor
+    found = {fmt::format("whether bodies pass through each other is not known: {}", error.what())};
+  }
+  run_.passed(found, contrast_);
+  run_.ended(*engine_);
+  if (recorder_ && recorder_->has_frames()) run_.recording_ = std::move(*recorder_).recording();
+}
+
+double Simulation::time() const {
+  return static_cast<double>(engine_->steps_done()) * engine_->time_step();
+}
+
+void Simulation::advance_to(double time) {
+  const auto target = static_cast<std::uint64_t>(std::llround(time / engine_->time_step()));
+  if (target > engine_->steps_done()) advance(target - engine_->steps_done());
+}
+
+void Simulation::advance(std::uint64_t steps) {
+  const std::uint64_t target = engine_->steps_done() + steps;
+  const auto advance_until = [this](std::uint64_t step) {
+    if (step > engine_->steps_done()) engine_->advance(step - engine_->steps_done());
+  };
+  const auto frame = [this] { return recorder_ ? recorder_->due_step() : Recorder::kNever; };
+  while (std::min(frame(), watch_->due_step()) <= target) {
+    advance_until(std::min(frame(), watch_->due_step()));
+    if (frame() <= engine_->steps_done()) recorder_->take(*engine_);
+    if (watch_->due_step() <= engine_->steps_done()) watch_->look(*engine_);
+  }
+  advance_until(target);
+}
+
+void Simulation::record_frames(double interval) {
+  if (!recorder_ || run_.recorded_) return;
+  run_.recorded_ = true;
+  recorder_->start(*engine_, interval);
+}
+
+CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale,
+                 bool keeps_frames)
+    : engine_(std::move(engine)),
+      settings_(std::move(settings)),
+      tolerance_scale_(tolerance_scale),
+      keeps_frames_(keeps_frames) {
+  record_.case_name = which.name;
+  record_.title = which.title;
+  record_.engine = engine_.name;
+  record_.settings = settings_;
+  const auto& variants = which.variants;
+  if (std::find(variants.begin(), variants.end(), settings_) == variants.end()) return;
+  record_.variant = variant_text(settings_);
+  if (tolerance_scale_ != 1.0) return;
+  expectations_ = expectations_of(engine_.expectations, which.name, record_.variant);
+}
+
+std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Settings& extra) {
+  return std::make_unique<Simulation>(*this, engine_, merged(settings_, extra), problem);
+}
+
+void CaseRun::check(Check check) {
+  quantities_.insert(check.quantity);
+  if (const Expectation* known = find_expectation(expectations_, check.quantity)) {
+    expect(check, *known);
+    judge(check, tolerance_scale_, known->verdict);
+  } else {
+    if (is_old(settings_)) check.verdict = Verdict::kShown;
+    judge(check, tolerance_scale_);
+  }
+  record_.checks.push_back(std::move(check));
+}
+
+void CaseRun::demand_expected_checks() {
+  for (const Expectation& row : expectations_) {
+    if (quantities_.count(row.quantity) > 0) continue;
+    Check unmet = unmet_check(row);
+    judge(unmet, tolerance_scale_);
+    record_.checks.push_back(std::move(unmet));
+  }
+}
+
+void CaseRun::started(const Engine& engine) {
+  const auto size = [](const std::vector<Mesh>& meshes) {
+    return std::accumulate(
+        meshes.begin(), meshes.end(), std::uint64_t{0},
+        [](std::uint64_t sum, const Mesh& mesh) { return sum + mesh.tetrahedra; });
+  };
+  std::vector<Mesh> meshes = engine.meshes();
+  if (size(meshes) > size(record_.meshes)) record_.meshes = std::move(meshes);
+  if (settings_resolved_) return;
+  record_.settings = engine.settings();
+  const auto method = settings_.find("method");
+  if (method != settings_.end()) record_.settings["method"] = method->second;
+  settings_resolved_ = true;
+}
+
+CaseRun CaseRun::part(const Settings& settings) const {
+  CaseRun part({.name = record_.case_name, .title = record_.title}, engine_, settings,
+               tolerance_scale_);
+  part.passages_noted_ = passages_noted_;
+  return part;
+}
+
+void CaseRun::include(const Record& part, bool pays) {
+  record_.notes.insert(record_.notes.end(), part.notes.begin(), part.notes.end());
+  if (!part.error.empty()) passages_.push_back(part.error);
+  hash_.add(part.state_hash.data(), part.state_hash.size());
+  if (pays) bill(part.cost);
+}
+
+void CaseRun::ended(const Engine& engine) {
+  bill(engine.cost());
+  const std::uint64_t hash = engine.state_hash();
+  hash_.add(&hash, sizeof hash);
+}
+
+void CaseRun::bill(const Cost& cost) {
+  Cost& total = record_.cost;
+  total.cpu_seconds += cost.cpu_seconds;
+  total.steps += cost.steps;
+  total.contact_updates += cost.contact_updates;
+  for (const auto& [phase, seconds] : cost.phase_seconds) total.phase_seconds[phase] += seconds;
+  if (cost.ns_per_contact_update > 0.0) {
+    const auto updates = static_cast<double>(cost.contact_updates);
+    timed_contacts_ += updates;
+    contact_seconds_ += 1e-9 * cost.ns_per_contact_update * updates;
+  }
+}
+
+void CaseRun::passed(const std::vector<std::string>& passages, bool noted) {
+  if (passages.empty()) return;
+  if (noted || passages_noted_) {
+    note(joined(passages));
+  } else {
+    passages_.insert(passages_.end(), passages.begin(), passages.end());
+  }
+}
+
+Record CaseRun::record() const {
+  Record record = record_;
+  if (timed_contacts_ > 0.0) {
+    record.cost.ns_per_contact_update = 1e9 * contact_seconds_ / timed_contacts_;
+  }
+  if (record.cost.steps > 0) record.state_hash = fmt::format("{:016x}", hash_.value());
+  record.verdict = combined_verdict(record.checks);
+  if (!passages_.empty()) {
+    record.verdict = Verdict::kError;
+    record.error = joined(passages_);
+  }
+  return record;
+}
+
+}  // namespace stiction

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reports/formats/table.h"
+#include "reports/record/record.h"
+#include "validation/engine/engine.h"
+
+namespace stiction {
+
+// What the programs that run cases have in common.
+
+/// Exit codes: every check holds (or is a known limit), some fail, could not run.
+enum ExitCode { kAllHold = 0, kSomeFail = 1, kCouldNotRun = 2 };
+
+ExitCode exit_code(const std::vector<Record>& records);
+
+/// "NAME=VALUE" words as settings; throws InputError for another word.
+Settings parse_settings(const std::vector<std::string>& words);
+
+/// As wide as the terminal, and coloured where it is one.
+TableStyle terminal_style();
+
+/// "incline/restick/box", 12 → "012-incline_restick_box": a file name that every system takes.
+std::string file_stem(const std::string& case_name, std::size_t index);
+
+}  // namespace stiction

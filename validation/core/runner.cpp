@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/core/runner.h"
+
+#include <fnmatch.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "reports/record/environment.h"
+#include "solver/demand.h"
+#include "validation/core/case_run.h"
+
+namespace stiction {
+
+namespace {
+
+bool matches(const std::string& glob, const std::string& name) {
+  return fnmatch(glob.c_str(), name.c_str(), 0) == 0;
+}
+
+bool chosen(const Case& one, const Selection& selection) {
+  if (selection.globs.empty()) return one.set <= selection.set;
+  return std::any_of(selection.globs.begin(), selection.globs.end(),
+                     [&](const std::string& glob) { return matches(glob, one.name); });
+}
+
+}  // namespace
+
+std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& selection) {
+  const EngineKind engine = find_engine(selection.engine);
+  for (const std::string& glob : selection.globs) {
+    if (std::none_of(cases.begin(), cases.end(),
+                     [&](const Case& one) { return matches(glob, one.name); })) {
+      throw InputError("no case matches '" + glob + "'; --list shows them all");
+    }
+  }
+  std::vector<Job> jobs;
+  for (const Case& one : cases) {
+    if (!chosen(one, selection)) continue;
+    std::vector<Settings> seen;
+    for (Settings settings : one.variants) {
+      for (const auto& [name, value] : selection.settings) settings[name] = value;
+      if (std::find(seen.begin(), seen.end(), settings) != seen.end()) continue;
+      seen.push_back(settings);
+      jobs.push_back({one, engine, settings});
+    }
+  }
+  return jobs;
+}
+
+Record run_job(const Job& job, double tolerance_scale, std::optional<Recording>* recording) {
+  CaseRun run(job.which, job.engine, job.settings, tolerance_scale, recording != nullptr);
+  std::string error;
+  try {
+    job.which.run(run);
+    run.demand_expected_checks();
+  } catch (const std::exception& failure) {
+    error = failure.what();
+  }
+  Record record = run.record();
+  if (!error.empty()) {
+    record.verdict = Verdict::kError;
+    record.error = error;
+  }
+  record.environment = current_environment();
+  if (recording) *recording = run.take_recording();
+  return record;
+}
+
+void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
+              const std::function<void(std::size_t, Record)>& finished, const KeepRecording& keep) {
+  std::atomic<std::size_t> next{0};
+  std::mutex one_at_a_time;
+  // Jobs are taken in order, so that their results can be shown in order soon after they are known.
+  const auto work = [&] {
+    for (std::size_t k = next++; k < jobs.size(); k = next++) {
+      std::optional<Recording> recording;
+      Record record = run_job(jobs[k], tolerance_scale, keep ? &recording : nullptr);
+      const std::lock_guard<std::mutex> lock(one_at_a_time);
+      try {
+        if (recording) record.frames = keep(k, *recording);
+        finished(k, std::move(record));
+      } catch (...) {
+        next = jobs.size();
+        throw;
+      }
+    }
+  };
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::task_group group;
+    for (int k = 1; k < threads; ++k) group.run(work);
+    group.run_and_wait(work);
+  });
+}
+
+}  // namespace stiction

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/record/frames.h"
+#include "reports/record/record.h"
+#include "validation/core/case.h"
+
+namespace stiction {
+
+/// A case with the engine and settings it shall run with.
+struct Job {
+  Case which;
+  EngineKind engine;
+  Settings settings;
+};
+
+/// Which cases to run, and how.
+struct Selection {
+  std::vector<std::string>
+      globs{};  ///< case names, * and ? as in a shell, * also across '/'; empty: all
+  CaseSet set = CaseSet::kDefault;
+  std::string engine = "stiction";
+  Settings settings{};  ///< over those of each variant
+};
+
+/// Jobs of the cases chosen, in the catalog's order; variants that the user's settings make equal
+/// run once. A case named by a glob runs whatever set it belongs to. Throws InputError when a glob
+/// matches no case or the engine is unknown.
+std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& selection);
+
+/// Runs one job. What goes wrong becomes the record's error; nothing is thrown for it. What the
+/// case recorded for the player goes into `recording`; without one nothing is recorded.
+Record run_job(const Job& job, double tolerance_scale,
+               std::optional<Recording>* recording = nullptr);
+
+/// Keeps the recording of the job with this index; gives the record's `frames`.
+using KeepRecording = std::function<std::string(std::size_t, const Recording&)>;
+
+/// Runs the jobs on `threads` threads, each job on one. `finished(index, record)` is called once a
+/// job, from any thread, one call at a time, and `keep` just before it when the case recorded
+/// something; when one throws, no further job starts and the exception leaves this function.
+/// Without `keep` nothing is recorded.
+void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
+              const std::function<void(std::size_t, Record)>& finished,
+              const KeepRecording& keep = {});
+
+}  // namespace stiction

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/gravity.h"
+#include "solver/mesh/mesh.h"
+
+namespace stiction {
+
+// A problem is physics alone: shapes, masses, materials, loads, duration. How it is discretised is
+// an engine's affair. SI units throughout.
+
+/// A box, centred at its body's pose.
+struct BoxShape {
+  Vec3 size = Vec3::Ones();  ///< edge lengths, m
+};
+
+/// A ball, centred at its body's pose. Which of its facets lie below, where an engine triangulates
+/// it, follows from the body's rotation.
+struct BallShape {
+  double radius = 1.0;  ///< m
+};
+
+/// Any volume, given as tetrahedra about the centre of mass: for shapes without a formula.
+struct MeshShape {
+  TetMesh mesh;  ///< m
+};
+
+/// A mass without extension.
+struct PointShape {};
+
+using Shape = std::variant<BoxShape, PointShape, BallShape, MeshShape>;
+
+/// Isotropic linear elasticity with strain-rate damping.
+struct Elasticity {
+  double youngs_modulus = 5e5;  ///< Pa
+  double poisson_ratio = 0.3;   ///< dimensionless
+  double damping_time = 0.0;    ///< β in s: viscous stress = β · elasticity · strain rate
+};
+
+/// A part of a body that is held: its points x (in the body's own frame) with (x − point)·normal ≤
+/// 0.
+struct HeldPart {
+  Vec3 point = Vec3::Zero();    ///< m
+  Vec3 normal = Vec3::UnitZ();  ///< any length but 0
+};
+
+struct ProblemBody {
+  std::string name;
+  Shape shape;
+  double mass = 1.0;  ///< kg, > 0, spread evenly
+  Elasticity elasticity;
+  Vec3 position = Vec3::Zero();  ///< of the centre of mass, m
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  Vec3 velocity = Vec3::Zero();    ///< of every point, m/s
+  std::optional<HeldPart> held{};  ///< fixed, or moved by `motion`
+  Motion motion{};                 ///< of the held part
+  bool self_collision = false;     ///< it may touch itself
+};
+
+/// A fixed half-space: x with (x − point)·normal < 0 is inside.
+struct Obstacle {
+  std::string name;
+  Vec3 point = Vec3::Zero();    ///< m
+  Vec3 normal = Vec3::UnitZ();  ///< outward, unit length
+  double friction = 0.0;        ///< μ of every pair with this obstacle, dimensionless
+  Motion motion{};              ///< of the whole half-space
+};
+
+struct Problem {
+  std::string name;
+  std::vector<ProblemBody> bodies;
+  std::vector<Obstacle> obstacles;
+  Gravity gravity;        ///< m/s², constant or ramped
+  Drag drag{};            ///< while the scene settles
+  double friction = 0.0;  ///< μ between bodies, dimensionless
+  double duration = 1.0;  ///< s
+};
+
+}  // namespace stiction

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/engine/settings.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "solver/demand.h"
+
+namespace stiction {
+
+namespace {
+
+double parse_number(const std::string& name, const std::string& word) {
+  double value = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    throw InputError("setting '" + name + "' needs a finite number, not '" + word + "'");
+  }
+  return value;
+}
+
+}  // namespace
+
+bool SettingsReader::has(const std::string& name) {
+  known_[name] = true;
+  return settings_.count(name) > 0;
+}
+
+std::string SettingsReader::text(const std::string& name, const std::string& fallback) {
+  return has(name) ? settings_.at(name) : fallback;
+}
+
+double SettingsReader::number(const std::string& name, double fallback) {
+  return has(name) ? parse_number(name, settings_.at(name)) : fallback;
+}
+
+int SettingsReader::count(const std::string& name, int fallback) {
+  if (!has(name)) return fallback;
+  const double value = number(name, 0.0);
+  if (value != std::floor(value) || value < 1.0 || value > 1e6) {
+    throw InputError("setting '" + name + "' needs a whole number from 1 to 1000000, not '" +
+                     settings_.at(name) + "'");
+  }
+  return static_cast<int>(value);
+}
+
+void SettingsReader::refuse_unknown(const std::string& engine) const {
+  for (const auto& [name, value] : settings_) {
+    if (known_.count(name) > 0) continue;
+    std::string list;
+    for (const auto& [word, used] : known_) list += (list.empty() ? "" : ", ") + word;
+    throw InputError("engine '" + engine + "' has no setting '" + name + "'; there are: " + list);
+  }
+}
+
+}  // namespace stiction

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/demand.h"
+#include "solver/elasticity/corotational.h"
+#include "solver/observables.h"
+#include "solver/step.h"
+#include "validation/engine/engine.h"
+#include "validation/engine/settings.h"
+#include "validation/engines/stiction/stiction_expectations.h"
+#include "validation/engines/stiction/stiction_method.h"
+#include "validation/engines/stiction/stiction_scene.h"
+#include "validation/observe/step_cost.h"
+
+namespace stiction {
+
+namespace {
+
+// How often a run looks whether it still consists of numbers, in steps.
+constexpr std::uint64_t kFiniteEvery = 256;
+
+// Largest of 1, 2, 5 × 10ⁿ not above `limit`.
+double round_down_125(double limit) {
+  const double decade = std::pow(10.0, std::floor(std::log10(limit)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * decade <= limit) return factor * decade;
+  }
+  return decade;
+}
+
+class StictionEngine final : public Engine {
+ public:
+  explicit StictionEngine(const Settings& given) {
+    SettingsReader reader(given);
+    read_method(reader, options_);
+    how_.cells = reader.count("cells", how_.cells);
+    how_.ball = reader.count("ball", how_.ball);
+    chosen_time_step_ = reader.has("dt");
+    options_.time_step = reader.number("dt", options_.time_step);
+    reader.refuse_unknown("stiction");
+  }
+
+  void load(const Problem& problem) override {
+    const SceneDescription description = scene_description(problem, how_);
+    scene_ = build_scene(description);
+    meshes_ = distinct_meshes(description);
+    if (!chosen_time_step_) {
+      options_.time_step =
+          std::min(options_.time_step, round_down_125(0.8 * scene_.stable_time_step));
+    }
+    check_options(options_, scene_);
+    state_ = initial_state(scene_);
+    workspace_ = Workspace{};
+  }
+
+  double time_step() const override { return options_.time_step; }
+  std::uint64_t steps_done() const override { return state_.step; }
+
+  void advance(std::uint64_t steps) override {
+    const double before = thread_cpu_seconds();
+    for (std::uint64_t k = 0; k < steps; ++k) {
+      workspace_.phase_seconds = cost_.phases_of(state_.step);
+      step(scene_, options_, state_, workspace_);
+      cost_.add_step(workspace_);
+      if (workspace_.search.outrun.travel > 0.0) refuse_outrun();
+      if (workspace_.search.too_deep.depth > 0.0) refuse_passage();
+      if (cost_.steps() % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
+    }
+    cost_.add_cpu(thread_cpu_seconds() - before);
+  }
+
+  BodyMotion body(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    return {centre_of_mass(scene_, state_, body), centre_velocity(scene_, state_, body),
+            Eigen::Quaterniond(fitted_rotation(scene_, state_, body))};
+  }
+
+  std::vector<ContactSample> contacts() const override {
+    std::vector<ContactSample> samples;
+    const OneSidedContacts& contacts = workspace_.contacts;
+    const double time = static_cast<double>(state_.step) * options_.time_step;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const auto v = static_cast<std::size_t>(contacts.vertex[c]);
+      const auto o = static_cast<std::size_t>(contacts.obstacle[c]);
+      const HalfSpace& obstacle = scene_.half_spaces[o];
+      const Vec3 velocity = state_.velocity[v].v - contacts.obstacle_velocity[c];
+      samples.push_back({.body = body_of(contacts.vertex[c]),
+                         .obstacle = o,
+                         .against_body = false,
+                         .point = contacts.vertex[c],
+                         .normal = obstacle.normal,
+                         .gap = obstacle.normal.dot(state_.position[v].x - obstacle.point -
+                                                    obstacle.motion.at(time)),
+                         .normal_force = contacts.normal_force[c],
+                         .friction_force = contacts.friction_force[c],
+                         .slip = velocity - obstacle.normal.dot(velocity) * obstacle.normal,
+                         .sticks = contacts.status[c] == ContactStatus::kStick,
+                         .position = state_.position[v].x});
+    }
+    for (const PairContact& contact : workspace_.pairs) samples.push_back(sample_of(contact));
+    for (const EdgeContact& contact : workspace_.edges) samples.push_back(sample_of(contact));
+    return samples;
+  }
+
+  Eigen::Matrix3Xi surface(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    Eigen::Matrix4Xi tetrahedra(4, body.element_count);
+    for (int e = 0; e < body.element_count; ++e) {
+      const Element& element = scene_.elements[static_cast<std::size_t>(body.first_element + e)];
+      for (int k = 0; k < 4; ++k) tetrahedra(k, e) = element.vertex[k] - body.first_vertex;
+    }
+    return surface_triangles(tetrahedra);
+  }
+
+  Eigen::Matrix3Xd vertices(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    Eigen::Matrix3Xd positions(3, body.vertex_count);
+    for (int v = 0; v < body.vertex_count; ++v) {
+      positions.col(v) = state_.position[static_cast<std::size_t>(body.first_vertex + v)].x;
+    }
+    return positions;
+  }
+
+  Energies energies() const override {
+    const double time = static_cast<double>(state_.step) * options_.time_step;
+    return {kinetic_energy(scene_, state_), gravity_energy(scene_, state_, time),
+            elastic_energy(scene_.elements, state_.position)};
+  }
+
+  Momenta momenta() const override {
+    return {linear_momentum(scene_, state_), angular_momentum(scene_, state_)};
+  }
+
+  std::vector<Mesh> meshes() const override { return meshes_; }
+
+  Settings settings() const override {
+    Settings all = method_settings(options_, scene_.pairs_possible);
+    all["dt"] = fmt::format("{}", options_.time_step);
+    all["cells"] = fmt::format("{}", how_.cells);
+    return all;
+  }
+
+  Cost cost() const override { return cost_.total(workspace_.contact_updates); }
+
+  std::uint64_t state_hash() const override { return hash_of(state_); }
+  Snapshot save() const override { return std::make_shared<const State>(state_); }
+  void restore(const Snapshot& snapshot) override {
+    state_ = *static_cast<const State*>(snapshot.get());
+    // Those of the step after the snapshot; there are none until the next step.
+    workspace_.contacts.clear();
+    workspace_.pairs.clear();
+    workspace_.edges.clear();
+  }
+
+ private:
+  std::size_t body_of(int vertex) const {
+    const auto after =
+        std::upper_bound(scene_.bodies.begin(), scene_.bodies.end(), vertex,
+                         [](int v, const Body& body) { return v < body.first_vertex; });
+    return static_cast<std::size_t>(after - scene_.bodies.begin()) - 1;
+  }
+
+  ContactSample sample_of(const PairContact& contact) const {
+    const auto i = static_cast<std::size_t>(contact.vertex);
+    const double dt = options_.time_step;
+    Vec3 slip = state_.velocity[i].v;
+    Vec3 arm = state_.position[i].x - dt * state_.velocity[i].v;
+    for (int k = 0; k < 4; ++k) {
+      const auto j = static_cast<std::size_t>(contact.partner[k]);
+      slip -= contact.weight[k] * state_.velocity[j].v;
+      arm -= contact.weight[k] * (state_.position[j].x - dt * state_.velocity[j].v);
+    }
+    return {.body = body_of(contact.vertex),
+            .obstacle = static_cast<std::size_t>(
+                scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
+            .against_body = true,
+            .point = contact.vertex,
+            .facet = contact.triangle,
+            .normal = contact.normal,
+            .gap = -(contact.depth + contact.excess),
+            .normal_force = contact.normal_force,
+            .friction_force = contact.friction_force,
+            .slip = slip - contact.normal.dot(slip) * contact.normal,
+            .sticks = contact.status == ContactStatus::kStick,
+            .position = state_.position[i].x,
+            .arm = arm};
+  }
+
+  ContactSample sample_of(const EdgeContact& contact) const {
+    const double dt = options_.time_step;
+    Vec3 position = Vec3::Zero(), slip = Vec3::Zero(), arm = Vec3::Zero();
+    const auto add = [&](double weight, std::int32_t vertex) {
+      const auto v = static_cast<std::size_t>(vertex);
+      slip += weight * state_.velocity[v].v;
+      arm += weight * (state_.position[v].x - dt * state_.velocity[v].v);
+    };
+    for (int k = 0; k < 2; ++k) {
+      position +=
+          contact.own_weight[k] * state_.position[static_cast<std::size_t>(contact.vertex[k])].x;
+      add(contact.own_weight[k], contact.vertex[k]);
+    }
+    for (int k = 0; k < 4; ++k) add(-contact.weight[k], contact.partner[k]);
+    // Edges are numbered behind the vertices.
+    const auto edge_a = static_cast<std::int64_t>(contact.key >> 32);
+    const auto edge_b = static_cast<std::int64_t>(contact.key & 0xffffffffu);
+    return {.body = body_of(contact.vertex[0]),
+            .obstacle = static_cast<std::size_t>(
+                scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
+            .against_body = true,
+            .point = scene_.vertex_count() + edge_a,
+            .facet = static_cast<std::int64_t>(scene_.topology.triangle.size()) + edge_b,
+            .normal = contact.normal,
+            .gap = -contact.depth,
+            .normal_force = contact.normal_force,
+            .friction_force = contact.friction_force,
+            .slip = slip - contact.normal.dot(slip) * contact.normal,
+            .sticks = contact.status == ContactStatus::kStick,
+            .position = position,
+            .arm = arm};
+  }
+
+  [[noreturn]] void refuse_outrun() const {
+    const PairSearch::Outrun& outrun = workspace_.search.outrun;
+    const auto name = [&](std::int32_t b) -> const std::string& {
+      return scene_.bodies[static_cast<std::size_t>(b)].name;
+    };
+    throw InputError(fmt::format(
+        "'{}' and '{}' come at each other by {:.3g} mm in a step, more than an element of the "
+        "thinner one is wide ({:.3g} mm), so that they could pass through each other unseen: the "
+        "time step must be below {:.2g} s",
+        name(outrun.body), name(outrun.other), 1e3 * outrun.travel, 1e3 * outrun.width,
+        options_.time_step * outrun.width / outrun.travel));
+  }
+
+  [[noreturn]] void refuse_passage() const {
+    const PairSearch::TooDeep& deep = workspace_.search.too_deep;
+    throw InputError(fmt::format(
+        "'{}' has sunk {:.3g} mm into '{}', {:.2g} of the width of its least element ({:.3g} mm), "
+        "at "
+        "t = {:.4g} s: it is passing through; a smaller time step or stiffer bodies may hold",
+        scene_.bodies[body_of(deep.vertex)].name, 1e3 * deep.depth,
+        scene_.bodies[static_cast<std::size_t>(deep.body)].name, deep.depth / deep.width,
+        1e3 * deep.width, static_cast<double>(state_.step) * options_.time_step));
+  }
+
+  void demand_finite() const {
+    if (is_finite(state_)) return;
+    throw InputError(fmt::format("the simulation diverged before t = {:.4g} s (step {})",
+                                 static_cast<double>(state_.step) * options_.time_step,
+                                 state_.step));
+  }
+
+  Options options_;
+  Discretisation how_;
+  bool chosen_time_step_ = false;
+  Scene scene_;
+  std::vector<Mesh> meshes_;
+  State state_;
+  Workspace workspace_;
+  StepCost cost_;
+};
+
+std::unique_ptr<Engine> make(const Settings& settings) {
+  return std::make_unique<StictionEngine>(settings);
+}
+
+std::map<std::string, std::string> settings_help() {
+  std::map<std::string, std::string> help = method_settings_help();
+  help["dt"] = "time step, s (default 2e-4, or less where stability asks for it)";
+  help["cells"] = "cells along a box's longest edge (default 2)";
+  help["ball"] = "frequency n of a ball's triangulation, 10 n² + 2 surface vertices (default 8)";
+  return help;
+}
+
+}  // namespace
+
+EngineKind engine_stiction() {
+  return {
+      .name = "stiction",
+      .description = "this project's solver: tetrahedra, penalty contact, coherent static friction",
+      .capabilities = {.deformable = true, .point_masses = true, .save_restore = true},
+      .settings_help = settings_help(),
+      .make = make,
+      .expectations = stiction_expectations()};
+}
+
+}  // namespace stiction

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/observe/step_cost.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace stiction {
+
+namespace {
+
+// One step of so many is timed.
+constexpr std::uint64_t kTimedEvery = 16;
+
+// What an empty PhaseTimer adds, s: the smallest of many, since noise only adds.
+double clock_overhead() {
+  double smallest = 1.0;
+  for (int k = 0; k < 200; ++k) {
+    PhaseSeconds seconds{};
+    { const PhaseTimer timer(&seconds, Phase::kForces); }
+    smallest = std::min(smallest, seconds[0]);
+  }
+  return smallest;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+double thread_cpu_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+StepCost::StepCost() : overhead_(clock_overhead()) {}
+
+PhaseSeconds* StepCost::phases_of(std::uint64_t step) {
+  return step % kTimedEvery == 0 ? &phase_seconds_ : nullptr;
+}
+
+void StepCost::add_step(const Workspace& workspace) {
+  ++steps_;
+  if (workspace.phase_seconds == nullptr) return;
+  ++timed_steps_;
+  note_contact_time(workspace.contacts.size() + workspace.pairs.size() + workspace.edges.size());
+}
+
+// Normal force and friction of the step just timed, per contact, less what reading the clock costs.
+void StepCost::note_contact_time(std::size_t contacts) {
+  const double seconds = phase_seconds_[static_cast<std::size_t>(Phase::kNormalForce)] +
+                         phase_seconds_[static_cast<std::size_t>(Phase::kFriction)];
+  const double spent = seconds - contact_seconds_ - 2.0 * overhead_;
+  contact_seconds_ = seconds;
+  if (contacts > 0) seconds_per_contact_.push_back(spent / static_cast<double>(contacts));
+}
+
+Cost StepCost::total(std::uint64_t contact_updates) const {
+  Cost cost;
+  cost.cpu_seconds = cpu_seconds_;
+  cost.steps = steps_;
+  cost.contact_updates = contact_updates;
+  for (std::size_t p = 0; p < phase_seconds_.size(); ++p) {
+    const double net =
+        std::max(0.0, phase_seconds_[p] - overhead_ * static_cast<double>(timed_steps_));
+    // Scaled up from the timed steps to all steps.
+    cost.phase_seconds[kPhaseNames[p]] =
+        timed_steps_ == 0 ? 0.0
+                          : net * static_cast<double>(steps_) / static_cast<double>(timed_steps_);
+  }
+  cost.ns_per_contact_update = 1e9 * median(seconds_per_contact_);
+  return cost;
+}
+
+}  // namespace stiction

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reports/record/record.h"
+#include "solver/workspace.h"
+
+namespace stiction {
+
+/// CPU time of this thread so far, s.
+double thread_cpu_seconds();
+
+/// What the solver's steps have cost. Phases are timed in some steps only and scaled up to all:
+/// reading the clock would otherwise be a tenth of the step of a small scene.
+class StepCost {
+ public:
+  StepCost();
+
+  /// Where the step of this number is to add what its phases take; null if it is not timed.
+  PhaseSeconds* phases_of(std::uint64_t step);
+
+  /// Counts the step that the workspace has just been used for.
+  void add_step(const Workspace& workspace);
+
+  void add_cpu(double seconds) { cpu_seconds_ += seconds; }
+  std::uint64_t steps() const { return steps_; }
+  Cost total(std::uint64_t contact_updates) const;
+
+ private:
+  void note_contact_time(std::size_t contacts);
+
+  double overhead_;  // what an empty PhaseTimer adds, s
+  PhaseSeconds phase_seconds_{};
+  double cpu_seconds_ = 0.0;
+  std::uint64_t steps_ = 0;
+  std::uint64_t timed_steps_ = 0;
+  double contact_seconds_ = 0.0;             // of the timed steps so far
+  std::vector<double> seconds_per_contact_;  // of each timed step: its median shrugs off interrupts
+};
+
+}  // namespace stiction

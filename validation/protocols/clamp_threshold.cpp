@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/protocols/clamp_threshold.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "validation/estimate/extrapolation.h"
+#include "validation/protocols/clamp_limit.h"
+#include "validation/protocols/methods.h"
+#include "validation/protocols/paper_figure.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr double kStiffer = 4.0;
+constexpr double kRest = 8e-5;  // of the criterion of rest, relative, see ClampProbe
+
+// Stiffer material is pressed as hard by a shorter way, and rings down as fast with less β.
+ClampSetup stiffer(ClampSetup setup, double factor) {
+  setup.elasticity.youngs_modulus *= factor;
+  setup.elasticity.damping_time /= factor;
+  return setup;
+}
+
+// Its first step outwards, in widths of the bracket.
+constexpr double kStep = 4.0;
+
+ClampThreshold search(CaseRun& run, const ClampSetup& setup, const ClampSearch& about, double rigid,
+                      const Settings& extra = {}) {
+  const ClampThreshold found = clamp_threshold(run, setup, about, extra);
+  const ClampProbe& at = found.holds;
+  run.note(fmt::format(
+      "E = {:.1e} Pa{}: holds at N = {:.4f} N, fails at {:.4f} N ({:+.3f} % of the rigid limit), "
+      "{} runs. Pressure centres Δh/w = {:.5f}; of the friction at the right jaw {:.5f} points up, "
+      "of the normal force {:.5f}",
+      setup.elasticity.youngs_modulus, extra.empty() ? "" : ", half the step", found.upper,
+      found.lower, 100.0 * (found.middle() / rigid - 1.0), found.evaluations, at.slope, at.along,
+      at.lift));
+  return found;
+}
+
+// The way that closes the clamp to a force of `wanted` (before gravity), by the line through two
+// clamps of which the second is nearly it: what is lost until all contacts bear stays out of it.
+double way_for(CaseRun& run, ClampSetup setup, double way, double wanted) {
+  if (std::isnan(way)) return way;
+  const auto force = [&](double squeeze) {
+    setup.squeeze = squeeze;
+    const auto simulation = run.simulate(clamp_problem(setup));
+    simulation->advance_to(kFallFrom);
+    return clamp_force(simulation->engine(), setup);
+  };
+  const double first = force(way), near = way * wanted / first, second = force(near);
+  return near + (wanted - second) * (near - way) / (second - first);
+}
+
+// The same search elsewhere, begun about a clamp that is known from another; `width` is of the way.
+ClampThreshold search_about(CaseRun& run, const ClampSetup& setup, double way, double width,
+                            double rigid, const Settings& extra = {}) {
+  if (std::isnan(way)) {
+    return {.holds = {}, .fails = {}, .squeeze = way, .upper = way, .lower = way};
+  }
+  return search(run, setup,
+                {.guess = way, .step = kStep * width, .reach = 0.3 * way, .width = width}, rigid,
+                extra);
+}
+
+void check_rest(CaseRun& run, ClampSetup setup, const ClampThreshold& soft) {
+  setup.squeeze = soft.squeeze;
+  ClampProbe longer;
+  if (!std::isnan(soft.squeeze)) longer = probe_clamp(run, setup, {}, true);
+  run.check({.quantity = "creep of the clamp that holds, after twice the time",
+             .unit = "m/s",
+             .claim = "a clamp that holds its box holds it at rest",
+             .formula = "mean speed of the fall over 0.3 s = 0",
+             .source = "Coulomb's law; [Lazarevych2009] calls 1e-9 m/s static",
+             .kind = ReferenceKind::kAnalytic,
+             .value = longer.holds ? longer.creep : std::nan(""),
+             .expected = 0.0,
+             .tolerance = kStaticSlip,
+             .reason = "the paper's own figure"});
+}
+
+void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold& soft,
+                     double width, double rigid) {
+  const double dt = run.simulate(clamp_problem(setup))->engine().time_step();
+  const ClampThreshold fine =
+      search_about(run, setup, soft.squeeze, width, rigid, {{"dt", fmt::format("{}", 0.5 * dt)}});
+  run.check({.quantity = "critical clamp force at half the step ÷ at the whole one",
+             .unit = "1",
+             .claim = "how hard a clamp must press does not depend on the time step",
+             .formula = "N(Δt/2)/N(Δt) = 1",
+             .source = "Coulomb's law",
+             .kind = ReferenceKind::kSelfConverged,
+             .value = fine.middle() / soft.middle(),
+             .expected = 1.0,
+             .tolerance = (fine.half() + soft.half()) / rigid + 2.0 * kRest,
+             .reason = "half of either bracket, and 8e-5 of the criterion of rest each"});
+}
+
+}  // namespace
+
+void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, double least,
+                           double width, bool half_step) {
+  if (is_paper(run)) run.passages_are_noted();
+  const ClampLimit limit = clamp_limit(setup);
+  const double rigid = 0.5 * (limit.lower + limit.upper);
+  const ClampSetup middle = stiffer(setup, kStiffer), hard = stiffer(middle, kStiffer);
+  // Begun where a clamp of rigid bodies would need no more; then, stiffer, at the force found; then
+  // where the trend of the two leads.
+  const double guess = way_for(run, setup, most, rigid);
+  const ClampThreshold a = search(run, setup,
+                                  {.guess = guess,
+                                   .step = kStep * width,
+                                   .reach = std::max(most - guess, guess - least),
+                                   .width = width},
+                                  rigid);
+  const double known = a.holds.unloaded;
+  const ClampThreshold b = search_about(
+      run, middle, way_for(run, middle, a.squeeze / kStiffer, known), width / kStiffer, rigid);
+  const double trend = b.holds.unloaded + (b.holds.unloaded - known) / kStiffer;
+  const ClampThreshold c = search_about(run, hard, way_for(run, hard, b.squeeze / kStiffer, trend),
+                                        width / (kStiffer * kStiffer), rigid);
+  const double coarse = extrapolate_with_order(a.middle(), b.middle(), kStiffer, 1.0);
+  const double fine = extrapolate_with_order(b.middle(), c.middle(), kStiffer, 1.0);
+  // An error of order 1/E² in the finer extrapolation is a fifteenth of the way that it has come.
+  const double next = std::abs(fine - coarse) / (kStiffer * kStiffer - 1.0);
+  // Nothing bracketed: the value is no number, and the tolerance shall be one.
+  const bool found = !std::isnan(fine) && !std::isnan(coarse);
+  const double brackets =
+      (kStiffer * (c.half() + kRest * rigid) + b.half() + kRest * rigid) / (kStiffer - 1.0);
+  run.check(
+      {.quantity = "critical clamp force, rigid limit",
+       .unit = "N",
+       .claim = "a clamp holds iff its friction can carry weight and couple",
+       .formula = "least N with an equilibrium in the cones of all contact points",
+       .source = "exact limit analysis of the rigid geometry, validation/protocols/clamp_limit.h",
+       .kind = ReferenceKind::kExactComputed,
+       .value = fine,
+       .expected = rigid,
+       .relative = true,
+       .scale = rigid,
+       .tolerance = found ? (brackets + next + 0.5 * (limit.upper - limit.lower)) / rigid : 0.0,
+       .reason = "half the brackets of the bisections and 8e-5 of the criterion of rest, as "
+                 "the extrapolation (4 N(16E) − N(4E))/3 weighs them; a fifteenth of its "
+                 "distance from that of E and 4 E, for the order 1/E²; half the analysis' "
+                 "bracket"});
+  const Extrapolation free = extrapolate(a.middle(), b.middle(), c.middle(), kStiffer);
+  run.note(
+      fmt::format("limit analysis [{:.6f}, {:.6f}] N; extrapolated {:.4f} N from E and 4 E, "
+                  "{:.4f} N from 4 E and 16 E; order in 1/E of all three {:.2f}, limit {:.4f}",
+                  limit.lower, limit.upper, coarse, fine, free.order, free.limit));
+  check_rest(run, setup, a);
+  if (half_step) check_half_step(run, setup, a, width, rigid);
+}
+
+}  // namespace stiction

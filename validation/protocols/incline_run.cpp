@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/protocols/incline_run.h"
+
+#include "validation/observe/observe.h"
+
+namespace stiction {
+
+InclineRun::InclineRun(CaseRun& run, const InclineSetup& setup, const Problem& problem,
+                       const Settings& extra)
+    : simulation_(run.simulate(problem, extra)), frame_(incline_frame(setup)), start_(0.0) {
+  start_ = travel();
+}
+
+double InclineRun::travel() const {
+  return frame_.downhill.dot(engine().body(0).position) - start_;
+}
+
+double InclineRun::speed() const { return frame_.downhill.dot(engine().body(0).velocity); }
+
+void InclineSeries::sample(const InclineRun& run) {
+  time_.push_back(run.time());
+  kinetic_.push_back(run.engine().energies().kinetic);
+  slip_.push_back(fastest_slip(run.engine()));
+  speed_.push_back(run.speed());
+}
+
+void InclineSeries::add_to(CaseRun& run) const {
+  run.add({"kinetic energy", "J", "time", "s", time_, kinetic_});
+  run.add({"fastest contact slip", "m/s", "time", "s", time_, slip_});
+  run.add({"downhill speed", "m/s", "time", "s", time_, speed_});
+}
+
+void advance_sampled(InclineRun& run, double end, int samples, InclineSeries& series) {
+  const double begin = run.time();
+  for (int k = 1; k <= samples; ++k) {
+    run.advance_to(begin + (end - begin) * k / samples);
+    series.sample(run);
+  }
+}
+
+}  // namespace stiction

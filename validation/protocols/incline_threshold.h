@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "validation/core/case_run.h"
+#include "validation/estimate/threshold.h"
+#include "validation/problems/incline_problem.h"
+
+namespace stiction {
+
+/// True when the settled box comes to rest or is slowing down once the whole load is on.
+///
+/// An elastic body starts to slip while it is loaded, even below the critical slope, so 'moved less
+/// than so much' would be biased. What separates the two sides of the threshold is the sign of its
+/// acceleration, g (sin θ − μ cos θ): it is read between 1.1 s and 1.4 s, when vibrations have
+/// decayed to 1e-12 m/s.
+bool incline_holds(CaseRun& run, const InclineSetup& setup, const Settings& extra = {});
+
+/// The critical tan θ of `setup` (whose own tan θ is ignored): holds at 0.83 μ, slides at 1.21 μ,
+/// and between them searched outwards from Coulomb's value.
+Bracket incline_threshold(CaseRun& run, const InclineSetup& setup, double width,
+                          const Settings& extra = {});
+
+}  // namespace stiction

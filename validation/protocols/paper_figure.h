@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "reports/record/record.h"
+
+namespace stiction {
+
+/// The slip at which [Lazarevych2009] calls a contact static, m/s.
+inline constexpr double kStaticSlip = 1e-9;
+
+/// Something that does not happen in a figure of the paper; `source` names the figure.
+inline Check zero_check(const std::string& source, const std::string& quantity,
+                        const std::string& unit, const std::string& claim, double value,
+                        double tolerance, const std::string& reason) {
+  return {.quantity = quantity,
+          .unit = unit,
+          .claim = claim,
+          .formula = quantity + " = 0",
+          .source = source,
+          .kind = ReferenceKind::kExternal,
+          .value = value,
+          .expected = 0.0,
+          .tolerance = tolerance,
+          .reason = reason};
+}
+
+}  // namespace stiction

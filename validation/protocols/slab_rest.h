@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "validation/problems/slab_problem.h"
+
+namespace stiction {
+
+inline constexpr double kRestSlip = 1e-12;    ///< m/s
+inline constexpr double kRestEnergy = 1e-24;  ///< J
+inline constexpr double kStallWindow = 0.3;   ///< s
+
+/// How a run ended.
+struct SlabOutcome {
+  bool at_rest = false;  ///< the last sample is below both bounds
+  SlabSample last;
+};
+
+/// Runs until the box rests, or until nothing decays any more: when twice running the
+/// highest kinetic energy seen in a window of `kStallWindow` is more than half that of the window
+/// before. Elastic vibration falls by more than a decade in that time, a limit cycle or a slide
+/// doesn't; so a run that would still come to rest is not cut off. Gives up at 8 s in any case.
+/// `history` may be null.
+SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& extra,
+                          SlabSeries* history);
+
+}  // namespace stiction
