@@ -176,7 +176,7 @@ int validate(Arguments& arguments) {
 
   std::vector<Case> cases;
   for (const std::string& file : arguments.problems) cases.push_back(read_user_problem(file));
-  if (cases.empty()) cases = case_catalog();
+  if (cases.empty()) cases = cases_for(find_engine(selection.engine));
   if (arguments.list) {
     if (!arguments.quick) selection.set = CaseSet::kFull;
     list_cases(cases, selection);

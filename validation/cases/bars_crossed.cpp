@@ -61,12 +61,10 @@ std::vector<Case> cases_bars_crossed() {
   };
   return {{.name = "bars/crossed",
            .title = "a bar laid across another in sixteen ways stays on it",
-           .variants = {{{"method", "quiet"}}},
            .run = bars(kOnce, 2.0)},
           {.name = "bars/crossed/doubled",
            .title = "sixteen crossed bars, in twice the window, with half the step",
            .set = CaseSet::kFull,
-           .variants = {{{"method", "quiet"}}},
            .run = bars(kDoubled, 5.0)}};
 }
 

@@ -13,7 +13,6 @@
 #include "validation/core/shared_run.h"
 #include "validation/estimate/spread.h"
 #include "validation/problems/basket_problem.h"
-#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -125,17 +124,21 @@ Fall drop(CaseRun& run, const Problem& problem, double window, bool contrast = f
 
 // What the stabilisation is held against: the paper's contact forces with friction as it was
 // before, ξ = 1. The method before that, without post-correction either, throws the objects out.
-const Settings kUnstabilised = {{"method", "paper"}, {"rule", "none"}};
+Settings unstabilised(const CaseRun& run) {
+  const std::optional<Settings> without = run.settings_without(Without::kStabilisation);
+  if (!without) throw NotApplicable("the engine has no method without the stabilisation");
+  return *without;
+}
 
 using Unstabilised = std::shared_ptr<SharedRun<Fall>>;
 
 void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double window,
                 const Unstabilised& shared) {
-  if (is_paper(run)) run.passages_are_noted();
+  run.bodies_are_thrown();
   Problem problem = basket_problem(setup);
   problem.duration = duration;
   const Fall fall = drop(run, problem, window);
-  Fall before = shared->get(run, kUnstabilised, [&](CaseRun& part) {
+  Fall before = shared->get(run, unstabilised(run), [&](CaseRun& part) {
     part.passages_are_noted();  // of the paper's contacts
     return drop(part, problem, window, true);
   });
@@ -188,7 +191,7 @@ void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double 
 // The same claims over several seeds: a basket is chaotic, so that one seed says little.
 void run_seeds(CaseRun& run, BasketSetup setup, int seeds, double duration, double window,
                const std::vector<Unstabilised>& shared) {
-  if (is_paper(run)) run.passages_are_noted();
+  run.bodies_are_thrown();
   std::vector<double> ratios, moves, lates;
   Series by_seed{"mean kinetic energy at rest ÷ that with ξ = 1", "1", "seed", "1", {}, {}};
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -197,7 +200,7 @@ void run_seeds(CaseRun& run, BasketSetup setup, int seeds, double duration, doub
     problem.duration = duration;
     const Fall fall = drop(run, problem, window);
     const Fall before =
-        shared[static_cast<std::size_t>(seed - 1)]->get(run, kUnstabilised, [&](CaseRun& part) {
+        shared[static_cast<std::size_t>(seed - 1)]->get(run, unstabilised(run), [&](CaseRun& part) {
           part.passages_are_noted();  // of the paper's contacts
           return drop(part, problem, window, true);
         });
@@ -279,17 +282,14 @@ std::vector<Case> cases_basket() {
   for (int seed = 0; seed < kSeeds; ++seed) shared.push_back(std::make_shared<SharedRun<Fall>>());
   return {{.name = "paper/fig6-basket/objects=20",
            .title = "20 non-convex objects come to rest in a basket",
-           .variants = method_variants(),
            .run = once(twenty, 8.0, 1.0)},
           {.name = "paper/fig6-basket/objects=20/seeds=10",
            .title = "20 non-convex objects come to rest in a basket, ten times",
            .set = CaseSet::kFull,
-           .variants = method_variants(),
            .run = [=](CaseRun& run) { run_seeds(run, twenty, kSeeds, 8.0, 1.0, shared); }},
           {.name = "paper/fig6-basket/objects=112",
            .title = "112 non-convex objects come to rest in a basket",
            .set = CaseSet::kFull,
-           .variants = method_variants(),
            .run = once(hundred, 10.0, 2.0)}};
 }
 

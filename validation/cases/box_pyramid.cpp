@@ -13,7 +13,6 @@
 #include "validation/observe/observe.h"
 #include "validation/problems/incline_problem.h"
 #include "validation/problems/pyramid_problem.h"
-#include "validation/protocols/methods.h"
 #include "validation/protocols/paper_figure.h"
 
 namespace stiction {
@@ -96,8 +95,9 @@ struct Rested {
   double farthest() const { return std::max(downhill(), uphill()); }
 };
 
-Rested rest(CaseRun& run, const PyramidSetup& setup, double window, PyramidSeries* series) {
-  const auto simulation = run.simulate(pyramid_problem(setup));
+Rested rest(CaseRun& run, const PyramidSetup& setup, double window, double finer,
+            PyramidSeries* series) {
+  const auto simulation = run.simulate(pyramid_problem(setup), {.finer = finer});
   if (series) simulation->record_frames(0.05);
   const Engine& engine = simulation->engine();
   const std::vector<Vec3> start = places(engine, setup);
@@ -127,9 +127,9 @@ Rested rest(CaseRun& run, const PyramidSetup& setup, double window, PyramidSerie
   return found;
 }
 
-bool uses_no_memory(const CaseRun& run) {
-  const auto rule = run.settings().find("rule");
-  return rule != run.settings().end() && rule->second == "none";
+// Whether the run is that of the paper's left column: its own method without the stabilisation.
+bool is_without_memory(const CaseRun& run) {
+  return run.settings_without(Without::kStabilisation) == run.settings();
 }
 
 void check_rest(CaseRun& run, const PyramidSetup& setup, const Rested& found, double window) {
@@ -178,9 +178,10 @@ using WithoutMemory = std::shared_ptr<SharedRun<Rested>>;
 
 // The paper's claim in figures: what its iteration leaves of the creep with ξ = 1, all else equal.
 void check_against_no_memory(CaseRun& run, const PyramidSetup& setup, const Rested& found,
-                             double window, const WithoutMemory& shared) {
-  const Rested without = shared->get(
-      run, {{"rule", "none"}}, [&](CaseRun& part) { return rest(part, setup, window, nullptr); });
+                             double window, double finer, const WithoutMemory& shared) {
+  const Rested without =
+      shared->get(run, *run.settings_without(Without::kFrictionMemory),
+                  [&](CaseRun& part) { return rest(part, setup, window, finer, nullptr); });
   const bool both = !found.slips.empty() && !without.slips.empty();
   run.check({.quantity = "farthest slip of a joint ÷ that with ξ = 1",
              .unit = "1",
@@ -194,10 +195,10 @@ void check_against_no_memory(CaseRun& run, const PyramidSetup& setup, const Rest
              .reason = "the figure's columns differ at a glance: a fifth"});
 }
 
-void run_figure(CaseRun& run, const PyramidSetup& setup, double window,
+void run_figure(CaseRun& run, const PyramidSetup& setup, double window, double finer,
                 const WithoutMemory& shared) {
   PyramidSeries series;
-  const Rested found = rest(run, setup, window, &series);
+  const Rested found = rest(run, setup, window, finer, &series);
   Check check = zero_check(
       kSource, "displacement", "m", "the pyramid does not fall apart: farthest box from its place",
       found.whole.distance, 0.5 * setup.width,
@@ -206,10 +207,10 @@ void run_figure(CaseRun& run, const PyramidSetup& setup, double window,
   check.worst = fmt::format("box {}", found.whole.box);
   run.check(check);
   check_rest(run, setup, found, window);
-  if (uses_no_memory(run)) {
+  if (is_without_memory(run)) {
     check_creep_without_memory(run, setup, found, window);
-  } else if (run.settings().at("method") != "old") {
-    check_against_no_memory(run, setup, found, window, shared);
+  } else if (!run.configuration().contrast && run.settings_without(Without::kFrictionMemory)) {
+    check_against_no_memory(run, setup, found, window, finer, shared);
   }
   if (found.broken_at >= 0.0) {
     run.note(
@@ -248,7 +249,7 @@ bool stands(CaseRun& run, PyramidSetup setup, double tan_slope) {
 // factor of 16: −1.19, −0.27, −0.06 % of tan θ), so that the search is done at E and at 4 E and
 // extrapolated to rigid boxes, which the reference is about.
 void run_threshold(CaseRun& run, const PyramidSetup& setup, double width) {
-  if (is_paper(run)) run.passages_are_noted();
+  run.bodies_are_thrown();
   constexpr double kStiffer = 4.0;
   const reference::LimitBracket exact = pyramid_limit(setup);
   const double expected = 0.5 * (exact.lower + exact.upper);
@@ -301,9 +302,6 @@ std::vector<Case> cases_box_pyramid() {
   fine.cells = 2;
   fine.elasticity.damping_time = 1.8e-3;
   fine.settled = 12.0;
-  // The paper's left column is its own method without the stabilisation: post-correction, ξ = 1.
-  std::vector<Settings> variants = method_variants();
-  variants.insert(variants.begin() + 1, Settings{{"method", "paper"}, {"rule", "none"}});
   // Without widening (ν = 0), which in the clamp costs up to 1 % of the threshold.
   PyramidSetup plain = slab;
   plain.elasticity.poisson_ratio = 0.0;
@@ -314,41 +312,32 @@ std::vector<Case> cases_box_pyramid() {
   plain_rigid.rigid_ground = true;
   PyramidSetup flush = slab;
   flush.flush = true;
-  const auto figure = [](const PyramidSetup& setup, double window = 3.0) {
+  const auto figure = [](const PyramidSetup& setup, double window = 3.0, double finer = 1.0) {
     const auto shared = std::make_shared<SharedRun<Rested>>();
-    return [=](CaseRun& run) { run_figure(run, setup, window, shared); };
+    return [=](CaseRun& run) { run_figure(run, setup, window, finer, shared); };
   };
   return {{.name = "paper/fig5-box-pyramid",
            .title = "a pyramid of boxes rests on a deformable slope",
-           .variants = variants,
            .run = figure(slab)},
           {.name = "paper/fig5-box-pyramid/rigid-ground",
            .title = "a pyramid of boxes rests on a rigid slope",
-           .variants = {{{"method", "paper"}}, {{"method", "quiet"}}},
            .run = figure(rigid)},
           {.name = "paper/fig5-box-pyramid/flush",
            .title = "a pyramid of boxes whose edges lie on edges rests on a deformable slope",
-           .variants = {{{"method", "quiet"}}},
            .run = figure(flush)},
           {.name = "paper/fig5-box-pyramid/half-step",
            .title = "the pyramid of boxes with half the time step, for twice the time",
            .set = CaseSet::kFull,
-           .variants = {{{"method", "paper"}, {"rule", "none"}, {"dt", "1e-4"}},
-                        {{"method", "paper"}, {"dt", "1e-4"}},
-                        {{"method", "quiet"}, {"dt", "1e-4"}}},
-           .run = figure(slab, 6.0)},
+           .run = figure(slab, 6.0, 2.0)},
           {.name = "paper/fig5-box-pyramid/fine",
            .title = "the pyramid of boxes with half the mesh size",
            .set = CaseSet::kFull,
-           .variants = variants,
            .run = figure(fine)},
           {.name = "paper/fig5-box-pyramid/threshold",
            .title = "steepest deformable slope on which a pyramid of boxes rests",
-           .variants = method_variants(),
            .run = [plain](CaseRun& run) { run_threshold(run, plain, 1e-4); }},
           {.name = "paper/fig5-box-pyramid/threshold/rigid-ground",
            .title = "steepest rigid slope on which a pyramid of boxes rests",
-           .variants = {{{"method", "paper"}}, {{"method", "quiet"}}},
            .run = [plain_rigid](CaseRun& run) { run_threshold(run, plain_rigid, 1e-4); }}};
 }
 

@@ -7,7 +7,6 @@
 
 #include "validation/observe/observe.h"
 #include "validation/protocols/clamp_threshold.h"
-#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -111,16 +110,13 @@ std::vector<Case> cases_box_row() {
   return {
       {.name = "clamp/row/shear/n=3",
        .title = "three boxes between jaws: what each joint carries",
-       .variants = method_variants(),
        .run = [three](CaseRun& run) { run_shear(run, three); }},
       {.name = "clamp/row/threshold/n=3",
        .title = "least force that holds three boxes between jaws",
-       .variants = {{{"method", "quiet"}}},
        .run = [search](CaseRun& run) { check_clamp_threshold(run, search, 1.5e-3, 0.5e-3, 4e-7); }},
       {.name = "clamp/row/threshold/n=3/half-step",
        .title = "least force that holds three boxes, at half the time step too",
        .set = CaseSet::kFull,
-       .variants = {{{"method", "paper"}}, {{"method", "quiet"}}},
        .run = [search](CaseRun& run) {
          check_clamp_threshold(run, search, 1.5e-3, 0.5e-3, 4e-7, true);
        }}};

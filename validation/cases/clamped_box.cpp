@@ -8,7 +8,6 @@
 #include "validation/observe/observe.h"
 #include "validation/problems/incline_problem.h"
 #include "validation/protocols/clamp_threshold.h"
-#include "validation/protocols/methods.h"
 #include "validation/protocols/paper_figure.h"
 
 namespace stiction {
@@ -150,48 +149,37 @@ std::vector<Case> cases_clamped_box() {
                             bool half_step = false) {
     return [=](CaseRun& run) { check_clamp_threshold(run, setup, most, least, width, half_step); };
   };
-  const std::vector<Settings> all = method_variants();
-  return {
-      {.name = "paper/fig3-clamped-box",
-       .title = "a box between two offset bars stays where it is",
-       .variants = method_variants(),
-       .run = [](CaseRun& run) { run_figure(run, figure()); }},
-      {.name = "paper/fig3-clamped-box/fine",
-       .title = "the clamped box with half the mesh size",
-       .set = CaseSet::kFull,
-       .variants = method_variants(),
-       .run = [fine](CaseRun& run) { run_figure(run, fine); }},
-      {.name = "paper/fig3-clamped-box/threshold",
-       .title = "least force of a clamp of two bars",
-       .variants = {all[1], all[3]},
-       .run = threshold(straight, 0.7e-3, 0.1e-3, 2e-7)},
-      {.name = "paper/fig3-clamped-box/threshold/half-step",
-       .title = "least force of a clamp of two bars, at half the time step too",
-       .set = CaseSet::kFull,
-       .variants = all,
-       .run = threshold(straight, 0.7e-3, 0.1e-3, 2e-7, true)},
-      {.name = "paper/fig3-clamped-box/threshold/offset",
-       .title = "least force of a clamp of two bars at different heights",
-       .variants = {all[3]},
-       .run = threshold(offset_clamp(), 1.4e-3, 0.2e-3, 2e-7)},
-      {.name = "paper/fig3-clamped-box/threshold/offset/vertices",
-       .title = "… for methods without contacts of edges",
-       .set = CaseSet::kFull,
-       .variants = {all[1]},
-       .run = threshold(offset_clamp(), 1.4e-3, 0.2e-3, 2e-7)},
-      {.name = "paper/fig3-clamped-box/threshold/offset/half-step",
-       .title = "least force of a clamp of two offset bars, at half the time step too",
-       .set = CaseSet::kFull,
-       .variants = all,
-       .run = threshold(offset_clamp(), 1.4e-3, 0.2e-3, 2e-7, true)},
-      {.name = "paper/fig3-clamped-box/threshold/flush",
-       .title = "least force of a clamp of two bars exactly as large as the box",
-       .variants = {{{"method", "quiet"}}},
-       .run = threshold(flush, 0.7e-3, 0.1e-3, 2e-7)},
-      {.name = "clamp/half-spaces/threshold",
-       .title = "least force of a clamp of two rigid half-spaces",
-       .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "conjugate-vector"}}},
-       .run = threshold(rigid, 0.3e-3, 0.15e-3, 3e-8)}};
+  return {{.name = "paper/fig3-clamped-box",
+           .title = "a box between two offset bars stays where it is",
+           .run = [](CaseRun& run) { run_figure(run, figure()); }},
+          {.name = "paper/fig3-clamped-box/fine",
+           .title = "the clamped box with half the mesh size",
+           .set = CaseSet::kFull,
+           .run = [fine](CaseRun& run) { run_figure(run, fine); }},
+          {.name = "paper/fig3-clamped-box/threshold",
+           .title = "least force of a clamp of two bars",
+           .run = threshold(straight, 0.7e-3, 0.1e-3, 2e-7)},
+          {.name = "paper/fig3-clamped-box/threshold/half-step",
+           .title = "least force of a clamp of two bars, at half the time step too",
+           .set = CaseSet::kFull,
+           .run = threshold(straight, 0.7e-3, 0.1e-3, 2e-7, true)},
+          {.name = "paper/fig3-clamped-box/threshold/offset",
+           .title = "least force of a clamp of two bars at different heights",
+           .run = threshold(offset_clamp(), 1.4e-3, 0.2e-3, 2e-7)},
+          {.name = "paper/fig3-clamped-box/threshold/offset/vertices",
+           .title = "… for methods without contacts of edges",
+           .set = CaseSet::kFull,
+           .run = threshold(offset_clamp(), 1.4e-3, 0.2e-3, 2e-7)},
+          {.name = "paper/fig3-clamped-box/threshold/offset/half-step",
+           .title = "least force of a clamp of two offset bars, at half the time step too",
+           .set = CaseSet::kFull,
+           .run = threshold(offset_clamp(), 1.4e-3, 0.2e-3, 2e-7, true)},
+          {.name = "paper/fig3-clamped-box/threshold/flush",
+           .title = "least force of a clamp of two bars exactly as large as the box",
+           .run = threshold(flush, 0.7e-3, 0.1e-3, 2e-7)},
+          {.name = "clamp/half-spaces/threshold",
+           .title = "least force of a clamp of two rigid half-spaces",
+           .run = threshold(rigid, 0.3e-3, 0.15e-3, 3e-8)}};
 }
 
 }  // namespace stiction

@@ -182,7 +182,6 @@ Case threshold(int frequency) {
           .title = fmt::format("least friction of a pyramid of four balls of {} surface vertices",
                                10 * frequency * frequency + 2),
           .set = CaseSet::kFull,
-          .variants = {{{"method", "paper"}}, {{"method", "quiet"}}},
           .run = [=](CaseRun& run) { run_four_balls(run, frequency, 0.005); }};
 }
 
@@ -192,7 +191,6 @@ std::vector<Case> cases_four_balls() {
   return {{.name = "paper/fig7-four-balls",
            .title = "a pyramid of four balls of 252 surface vertices stands at μ = 0.24 for 5 s, "
                     "breaks at 0.20",
-           .variants = {{{"method", "old"}}, {{"method", "quiet"}}},
            .run = [](CaseRun& run) { run_four_balls(run, 5, 0.0); }},
           threshold(4),
           threshold(5),

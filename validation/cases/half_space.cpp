@@ -175,7 +175,8 @@ void run_rest(CaseRun& run) {
 }
 
 void run_box_drop(CaseRun& run) {
-  const Problem problem = drop(InclineSetup{}.shape, 0.02, 1.0);
+  Problem problem = drop(InclineSetup{}.shape, 0.02, 1.0);
+  problem.bodies[0].must_deform = true;
   const std::unique_ptr<Simulation> simulation = run.simulate(problem);
   const double dt = simulation->engine().time_step();
   const double start = total(simulation->engine().energies());

@@ -71,9 +71,6 @@ std::vector<Case> cases_incline_creep() {
         {.name = fmt::format("incline/below/creep/{}%", percent),
          .title = fmt::format("a box rests for 10 s at {} % of the critical slope", percent),
          .set = percent == 99 ? CaseSet::kQuick : CaseSet::kDefault,
-         .variants = {{{"rule", "fixed-point"}},
-                      {{"rule", "none"}},
-                      {{"rule", "conjugate-vector"}}},
          .run = [setup](CaseRun& run) { run_creep(run, setup); }});
   }
   return cases;

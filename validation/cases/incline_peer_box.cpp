@@ -87,14 +87,14 @@ void run_peer_box(CaseRun& run, const InclineSetup& level) {
   InclineSetup stop = level;
   stop.speed = 2.0;
   const double expected = stop.speed * stop.speed / (2.0 * mu * kStandardGravity);
-  const auto stopping_distance = [&](double dt) {
-    InclineRun stopping(run, stop, incline_problem(stop), {{"dt", fmt::format("{}", dt)}});
+  const auto stopping_distance = [&](double finer) {
+    InclineRun stopping(run, stop, incline_problem(stop), {.finer = finer});
     stopping.advance_to(1.0);
     return stopping.travel();
   };
   const double dt = slide.time_step();
-  const double coarse = stopping_distance(dt);
-  const double fine = stopping_distance(0.5 * dt);
+  const double coarse = stopping_distance(1.0);
+  const double fine = stopping_distance(2.0);
   constexpr double kNodes = 27.0;
   const Cost cost = slide.engine().cost();
   run.note(

@@ -87,20 +87,17 @@ std::vector<Case> cases_incline_sliding() {
   critical.tan_slope = critical.friction;
   InclineSetup point = above;
   point.shape = PointShape{};
-  return {
-      {.name = "incline/above/acceleration/box",
-       .title = "a box accelerates at 1.2 × the critical slope",
-       .set = CaseSet::kQuick,
-       .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "conjugate-vector"}}},
-       .run = [above](CaseRun& run) { run_above(run, above); }},
-      {.name = "incline/above/acceleration/point",
-       .title = "a point mass accelerates at 1.2 × the critical slope",
-       .run = [point](CaseRun& run) { run_above(run, point); }},
-      {.name = "incline/at-critical/speed",
-       .title = "a box keeps its speed at the critical slope",
-       .set = CaseSet::kQuick,
-       .variants = {{{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "conjugate-vector"}}},
-       .run = [critical](CaseRun& run) { run_critical(run, critical); }}};
+  return {{.name = "incline/above/acceleration/box",
+           .title = "a box accelerates at 1.2 × the critical slope",
+           .set = CaseSet::kQuick,
+           .run = [above](CaseRun& run) { run_above(run, above); }},
+          {.name = "incline/above/acceleration/point",
+           .title = "a point mass accelerates at 1.2 × the critical slope",
+           .run = [point](CaseRun& run) { run_above(run, point); }},
+          {.name = "incline/at-critical/speed",
+           .title = "a box keeps its speed at the critical slope",
+           .set = CaseSet::kQuick,
+           .run = [critical](CaseRun& run) { run_critical(run, critical); }}};
 }
 
 }  // namespace stiction

@@ -11,9 +11,9 @@ namespace stiction {
 namespace {
 
 // Start-up slip at 99 % of the critical slope: how far the box moves while it is loaded, m.
-double start_up_slip(CaseRun& run, InclineSetup setup, const Settings& extra) {
+double start_up_slip(CaseRun& run, InclineSetup setup, const Accuracy& accuracy) {
   setup.tan_slope = 0.99 * setup.friction;
-  InclineRun incline(run, setup, settled_incline_problem(setup), extra);
+  InclineRun incline(run, setup, settled_incline_problem(setup), accuracy);
   incline.advance_to(1.4);
   return incline.travel();
 }
@@ -23,7 +23,7 @@ struct Trend {
   std::string parameter;
   std::string unit;
   std::vector<double> values;
-  std::function<void(double, InclineSetup&, Settings&)> apply;
+  std::function<void(double, InclineSetup&, Accuracy&)> apply;
 };
 
 void run_trend(CaseRun& run, const Trend& trend) {
@@ -33,12 +33,12 @@ void run_trend(CaseRun& run, const Trend& trend) {
   for (const double value : trend.values) {
     InclineSetup setup;
     setup.azimuth = radians(30.0);
-    Settings extra;
-    trend.apply(value, setup, extra);
+    Accuracy accuracy;
+    trend.apply(value, setup, accuracy);
     const double mu = setup.friction;
-    const Bracket bracket = incline_threshold(run, setup, kWidth * mu, extra);
+    const Bracket bracket = incline_threshold(run, setup, kWidth * mu, accuracy);
     error.y.push_back(bracket.middle() / mu - 1.0);
-    slip.y.push_back(start_up_slip(run, setup, extra));
+    slip.y.push_back(start_up_slip(run, setup, accuracy));
     run.check({.quantity = fmt::format("critical tan θ at {} = {:.3g} {}", trend.parameter, value,
                                        trend.unit),
                .unit = "1",
@@ -65,31 +65,29 @@ void run_trend(CaseRun& run, const Trend& trend) {
 
 std::vector<Case> cases_incline_threshold_trend() {
   const std::vector<Trend> trends = {
-      {"time step",
+      {"resolution in time",
        "s",
        {2e-4, 1e-4, 5e-5},
-       [](double value, InclineSetup&, Settings& extra) {
-         extra["dt"] = fmt::format("{}", value);
-       }},
-      {"cells",
+       [](double value, InclineSetup&, Accuracy& accuracy) { accuracy.time = value; }},
+      {"resolution in space",
        "1",
        {2, 3, 4},
-       [](double value, InclineSetup& setup, Settings& extra) {
-         // One time step for all, below the stability limit of the finest mesh.
+       [](double value, InclineSetup& setup, Accuracy& accuracy) {
+         // The same time for all, below the stability limit of the finest mesh.
          setup.elasticity.youngs_modulus = 2.5e5;
-         extra["cells"] = fmt::format("{}", value);
-         extra["dt"] = "1e-4";
+         accuracy = {.fineness = static_cast<int>(value), .time = 1e-4};
        }},
       {"Young's modulus",
        "Pa",
        {1e5, 5e5, 1e6},
-       [](double value, InclineSetup& setup, Settings&) {
+       [](double value, InclineSetup& setup, Accuracy&) {
+         setup.must_deform = true;
          setup.elasticity.youngs_modulus = value;
          // The same damping ratio for each stiffness, so that all settle in time.
          setup.elasticity.damping_time = 1e-3 * std::sqrt(5e5 / value);
        }},
   };
-  const std::vector<std::string> names = {"dt", "cells", "stiffness"};
+  const std::vector<std::string> names = {"time", "space", "stiffness"};
   std::vector<Case> cases;
   for (std::size_t k = 0; k < trends.size(); ++k) {
     cases.push_back({.name = "incline/threshold-trend/" + names[k],

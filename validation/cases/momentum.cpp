@@ -9,7 +9,6 @@
 #include "reference/meshes/box_mesh.h"
 #include "validation/observe/observe.h"
 #include "validation/problems/free_boxes.h"
-#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -154,9 +153,17 @@ Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool ke
 // term.
 constexpr double kAngularRoundOff = 0.6 * 1.1e-16 * 10.0;  // kg m²/s
 
+void note_audit(CaseRun& run, const Audit& found) {
+  run.note(fmt::format(
+      "friction work {:.3e} J; largest gift of a step {:.1e} J (contacts solved later in the sweep "
+      "move those before). Angular momentum: largest defect of a step {:.2e}, over the run {:.2e} "
+      "kg m²/s, formula met to {:.1e}. {:.0f} contact updates.",
+      found.friction_work, found.most_given, found.defect, found.drift, found.formula_error,
+      found.contact_steps));
+}
+
 void run_momentum(CaseRun& run, const Problem& problem) {
   const Audit found = audit(run, problem, {}, true);
-  const bool quiet = run.settings().at("method") == "quiet";
   run.check({.quantity = "linear momentum, largest change",
              .unit = "kg m/s",
              .claim = "contact forces and their reactions cancel: linear momentum is conserved",
@@ -170,7 +177,7 @@ void run_momentum(CaseRun& run, const Problem& problem) {
              .tolerance = 1e-12,
              .reason = "round-off: 300 steps of some 100 vertices at 1e-16 of a vertex's momentum "
                        "give 1e-15, and three decades for the strong forces of the impact"});
-  if (quiet) {
+  if (run.configuration().keeps_angular_momentum) {
     run.check({.quantity = "angular momentum, largest change in a step",
                .unit = "kg m²/s",
                .claim = "with tetrahedral weights the reaction acts where the force does",
@@ -228,7 +235,9 @@ void run_momentum(CaseRun& run, const Problem& problem) {
              .tolerance = 1e-12,
              .reason = "round-off of a vector clamped to μ fⁿ, of its norm and of the quotient, "
                        "some ten roundings, and three decades for light contacts"});
-  const Audit bare = audit(run, problem, {{"post-correction", "off"}}, false);
+  const std::optional<Settings> off = run.settings_without(Without::kPostCorrection);
+  if (!off) return note_audit(run, found);
+  const Audit bare = audit(run, problem, *off, false);
   run.check({.quantity = "the same without post-correction",
              .unit = "J",
              .claim = "… and that doesn't hang on the post-correction",
@@ -239,25 +248,17 @@ void run_momentum(CaseRun& run, const Problem& problem) {
              .expected = 0.0,
              .tolerance = 1e-16,
              .reason = "an inequality; round-off of 1 J"});
-  run.note(fmt::format(
-      "friction work {:.3e} J; largest gift of a step {:.1e} J (contacts solved later in the sweep "
-      "move those before). Angular momentum: largest defect of a step {:.2e}, over the run {:.2e} "
-      "kg m²/s, formula met to {:.1e}. {:.0f} contact updates.",
-      found.friction_work, found.most_given, found.defect, found.drift, found.formula_error,
-      found.contact_steps));
+  note_audit(run, found);
   run.note(fmt::format(
       "without post-correction: linear momentum off by {:.2g} of Σ m|v|, friction work {:.3e} J, "
       "largest gift of a step {:.1e} J",
       bare.linear_error / bare.linear_scale, bare.friction_work, bare.most_given));
 }
 
-Case audit_case(const char* name, const char* title, CaseSet set, Problem (*problem)(),
-                std::vector<Settings> variants = method_variants()) {
-  return {.name = name,
-          .title = title,
-          .set = set,
-          .variants = std::move(variants),
-          .run = [problem](CaseRun& run) { run_momentum(run, problem()); }};
+Case audit_case(const char* name, const char* title, CaseSet set, Problem (*problem)()) {
+  return {.name = name, .title = title, .set = set, .run = [problem](CaseRun& run) {
+            run_momentum(run, problem());
+          }};
 }
 
 }  // namespace
@@ -269,10 +270,9 @@ std::vector<Case> cases_momentum() {
           audit_case("paper/appendix-a-momentum/stack",
                      "momenta in a free stack of boxes that a third one strikes", CaseSet::kDefault,
                      struck_stack),
-          // Only quiet has contacts of crossing edges.
           audit_case("paper/appendix-a-momentum/crossed-bars",
                      "momenta when a bar falls across another: edges on edges", CaseSet::kDefault,
-                     crossed_bars, {{{"method", "quiet"}}})};
+                     crossed_bars)};
 }
 
 }  // namespace stiction

@@ -99,7 +99,6 @@ std::vector<Case> cases_sheet_thin() {
            .title = fmt::format("a soft cube thrown, {} first, at 5 to 20 m/s on a {} sheet of 2 "
                                 "to 10 mm",
                                 first, backed ? "backed" : "framed"),
-           .variants = {{{"method", "quiet"}}},
            .run = [stance = stance, backed](CaseRun& run) { run_sheets(run, stance, backed); }});
     }
   }

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "validation/problems/slab_problem.h"
-#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -145,27 +144,21 @@ std::vector<Case> cases_slab_rest() {
   steep.cells = 2;
   steep.slab_cells = 3;
   const auto rest = [](const std::string& name, const std::string& title, CaseSet set,
-                       const std::vector<SlabSetup>& setups,
-                       const std::vector<Settings>& variants = method_variants()) {
-    return Case{.name = "slab/rest/" + name,
-                .title = title,
-                .set = set,
-                .variants = variants,
-                .run = [setups](CaseRun& run) { check_rest(run, setups); }};
+                       const std::vector<SlabSetup>& setups) {
+    return Case{
+        .name = "slab/rest/" + name, .title = title, .set = set, .run = [setups](CaseRun& run) {
+          check_rest(run, setups);
+        }};
   };
-  const std::vector<Settings> all = method_variants();
   return {rest("one", "a box comes to rest on a deformable slab at 20°", CaseSet::kQuick, {steep}),
           rest("fixed", "twelve chosen poses on a deformable slab come to rest", CaseSet::kDefault,
                fixed_slabs()),
           rest("random", "twenty random poses and meshes come to rest", CaseSet::kDefault,
-               random_slabs(20, 2, 1), {all[1], all[3]}),
-          rest("random/rules", "… with the old method and the secant", CaseSet::kFull,
-               random_slabs(20, 2, 1), {all[0], all[2]}),
+               random_slabs(20, 2, 1)),
           rest("random-fine", "twenty random poses on finer meshes come to rest", CaseSet::kFull,
                random_slabs(20, 4, 2)),
           {.name = "slab/rest/drift",
            .title = "a box on a deformable slab at 20° does not move in 10 s",
-           .variants = method_variants(),
            .run = [steep](CaseRun& run) { check_drift(run, steep); }}};
 }
 

@@ -35,7 +35,7 @@ void run_poses(CaseRun& run, int count, std::uint32_t seed, const Asked& asked) 
   for (const PosedSlab& posed : posed_slabs(count, seed)) {
     RestScene scene{.words = pose_words(posed),
                     .problem = slab_problem(posed.setup),
-                    .settings = {{"cells", fmt::format("{}", posed.setup.cells)}},
+                    .accuracy = {.fineness = posed.setup.cells},
                     .settled = kSettled,
                     .window = kWindow};
     // A box over an edge rocks at some 20 rad/s, which β would take 10 s to end: the medium of the
@@ -64,7 +64,7 @@ void run_damping(CaseRun& run, double damping_time, const Asked& asked) {
     setup.elasticity.damping_time = damping_time;
     RestScene scene{.words = slab_words(setup),
                     .problem = slab_problem(setup),
-                    .settings = {{"cells", fmt::format("{}", setup.cells)}},
+                    .accuracy = {.fineness = setup.cells},
                     .settled = kSettled,
                     .window = kWindow};
     // Without it the first bounce alone would take a minute to decay by nine decades. It is gone
@@ -83,7 +83,6 @@ Case damping(double damping_time, CaseSet set, const Asked& asked) {
           .title = fmt::format("three poses rest on a deformable slab with β = {:.0e} s{}",
                                damping_time, asked.half_the_step ? ", asked thrice" : ""),
           .set = set,
-          .variants = {{{"method", "quiet"}}},
           .run = [=](CaseRun& run) { run_damping(run, damping_time, asked); }};
 }
 
@@ -93,22 +92,18 @@ std::vector<Case> cases_slab_rest_hard() {
   std::vector<Case> cases = {
       {.name = "slab/rest/many/20",
        .title = "twenty random poses, flush, corner and hanging ones among them, rest",
-       .variants = {{{"method", "quiet"}}},
        .run = [](CaseRun& run) { run_poses(run, 20, 7, kOnce); }},
       {.name = "slab/rest/many/200",
        .title = "two hundred random poses, flush, corner and hanging ones among them, rest",
        .set = CaseSet::kFull,
-       .variants = {{{"method", "quiet"}}},
        .run = [](CaseRun& run) { run_poses(run, 200, 8, kOnce); }},
       {.name = "slab/rest/many/200/again",
        .title = "two hundred other random poses, flush, corner and hanging ones among them, rest",
        .set = CaseSet::kFull,
-       .variants = {{{"method", "quiet"}}},
        .run = [](CaseRun& run) { run_poses(run, 200, 9, kOnce); }},
       {.name = "slab/rest/many/20/doubled",
        .title = "twenty random poses rest, in twice the window, with half the step",
        .set = CaseSet::kFull,
-       .variants = {{{"method", "quiet"}}},
        .run = [](CaseRun& run) { run_poses(run, 20, 7, kDoubled); }}};
   for (const double beta : {1e-5, 1e-4, 1e-3}) {
     cases.push_back(damping(beta, CaseSet::kDefault, kOnce));

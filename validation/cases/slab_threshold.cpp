@@ -9,8 +9,8 @@
 #include "validation/estimate/threshold.h"
 #include "validation/problems/slab_problem.h"
 #include "validation/protocols/incline_run.h"
-#include "validation/protocols/methods.h"
 #include "validation/protocols/paper_figure.h"
+#include "validation/protocols/slope_search.h"
 
 namespace stiction {
 
@@ -21,95 +21,6 @@ constexpr double kCoarse = 16e-3;  // … where what holds creeps
 constexpr double kStiffer = 4.0;
 
 double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
-
-// A box that has come so far slides: start-up slip and shear of box and slab stay below 1.2 mm. It
-// is stopped there, because further on it leaves the part of the slab that it was settled on.
-constexpr double kFar = 3e-3;  // m
-
-constexpr double kWindow = 0.4;    // s, over which a mean speed is taken
-constexpr double kLongest = 20.0;  // s
-
-// A box that no longer slows down creeps rather than slides below this speed: it would take five
-// minutes for the 3 mm after which it counts as sliding.
-constexpr double kCreeps = 1e-5;  // m/s
-
-// What counts as slowing down, from window to window: a slide by 2 % (half a bracket below the
-// critical slope takes g Δθ/cos θ · 0.4 s = 4e-5 m/s of the 1e-3 m/s that the ramp leaves), the
-// creep of a limit cycle, which is noise, by a fifth.
-constexpr double kSlideSlows = 0.98, kCreepSlows = 0.8;
-
-// How a box on one slope ended.
-struct Descent {
-  double slope = 0.0;  // rad
-  bool holds = false;  // it rests, or creeps
-  double creep = 0.0;  // mean speed in the last window, m/s
-  double until = 0.0;  // s
-};
-
-// The box is watched in windows until it has rested in two, has slid away, or does not get slower
-// in three running. Whether it holds so doesn't depend on how long one looks: just below the
-// critical slope it takes seconds to stop. Mean speeds, since a limit cycle makes the speed at one
-// moment a matter of luck.
-Descent descend(CaseRun& run, const SlabSetup& setup, const Settings& extra = {}) {
-  SlabRun slab(run, setup, extra);
-  const Vec3 downhill = slab_downhill(setup);
-  slab.advance_to(setup.load.tangential_full);
-  Descent seen{.slope = setup.slope};
-  double place = slab.travel().dot(downhill), before = INFINITY;
-  int steady = 0, rested = 0;
-  while (slab.time() < kLongest && place < kFar) {
-    slab.advance_to(slab.time() + kWindow);
-    const double now = slab.travel().dot(downhill);
-    seen.creep = (now - place) / kWindow;
-    place = now;
-    const double speed = std::abs(seen.creep);
-    seen.holds = speed <= kCreeps;
-    steady = speed > (seen.holds ? kCreepSlows : kSlideSlows) * before ? steady + 1 : 0;
-    before = speed;
-    rested += speed <= kStaticSlip;
-    if (rested == 2 || steady == 3) break;
-  }
-  seen.holds = seen.holds && place < kFar;
-  seen.until = slab.time();
-  return seen;
-}
-
-struct Search {
-  Bracket bracket;            // on θ, degrees
-  std::vector<Descent> seen;  // in the order of the slope
-  double creep = 0.0;         // the largest of the slopes that hold, m/s
-};
-
-// Outwards from `guess`, first to a bracket of `coarse`. Where what holds creeps that is all: a
-// slope is told from the next one by how fast it creeps, and no finer bracket has a meaning.
-Search search(CaseRun& run, const SlabSetup& flat, double expected, double guess, double coarse,
-              double width) {
-  Search found;
-  const auto holds_at = [&](double slope) {
-    SlabSetup setup = flat;
-    setup.slope = radians(slope);
-    found.seen.push_back(descend(run, setup));
-    return found.seen.back().holds;
-  };
-  const auto creeps = [&] {
-    return std::any_of(found.seen.begin(), found.seen.end(), [](const Descent& one) {
-      return one.holds && std::abs(one.creep) > kStaticSlip;
-    });
-  };
-  found.bracket = find_threshold_near(guess, 2.0 * coarse, 2.0, coarse, holds_at);
-  if (!creeps()) found.bracket = narrow(found.bracket, width, holds_at);
-  std::sort(found.seen.begin(), found.seen.end(),
-            [](const Descent& a, const Descent& b) { return a.slope < b.slope; });
-  for (const Descent& one : found.seen) {
-    if (one.holds) found.creep = std::max(found.creep, std::abs(one.creep));
-  }
-  run.note(
-      fmt::format("E = {:.0e} Pa: holds at {:.5f}°, slides at {:.5f}°, {:+.4f}° from theory; "
-                  "fastest creep of the slopes that hold {:.1e} m/s; {} runs",
-                  flat.elasticity.youngs_modulus, found.bracket.holds, found.bracket.fails,
-                  found.bracket.middle() - expected, found.creep, found.bracket.evaluations));
-  return found;
-}
 
 SlabSetup stiffer(SlabSetup setup, double factor) {
   setup.elasticity.youngs_modulus *= factor;
@@ -138,8 +49,7 @@ void check_doubled(CaseRun& run, const SlabSetup& flat, const Bracket& bracket) 
   SlabSetup below = flat, above = flat;
   below.slope = radians(bracket.holds - 2.0 * kWidth);
   above.slope = radians(bracket.fails + 2.0 * kWidth);
-  SlabRun fine(run, below);
-  const Settings half{{"dt", fmt::format("{}", 0.5 * fine.time_step())}};
+  const Accuracy half{.finer = 2.0};
   const Descent resting = descend(run, below, half), sliding = descend(run, above, half);
   SlabRun longer(run, below);
   longer.advance_to(resting.until);
@@ -184,7 +94,8 @@ void check_critical(CaseRun& run, double value, double expected, double toleranc
 void run_threshold(CaseRun& run, const SlabSetup& flat) {
   const double expected = degrees(std::atan(flat.friction));
   // Not so that a slope tried is the expected one. The stiffer box leans a quarter of the soft one.
-  const Search soft = search(run, flat, expected, expected - 3.7 * kWidth, kCoarse, kWidth);
+  const SlopeSearch soft =
+      search_slope(run, flat, expected, expected - 3.7 * kWidth, kCoarse, kWidth);
   if (std::isnan(soft.bracket.middle())) {
     // All slopes within 2° of theory ended alike: there is nothing to extrapolate or to double, and
     // the last one tried is a bound.
@@ -192,8 +103,8 @@ void run_threshold(CaseRun& run, const SlabSetup& flat) {
     return check_critical(run, degrees(beyond.slope), expected, kCoarse);
   }
   const double lean = expected - soft.bracket.middle();
-  const Search stiff =
-      search(run, stiffer(flat, kStiffer), expected, expected - lean / kStiffer, kCoarse, kWidth);
+  const SlopeSearch stiff = search_slope(run, stiffer(flat, kStiffer), expected,
+                                         expected - lean / kStiffer, kCoarse, kWidth);
   const double middle =
       (kStiffer * stiff.bracket.middle() - soft.bracket.middle()) / (kStiffer - 1.0);
   const double half =
@@ -217,65 +128,22 @@ void run_threshold(CaseRun& run, const SlabSetup& flat) {
   run.add(std::move(creep));
 }
 
-// With the bound |F_i| of the paper's (7), which is twice what the pair transmits.
-void run_trap(CaseRun& run, const SlabSetup& flat) {
-  const double expected = degrees(std::atan(2.0 * flat.friction));
-  constexpr double kTrapWidth = 0.01;  // °
-  const Search found =
-      search(run, flat, expected, expected - 3.7 * kTrapWidth, kTrapWidth, kTrapWidth);
-  run.check({.quantity = "critical slope",
-             .unit = "°",
-             .claim = "(7) with the force before it is halved makes a box stick up to 2μ",
-             .formula = "θ_c = atan 2μ: the trap",
-             .source = "Coulomb's law with twice the cone",
-             .kind = ReferenceKind::kAnalytic,
-             .value = found.bracket.middle(),
-             .expected = expected,
-             .tolerance = 0.5 * kTrapWidth + 0.045,
-             .reason = "half the bracket, and the lean of soft bodies, 0.0205° at μ (measured, "
-                       "slab/threshold), which grows with the shear: twice at 2μ, and a tenth. Not "
-                       "extrapolated, since only the factor of two is claimed"});
-}
-
 }  // namespace
 
 std::vector<Case> cases_slab_threshold() {
-  SlabSetup flat;  // it topples only at tan θ = 2
-  flat.box_size = Vec3(0.1, 0.1, 0.05);
-  flat.yaw = radians(17.0);
-  flat.azimuth = radians(30.0);
-  flat.offset = Vec3(0.013, 0.007, 0.0);  // no vertex of the slab for 3 cm before the box
-  flat.cells = 2;
-  flat.slab_cells = 3;
-  flat.elasticity.damping_time = 2e-3;
-  // Slow, so that the box arrives at the full slope with little speed: just below the critical
-  // slope what it has left takes it v²/(2 g Δθ) far.
-  flat.load.tangential_full = 2.3;
+  const SlabSetup flat = slab_of_slopes();
   SlabSetup turned = flat;
   turned.azimuth = radians(75.0);
   turned.offset = Vec3(0.02, 0.01, 0.0);
   turned.cells = 3;
   turned.slab_cells = 4;
-  std::vector<Settings> others = method_variants();
-  others.push_back({{"method", "paper"}, {"memory", "keep"}});
   return {{.name = "slab/threshold",
            .title = "steepest slope on which a box rests on a deformable slab",
-           .variants = {others[1], others[3]},
-           .run = [flat](CaseRun& run) { run_threshold(run, flat); }},
-          {.name = "slab/threshold/rules",
-           .title = "… with the old method and the paper's other readings",
-           .set = CaseSet::kFull,
-           .variants = {others[0], others[2], others[4]},
            .run = [flat](CaseRun& run) { run_threshold(run, flat); }},
           {.name = "slab/threshold/fine",
            .title = "… on another mesh, falling another way",
            .set = CaseSet::kFull,
-           .variants = others,
-           .run = [turned](CaseRun& run) { run_threshold(run, turned); }},
-          {.name = "slab/threshold/bound=literal",
-           .title = "the 2μ trap: μ times the force before it is halved",
-           .variants = {{{"method", "paper"}, {"bound", "literal"}}},
-           .run = [flat](CaseRun& run) { run_trap(run, flat); }}};
+           .run = [turned](CaseRun& run) { run_threshold(run, turned); }}};
 }
 
 }  // namespace stiction

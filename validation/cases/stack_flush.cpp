@@ -8,7 +8,6 @@
 
 #include "validation/observe/rest_watch.h"
 #include "validation/problems/stack_problem.h"
-#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -68,18 +67,15 @@ std::vector<Case> cases_stack_flush() {
         cases.push_back({.name = name,
                          .title = title,
                          .set = chosen ? CaseSet::kDefault : CaseSet::kFull,
-                         .variants = {{{"method", "quiet"}}},
                          .run = [=](CaseRun& run) { run_stack(run, setup, slope, kOnce); }});
         cases.push_back({.name = name + "/doubled",
                          .title = title + ", in twice the window, with half the step",
                          .set = CaseSet::kFull,
-                         .variants = {{{"method", "quiet"}}},
                          .run = [=](CaseRun& run) { run_stack(run, setup, slope, kDoubled); }});
         setup.cells = 2;
         cases.push_back({.name = name + "/cells=2",
                          .title = title + ", two cells an edge",
                          .set = CaseSet::kFull,
-                         .variants = {{{"method", "quiet"}}},
                          .run = [=](CaseRun& run) { run_stack(run, setup, slope, kOnce); }});
       }
     }

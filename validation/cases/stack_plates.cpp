@@ -43,15 +43,12 @@ std::vector<Case> cases_stack_plates() {
     const std::string name = fmt::format("stack/plates/top={:g}", top);
     const std::string title =
         fmt::format("three flush plates rest at tan θ = 0.2, the top {:g} times as dense", top);
-    cases.push_back({.name = name,
-                     .title = title,
-                     .set = CaseSet::kFull,
-                     .variants = {{{"method", "quiet"}}},
-                     .run = [=](CaseRun& run) { run_plates(run, plates(top), kOnce); }});
+    cases.push_back({.name = name, .title = title, .set = CaseSet::kFull, .run = [=](CaseRun& run) {
+                       run_plates(run, plates(top), kOnce);
+                     }});
     cases.push_back({.name = name + "/doubled",
                      .title = title + ", in twice the window, with half the step",
                      .set = CaseSet::kFull,
-                     .variants = {{{"method", "quiet"}}},
                      .run = [=](CaseRun& run) { run_plates(run, plates(top), kDoubled); }});
   }
   return cases;

@@ -56,11 +56,10 @@ std::vector<Case> cases_stack_turned() {
   }
   const auto stack = [](const std::string& name, const std::string& title, CaseSet set,
                         const std::vector<double>& turns, int cells, const Asked& asked) {
-    return Case{.name = "stack/turned/" + name,
-                .title = title,
-                .set = set,
-                .variants = {{{"method", "quiet"}}},
-                .run = [=](CaseRun& run) { run_turned(run, turns, cells, asked); }};
+    return Case{
+        .name = "stack/turned/" + name, .title = title, .set = set, .run = [=](CaseRun& run) {
+          run_turned(run, turns, cells, asked);
+        }};
   };
   return {stack("cells=1", "ten cubes, each turned 1° or 7° further than the one below, rest at 2°",
                 CaseSet::kDefault, {1.0 * kDegree, 7.0 * kDegree}, 1, kOnce),

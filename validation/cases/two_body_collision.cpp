@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "validation/problems/free_boxes.h"
-#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -170,7 +169,6 @@ void run_collision(CaseRun& run) {
 std::vector<Case> cases_two_body_collision() {
   return {{.name = "two-body/free-collision",
            .title = "two free boxes collide: momentum stays, energy is not created",
-           .variants = method_variants(),
            .run = run_collision}};
 }
 

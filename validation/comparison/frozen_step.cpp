@@ -32,7 +32,7 @@ FrozenStep::FrozenStep(const EngineKind& kind, const ComparisonScene& scene,
   settings["rule"] = "fixed-point";
   settings["memory"] = "keep";
   const auto engine = kind.make(settings);
-  engine->load(scene.problem);
+  engine->load(scene.problem, {});
   engine->restore(settled_without_memory(kind, scene, {{"method", method}}).state);
   engine->advance(kLearning);
   start_ = *static_cast<const State*>(engine->save().get());

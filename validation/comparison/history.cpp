@@ -115,11 +115,11 @@ RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings&
   Settings settings = run.settings();
   for (const auto& [name, value] : over) settings[name] = value;
   const auto looked_at = run.engine().make(settings);
-  looked_at->load(scene.problem);
+  looked_at->load(scene.problem, {});
   history.start = start.slips;
   if (start.state) looked_at->restore(start.state);
   history.time_step = looked_at->time_step();
-  const auto timed = run.simulate(scene.problem, over);
+  const auto timed = run.simulate_with(over, scene.problem);
   if (start.state) timed->engine().restore(start.state);
   try {
     timed->engine().advance(scene.steps);

@@ -195,7 +195,7 @@ Settled settled_without_memory(const EngineKind& kind, const ComparisonScene& sc
       Problem problem = scene.problem;
       problem.friction *= friction;
       std::unique_ptr<Engine> engine = kind.make(settings);
-      engine->load(problem);
+      engine->load(problem, {});
       return engine;
     };
     const auto settling = engine_with("stored-vector", 1.0);

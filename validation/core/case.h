@@ -24,11 +24,20 @@ struct Case {
   std::string name{};   ///< path-like and unique: family/claim/parameter=value
   std::string title{};  ///< one line for people
   CaseSet set = CaseSet::kDefault;
-  std::vector<Settings> variants = {{}};  ///< engine settings that it runs with by default
-  std::function<void(CaseRun&)> run{};    ///< simulates and adds checks, series and notes
+  /// Settings that it runs with by default, of a study of one engine. Empty, as in every neutral
+  /// case: the engine's own configurations.
+  std::vector<Settings> variants{};
+  std::function<void(CaseRun&)> run{};  ///< simulates and adds checks, series and notes
 };
 
-/// All cases of the build, sorted by name. Written by the build from validation/cases/.
+/// The settings with which a case runs on an engine unless a user says otherwise; those of a full
+/// run among them if `full`.
+std::vector<Settings> variants_of(const Case& which, const EngineKind& engine, bool full);
+
+/// All neutral cases of the build, sorted by name. Written by the build from validation/cases/.
 std::vector<Case> case_catalog();
+
+/// With those that study this engine, sorted by name.
+std::vector<Case> cases_for(const EngineKind& engine);
 
 }  // namespace stiction

@@ -20,11 +20,6 @@ Settings merged(Settings base, const Settings& over) {
   return base;
 }
 
-bool is_old(const Settings& settings) {
-  const auto method = settings.find("method");
-  return method != settings.end() && method->second == "old";
-}
-
 // The first few of what may be hundreds.
 std::string joined(const std::vector<std::string>& sentences) {
   constexpr std::size_t kTold = 3;
@@ -38,13 +33,32 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
+std::vector<Settings> variants_of(const Case& which, const EngineKind& engine, bool full) {
+  if (!which.variants.empty()) return which.variants;
+  if (!engine.configurations) return {{}};
+  std::vector<Settings> all;
+  for (Configuration& one : engine.configurations(which.name)) {
+    if (full || !one.only_full) all.push_back(std::move(one.settings));
+  }
+  return all;
+}
+
+std::vector<Case> cases_for(const EngineKind& engine) {
+  std::vector<Case> all = case_catalog();
+  if (!engine.studies) return all;
+  for (Case& one : engine.studies()) all.push_back(std::move(one));
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Case& a, const Case& b) { return a.name < b.name; });
+  return all;
+}
+
 Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
-                       const Problem& problem)
+                       const Problem& problem, const Accuracy& accuracy)
     : run_(run),
       engine_(kind.make(settings)),
       watch_(std::make_unique<PassageWatch>(problem)),
-      contrast_(is_old(settings)) {
-  engine_->load(problem);
+      contrast_(kind.configuration && kind.configuration(settings).contrast) {
+  engine_->load(problem, accuracy);
   if (run_.keeps_frames_) recorder_.emplace(problem);
   run_.started(*engine_);
 }
@@ -95,21 +109,37 @@ CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double
                  bool keeps_frames)
     : engine_(std::move(engine)),
       settings_(std::move(settings)),
+      configuration_(engine_.configuration ? engine_.configuration(settings_) : Configuration{}),
       tolerance_scale_(tolerance_scale),
       keeps_frames_(keeps_frames) {
   record_.case_name = which.name;
   record_.title = which.title;
   record_.engine = engine_.name;
   record_.settings = settings_;
-  const auto& variants = which.variants;
+  const std::vector<Settings> variants = variants_of(which, engine_, true);
   if (std::find(variants.begin(), variants.end(), settings_) == variants.end()) return;
   record_.variant = variant_text(settings_);
   if (tolerance_scale_ != 1.0) return;
   expectations_ = expectations_of(engine_.expectations, which.name, record_.variant);
 }
 
-std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Settings& extra) {
-  return std::make_unique<Simulation>(*this, engine_, merged(settings_, extra), problem);
+std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Accuracy& accuracy) {
+  return simulate_with({}, problem, accuracy);
+}
+
+std::unique_ptr<Simulation> CaseRun::simulate_with(const Settings& over, const Problem& problem,
+                                                   const Accuracy& accuracy) {
+  const std::string lacking = missing(engine_.manifest, problem);
+  if (!lacking.empty()) throw NotApplicable("the engine has no " + lacking);
+  return std::make_unique<Simulation>(*this, engine_, merged(settings_, over), problem, accuracy);
+}
+
+void CaseRun::need(bool Manifest::*feature, const std::string& words) const {
+  if (!(engine_.manifest.*feature)) throw NotApplicable("the engine has no " + words);
+}
+
+std::optional<Settings> CaseRun::settings_without(Without what) const {
+  return engine_.without ? engine_.without(what) : std::nullopt;
 }
 
 void CaseRun::check(Check check) {
@@ -118,7 +148,7 @@ void CaseRun::check(Check check) {
     expect(check, *known);
     judge(check, tolerance_scale_, known->verdict);
   } else {
-    if (is_old(settings_)) check.verdict = Verdict::kShown;
+    if (configuration_.contrast) check.verdict = Verdict::kShown;
     judge(check, tolerance_scale_);
   }
   record_.checks.push_back(std::move(check));

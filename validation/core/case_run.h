@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,13 +20,19 @@ namespace stiction {
 class CaseRun;
 class PassageWatch;
 
+/// The engine lacks what a case needs: the record is `not applicable`, with these words.
+class NotApplicable : public std::runtime_error {
+ public:
+  explicit NotApplicable(const std::string& words) : std::runtime_error(words) {}
+};
+
 /// An engine that has taken a problem. Whether bodies pass through each other is watched from
 /// outside (passage_watch.h). Its cost and state hash go into the case's record when the
 /// object ends, so no simulated step is ever left out of the bill.
 class Simulation {
  public:
-  Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
-             const Problem& problem);
+  Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings, const Problem& problem,
+             const Accuracy& accuracy);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -63,15 +70,25 @@ class CaseRun {
   CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale,
           bool keeps_frames = false);
 
-  /// Starts the engine on a problem, with the run's settings and `extra` over them.
-  std::unique_ptr<Simulation> simulate(const Problem& problem, const Settings& extra = {});
+  /// Starts the engine on a problem. Throws NotApplicable in the engine's words for what it lacks.
+  std::unique_ptr<Simulation> simulate(const Problem& problem, const Accuracy& accuracy = {});
+  /// The same with `over` over the run's settings: for studies of one engine, and of what an engine
+  /// can leave out (settings_without).
+  std::unique_ptr<Simulation> simulate_with(const Settings& over, const Problem& problem,
+                                            const Accuracy& accuracy = {});
+  /// Throws NotApplicable with these words where the engine has not got the feature.
+  void need(bool Manifest::*feature, const std::string& words) const;
+  /// What to lay over the run's settings to leave something out; none: the engine can't.
+  std::optional<Settings> settings_without(Without what) const;
 
   /// Fills in error, digits and verdict from value, expected and tolerance, and keeps the check.
   /// |error| ≤ tolerance passes; a value that is no number fails; a check of which the engine's
-  /// table expects a shortfall is judged by its band (verdict.h). Of the old method (`method=old`)
-  /// a check without an expectation is only shown: it stands in the table for contrast and decides
-  /// nothing.
+  /// table expects a shortfall is judged by its band (verdict.h). Of a configuration for contrast a
+  /// check without an expectation is only shown: it stands in the table and decides nothing.
   void check(Check check);
+  /// This case lets bodies part, as a search for a threshold does, or throws them together: where a
+  /// configuration lets them pass through each other then, that is a note and no error.
+  void bodies_are_thrown() { passages_noted_ = passages_noted_ || configuration_.lets_thrown_pass; }
   /// The case counts passages itself: they are notes, not errors.
   void passages_are_noted() { passages_noted_ = true; }
   /// To be called once the case has run to its end: an expectation that no check met is a failing
@@ -87,6 +104,7 @@ class CaseRun {
 
   const EngineKind& engine() const { return engine_; }
   const Settings& settings() const { return settings_; }
+  const Configuration& configuration() const { return configuration_; }
 
   /// The record so far, verdict and cost included; environment left to the caller. An error if
   /// bodies passed through each other.
@@ -102,6 +120,7 @@ class CaseRun {
 
   EngineKind engine_;
   Settings settings_;
+  Configuration configuration_;
   double tolerance_scale_;
   Expectations expectations_;         // of this case and variant
   std::set<std::string> quantities_;  // checked so far

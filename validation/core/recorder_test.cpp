@@ -117,7 +117,7 @@ TEST(Recorder, NothingIsRecordedUnlessSomebodyAsks) {
 class Runaway final : public Engine {
  public:
   explicit Runaway(bool visible, double start = 1.0) : visible_(visible), start_(start) {}
-  void load(const Problem&) override {}
+  void load(const Problem&, const Accuracy&) override {}
   double time_step() const override { return 1.0; }
   std::uint64_t steps_done() const override { return steps_; }
   void advance(std::uint64_t steps) override { steps_ += steps; }

@@ -41,7 +41,7 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
   for (const Case& one : cases) {
     if (!chosen(one, selection)) continue;
     std::vector<Settings> seen;
-    for (Settings settings : one.variants) {
+    for (Settings settings : variants_of(one, engine, selection.set == CaseSet::kFull)) {
       for (const auto& [name, value] : selection.settings) settings[name] = value;
       if (std::find(seen.begin(), seen.end(), settings) != seen.end()) continue;
       seen.push_back(settings);
@@ -53,14 +53,20 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
 
 Record run_job(const Job& job, double tolerance_scale, std::optional<Recording>* recording) {
   CaseRun run(job.which, job.engine, job.settings, tolerance_scale, recording != nullptr);
-  std::string error;
+  std::string error, lacking;
   try {
     job.which.run(run);
     run.demand_expected_checks();
+  } catch (const NotApplicable& reason) {
+    lacking = reason.what();
   } catch (const std::exception& failure) {
     error = failure.what();
   }
   Record record = run.record();
+  if (!lacking.empty() && record.error.empty()) {
+    record.verdict = Verdict::kNotApplicable;
+    record.notes.insert(record.notes.begin(), lacking);
+  }
   if (!error.empty()) {
     record.verdict = Verdict::kError;
     record.error = error;

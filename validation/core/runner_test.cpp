@@ -124,7 +124,7 @@ TEST(RunJob, BillsEverySimulationAndRecordsTheResolvedSettings) {
                 InclineSetup setup;
                 setup.shape = PointShape{};
                 for (int k = 0; k < 2; ++k) {
-                  run.simulate(incline_problem(setup), {{"dt", "1e-3"}})->advance_to(0.1);
+                  run.simulate_with({{"dt", "1e-3"}}, incline_problem(setup))->advance_to(0.1);
                 }
                 run.check(check_of(0.0));
               }),
@@ -143,7 +143,7 @@ std::vector<Job> sliding_jobs() {
     jobs.push_back(job_of([k](CaseRun& run) {
       InclineSetup setup;
       setup.tan_slope = 0.1 * k;
-      const auto simulation = run.simulate(incline_problem(setup), {{"cells", "1"}});
+      const auto simulation = run.simulate_with({{"cells", "1"}}, incline_problem(setup));
       simulation->advance_to(0.05);
       run.check(check_of(simulation->engine().body(0).position.norm()));
     }));

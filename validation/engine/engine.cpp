@@ -5,6 +5,34 @@
 
 namespace stiction {
 
+std::string missing(const Manifest& manifest, const Problem& problem) {
+  std::string words;
+  const auto need = [&](bool needed, bool has, const char* what) {
+    if (!needed || has) return;
+    const std::string seen = ", " + words;
+    if (seen.find(std::string(", ") + what) == std::string::npos) {
+      words += (words.empty() ? "" : ", ") + std::string(what);
+    }
+  };
+  for (const ProblemBody& body : problem.bodies) {
+    const bool point = std::holds_alternative<PointShape>(body.shape);
+    need(point, manifest.point_masses, "point masses");
+    need(std::holds_alternative<BoxShape>(body.shape), manifest.boxes, "boxes");
+    need(std::holds_alternative<BallShape>(body.shape), manifest.balls, "balls");
+    need(std::holds_alternative<MeshShape>(body.shape), manifest.meshes, "bodies of any shape");
+    need(body.must_deform, manifest.deformable, "bodies that deform");
+    need(body.held.has_value(), manifest.held_parts, "held parts");
+    need(body.self_collision, manifest.self_contact, "a body's contact with itself");
+  }
+  need(problem.bodies.size() > 1, manifest.body_contact, "contact between bodies");
+  for (const Obstacle& obstacle : problem.obstacles) {
+    need(!obstacle.motion.time.empty(), manifest.moving_obstacles, "moving obstacles");
+  }
+  need(problem.drag.rate > 0.0, manifest.drag, "a medium that damps");
+  need(problem.gravity.time.size() > 1, manifest.varying_gravity, "gravity that changes");
+  return words;
+}
+
 EngineKind find_engine(const std::string& name) {
   std::string known;
   for (const EngineKind& kind : engine_catalog()) {

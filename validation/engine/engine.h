@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,21 @@ namespace stiction {
 /// Settings of an engine, by name; unknown names and unreadable values are refused in words.
 using Settings = std::map<std::string, std::string>;
 
-/// What a case may ask of an engine.
-struct Capabilities {
-  bool deformable = false;  ///< boxes deform; else they are rigid
+/// What an engine has. missing() holds a problem against it.
+struct Manifest {
   bool point_masses = false;
-  bool save_restore = false;
+  bool boxes = false;
+  bool balls = false;
+  bool meshes = false;        ///< bodies of any shape, given as tetrahedra
+  bool deformable = false;    ///< bodies deform; else they are rigid
+  bool held_parts = false;    ///< parts of a body that are held, or moved
+  bool body_contact = false;  ///< bodies touch each other
+  bool self_contact = false;  ///< … and themselves
+  bool moving_obstacles = false;
+  bool drag = false;             ///< a medium that damps all motion
+  bool varying_gravity = false;  ///< over time
+  bool contact_forces = false;   ///< contacts() has forces and slips
+  bool snapshots = false;        ///< save() and restore()
 };
 
 /// Centre-of-mass motion of one body.
@@ -70,7 +81,7 @@ class Engine {
   virtual ~Engine() = default;
 
   /// Takes the problem and stands at time 0. Throws InputError for what it cannot simulate.
-  virtual void load(const Problem& problem) = 0;
+  virtual void load(const Problem& problem, const Accuracy& accuracy) = 0;
 
   virtual double time_step() const = 0;           ///< Δt, s; after load
   virtual std::uint64_t steps_done() const = 0;   ///< t = steps · Δt
@@ -87,22 +98,57 @@ class Engine {
   virtual Momenta momenta() const = 0;
 
   virtual std::vector<Mesh> meshes() const { return {}; }  ///< bodies of one mesh only once
-  virtual Settings settings() const = 0;                   ///< as resolved, Δt included
-  virtual Cost cost() const = 0;                           ///< of all steps so far
+  /// Elements along the longest edge of a box, of those that it is resolved into; 0: none.
+  virtual int fineness() const { return 0; }
+  virtual Settings settings() const = 0;  ///< as resolved, Δt included
+  virtual Cost cost() const = 0;          ///< of all steps so far
   virtual std::uint64_t state_hash() const = 0;
   virtual Snapshot save() const = 0;
   virtual void restore(const Snapshot& snapshot) = 0;
 };
 
-/// A maker of engines: what a file in validation/engines/ returns from `engine_<file>()`.
+/// A way to run an engine that it brings with it.
+struct Configuration {
+  Settings settings{};
+  /// It stands for a method that is known to break: beside an expectation nothing of it is judged,
+  /// and bodies that pass through each other are a note in the record, not an error.
+  bool contrast = false;
+  /// Bodies pass through each other where they part or are thrown together. Where a case does that
+  /// (CaseRun::bodies_are_thrown) it is a note.
+  bool lets_thrown_pass = false;
+  /// Its word: every reaction acts where the force does, so that angular momentum is exact.
+  bool keeps_angular_momentum = false;
+  bool only_full = false;  ///< it runs with --full alone
+};
+
+/// What a case may ask an engine to leave out, for contrast.
+enum class Without {
+  kFrictionMemory,  ///< of one step's friction in the next
+  kPostCorrection,  ///< reactions on what a body touches
+  kStabilisation,   ///< [Lazarevych2009]'s method with ξ = 1, whatever the run's own is
+};
+
+struct Case;
+
+/// A maker of engines: what the folder validation/engines/<name>/ returns from `engine_<name>()`.
 struct EngineKind {
   std::string name;
   std::string description;  ///< one line
-  Capabilities capabilities;
+  Manifest manifest;
   std::map<std::string, std::string> settings_help;  ///< name → meaning, unit, default
   std::unique_ptr<Engine> (*make)(const Settings& settings);
   Expectations expectations{};  ///< where the engine is known to fall short, and how far
+  /// With what it runs a case by default, by the case's name; null: once, without settings.
+  std::vector<Configuration> (*configurations)(const std::string& case_name) = nullptr;
+  /// What of the run of these settings is judged how; null: all, strictly.
+  Configuration (*configuration)(const Settings& settings) = nullptr;
+  /// Settings, over a run's own, that leave something out; null or none: the engine can't.
+  std::optional<Settings> (*without)(Without what) = nullptr;
+  std::vector<Case> (*studies)() = nullptr;  ///< cases about this engine alone; null: none
 };
+
+/// What the engine lacks for a problem, in words: "bodies that deform, a medium"; empty: nothing.
+std::string missing(const Manifest& manifest, const Problem& problem);
 
 /// All engines of the build, by name. Written by the build from validation/engines/.
 std::vector<EngineKind> engine_catalog();

@@ -62,6 +62,7 @@ struct ProblemBody {
   std::optional<HeldPart> held{};  ///< fixed, or moved by `motion`
   Motion motion{};                 ///< of the held part
   bool self_collision = false;     ///< it may touch itself
+  bool must_deform = false;        ///< what is claimed of it is not true of a rigid body
 };
 
 /// A fixed half-space: x with (x − point)·normal < 0 is inside.
@@ -81,6 +82,15 @@ struct Problem {
   Drag drag{};            ///< while the scene settles
   double friction = 0.0;  ///< μ between bodies, dimensionless
   double duration = 1.0;  ///< s
+};
+
+/// How finely a case needs its problem resolved. An engine makes of it what it has: a mesh, a time
+/// step. What a user sets by hand goes before `fineness` and `time`, never before `finer`.
+struct Accuracy {
+  int fineness = 0;   ///< a body's longest edge over what it is resolved to; 0: the engine's choice
+  int roundness = 0;  ///< points on a ball's surface, at least; 0: the engine's choice
+  double time = 0.0;  ///< s: what lasts so long is resolved; 0: the engine's choice
+  double finer = 1.0;  ///< time is resolved so many times more finely than all that comes to
 };
 
 }  // namespace stiction

@@ -21,7 +21,7 @@ using testing::IsEmpty;
 // Boxes that fly straight on, whatever is in their way: an engine without contacts.
 class Ghosts final : public Engine {
  public:
-  void load(const Problem& problem) override { problem_ = problem; }
+  void load(const Problem& problem, const Accuracy&) override { problem_ = problem; }
   double time_step() const override { return 1e-3; }
   std::uint64_t steps_done() const override { return steps_; }
   void advance(std::uint64_t steps) override { steps_ += steps; }
@@ -77,7 +77,7 @@ Problem cube_through_sheet() {
 
 std::vector<std::string> seen(const Problem& problem, std::uint64_t steps) {
   Ghosts engine;
-  engine.load(problem);
+  engine.load(problem, {});
   PassageWatch watch(problem);
   while (watch.due_step() <= steps) {
     engine.advance(watch.due_step() - engine.steps_done());

@@ -29,11 +29,11 @@ struct Moved {
 
 class RestRun {
  public:
-  RestRun(CaseRun& run, const RestScene& scene, const Settings& extra, double given_up)
+  RestRun(CaseRun& run, const RestScene& scene, double finer, double given_up)
       : scene_(scene), given_up_(given_up) {
-    Settings settings = scene.settings;
-    for (const auto& [name, value] : extra) settings[name] = value;
-    simulation_ = run.simulate(scene.problem, settings);
+    Accuracy accuracy = scene.accuracy;
+    accuracy.finer = finer;
+    simulation_ = run.simulate(scene.problem, accuracy);
     start_ = places();
   }
 
@@ -138,10 +138,8 @@ class RestRun {
 std::vector<RestOutcome> watch_rest(CaseRun& run, const RestScene& scene, const Asked& asked,
                                     double given_up, bool shown) {
   std::vector<RestOutcome> outcomes;
-  double step = 0.0;
   {
-    RestRun once(run, scene, {}, given_up);
-    step = once.simulation().engine().time_step();
+    RestRun once(run, scene, 1.0, given_up);
     if (shown) once.simulation().record_frames(0.1);
     once.settle();
     outcomes.push_back(once.watch(scene.settled + scene.window, ""));
@@ -151,7 +149,7 @@ std::vector<RestOutcome> watch_rest(CaseRun& run, const RestScene& scene, const 
     if (shown) once.add_series(run);
   }
   if (asked.half_the_step) {
-    RestRun fine(run, scene, {{"dt", fmt::format("{:.17g}", 0.5 * step)}}, given_up);
+    RestRun fine(run, scene, 2.0, given_up);
     fine.settle();
     outcomes.push_back(fine.watch(scene.settled + scene.window, "half the step"));
   }

@@ -13,7 +13,7 @@ namespace stiction {
 struct RestScene {
   std::string words;  ///< which of a case's scenes: "7 cubes at 2.0°"
   Problem problem;
-  Settings settings{};   ///< of the engine: the mesh that the scene is about
+  Accuracy accuracy{};
   double settled = 6.0;  ///< time at which rest is due, s
   double window = 10.0;  ///< it is watched from then on, s
 };

@@ -17,7 +17,7 @@ std::unique_ptr<Engine> some_pyramid(const BallPyramidSetup& setup) {
   auto engine =
       find_engine("stiction")
           .make({{"ball", std::to_string(setup.frequency)}, {"method", "quiet"}, {"dt", "5e-4"}});
-  engine->load(ball_pyramid_problem(setup));
+  engine->load(ball_pyramid_problem(setup), {});
   engine->advance(800);
   return engine;
 }

@@ -111,10 +111,11 @@ double clamp_force(const Engine& engine, const ClampSetup& setup) {
          (joint_force(engine, setup, 0).normal + joint_force(engine, setup, setup.boxes).normal);
 }
 
-ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Settings& extra, bool twice) {
+ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Accuracy& accuracy,
+                       bool twice) {
   constexpr double kStays = 1e-4, kSags = 2e-3;  // m
   constexpr double kWindow = 0.3;                // s
-  const auto simulation = run.simulate(clamp_problem(setup), extra);
+  const auto simulation = run.simulate(clamp_problem(setup), accuracy);
   const Engine& engine = simulation->engine();
   ClampProbe probe;
   simulation->advance_to(kFallFrom);
@@ -146,13 +147,13 @@ ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Settings& ex
 }
 
 ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, const ClampSearch& search,
-                               const Settings& extra) {
+                               const Accuracy& accuracy) {
   ClampThreshold result;
   std::map<double, ClampProbe> probes;  // by squeeze
   const Bracket bracket = find_threshold_near(
       search.guess, -search.step, search.reach, search.width, [&](double squeeze) {
         setup.squeeze = squeeze;
-        return (probes[squeeze] = probe_clamp(run, setup, extra)).holds;
+        return (probes[squeeze] = probe_clamp(run, setup, accuracy)).holds;
       });
   if (!std::isnan(bracket.holds)) {
     result.holds = probes.at(bracket.holds);

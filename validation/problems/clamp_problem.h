@@ -71,7 +71,7 @@ struct ClampProbe {
   double along = 0.0;     ///< share of the friction there that is vertical, then
   double creep = 0.0;     ///< mean speed of the fall over the last 0.3 s, m/s
 };
-ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Settings& extra = {},
+ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Accuracy& accuracy = {},
                        bool twice = false);
 
 /// Where a search over `squeeze` begins and how it goes on (threshold.h), m.
@@ -94,7 +94,7 @@ struct ClampThreshold {
   double half() const { return 0.5 * std::abs(upper - lower); }
 };
 ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, const ClampSearch& search,
-                               const Settings& extra = {});
+                               const Accuracy& accuracy = {});
 
 /// Motion of one body in the clamp: z and the angle of its rotation, from the start.
 struct Pose {

@@ -24,10 +24,8 @@ Problem free_problem(const char* name, const std::vector<ProblemBody>& bodies, d
 }
 
 std::unique_ptr<Simulation> simulate_free(CaseRun& run, const Problem& problem,
-                                          const Settings& extra) {
-  Settings settings = extra;
-  if (!run.settings().contains("cells")) settings["cells"] = "4";
-  std::unique_ptr<Simulation> simulation = run.simulate(problem, settings);
+                                          const Settings& over) {
+  std::unique_ptr<Simulation> simulation = run.simulate_with(over, problem, {.fineness = 4});
   simulation->record_frames(1e-3);
   return simulation;
 }

@@ -20,7 +20,7 @@ Problem free_problem(const char* name, const std::vector<ProblemBody>& bodies, d
 
 /// With 4 cells along a box unless the run's settings say otherwise, recorded every millisecond.
 std::unique_ptr<Simulation> simulate_free(CaseRun& run, const Problem& problem,
-                                          const Settings& extra = {});
+                                          const Settings& over = {});
 
 /// Σ m|v| at the start, kg m/s: what an error of the linear momentum is relative to.
 double momentum_scale(const Problem& problem);

@@ -30,6 +30,7 @@ Problem incline_problem(const InclineSetup& setup) {
   body.shape = setup.shape;
   body.mass = setup.mass;
   body.elasticity = setup.elasticity;
+  body.must_deform = setup.must_deform;
   body.position = height_of_centre(setup.shape) * frame.normal;
   Eigen::Matrix3d axes;
   axes << frame.downhill, frame.normal.cross(frame.downhill), frame.normal;

@@ -15,7 +15,8 @@ struct InclineSetup {
   double azimuth = 0.0;    ///< direction in which the slope falls, rad from x about z
   double yaw = 0.0;        ///< of the box about the plane's normal, rad
   Shape shape = BoxShape{{0.2, 0.2, 0.1}};
-  double mass = 1.0;  ///< kg
+  double mass = 1.0;         ///< kg
+  bool must_deform = false;  ///< what is claimed is not true of a rigid body
   Elasticity elasticity{.youngs_modulus = 5e5, .poisson_ratio = 0.3, .damping_time = 1e-3};
   double speed = 0.0;     ///< downhill at t = 0, m/s
   double duration = 1.0;  ///< s

@@ -58,11 +58,10 @@ Problem slab_problem(const SlabSetup& setup) {
   return problem;
 }
 
-SlabRun::SlabRun(CaseRun& run, const SlabSetup& setup, const Settings& extra)
+SlabRun::SlabRun(CaseRun& run, const SlabSetup& setup, Accuracy accuracy, const Settings& over)
     : downhill_(slab_downhill(setup)) {
-  Settings all = extra;
-  all.try_emplace("cells", fmt::format("{}", setup.cells));
-  simulation_ = run.simulate(slab_problem(setup), all);
+  accuracy.fineness = setup.cells;
+  simulation_ = run.simulate_with(over, slab_problem(setup), accuracy);
   start_ = simulation_->engine().body(0).position;
 }
 

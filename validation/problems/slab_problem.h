@@ -49,7 +49,8 @@ struct SlabSample {
 /// A simulated box on a slab.
 class SlabRun {
  public:
-  SlabRun(CaseRun& run, const SlabSetup& setup, const Settings& extra = {});
+  /// `over`: what a study or a control lays over the run's settings.
+  SlabRun(CaseRun& run, const SlabSetup& setup, Accuracy accuracy = {}, const Settings& over = {});
 
   void advance_to(double time) { simulation_->advance_to(time); }
   void record_frames(double interval) { simulation_->record_frames(interval); }

@@ -74,11 +74,10 @@ double BallPyramidRun::broken_at() const { return kSunk * setup_.radius; }
 std::unique_ptr<Simulation> BallPyramidRun::simulate(double friction) {
   BallPyramidSetup setup = setup_;
   setup.friction = friction;
-  Settings settings{{"ball", fmt::format("{}", setup.frequency)}};
-  if (!run_.settings().contains("dt")) {
-    settings["dt"] = fmt::format("{:.2g}", time_step(setup.frequency));
-  }
-  return run_.simulate(ball_pyramid_problem(setup), settings);
+  run_.need(&Manifest::snapshots, "snapshots");
+  return run_.simulate(ball_pyramid_problem(setup),
+                       {.roundness = 10 * setup.frequency * setup.frequency + 2,
+                        .time = time_step(setup.frequency)});
 }
 
 BallPyramidOutcome BallPyramidRun::continue_with(double friction, bool keep_series) {

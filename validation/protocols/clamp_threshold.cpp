@@ -9,7 +9,6 @@
 
 #include "validation/estimate/extrapolation.h"
 #include "validation/protocols/clamp_limit.h"
-#include "validation/protocols/methods.h"
 #include "validation/protocols/paper_figure.h"
 
 namespace stiction {
@@ -30,14 +29,14 @@ ClampSetup stiffer(ClampSetup setup, double factor) {
 constexpr double kStep = 4.0;
 
 ClampThreshold search(CaseRun& run, const ClampSetup& setup, const ClampSearch& about, double rigid,
-                      const Settings& extra = {}) {
-  const ClampThreshold found = clamp_threshold(run, setup, about, extra);
+                      const Accuracy& accuracy = {}) {
+  const ClampThreshold found = clamp_threshold(run, setup, about, accuracy);
   const ClampProbe& at = found.holds;
   run.note(fmt::format(
       "E = {:.1e} Pa{}: holds at N = {:.4f} N, fails at {:.4f} N ({:+.3f} % of the rigid limit), "
       "{} runs. Pressure centres Δh/w = {:.5f}; of the friction at the right jaw {:.5f} points up, "
       "of the normal force {:.5f}",
-      setup.elasticity.youngs_modulus, extra.empty() ? "" : ", half the step", found.upper,
+      setup.elasticity.youngs_modulus, accuracy.finer == 1.0 ? "" : ", half the step", found.upper,
       found.lower, 100.0 * (found.middle() / rigid - 1.0), found.evaluations, at.slope, at.along,
       at.lift));
   return found;
@@ -59,13 +58,13 @@ double way_for(CaseRun& run, ClampSetup setup, double way, double wanted) {
 
 // The same search elsewhere, begun about a clamp that is known from another; `width` is of the way.
 ClampThreshold search_about(CaseRun& run, const ClampSetup& setup, double way, double width,
-                            double rigid, const Settings& extra = {}) {
+                            double rigid, const Accuracy& accuracy = {}) {
   if (std::isnan(way)) {
     return {.holds = {}, .fails = {}, .squeeze = way, .upper = way, .lower = way};
   }
   return search(run, setup,
                 {.guess = way, .step = kStep * width, .reach = 0.3 * way, .width = width}, rigid,
-                extra);
+                accuracy);
 }
 
 void check_rest(CaseRun& run, ClampSetup setup, const ClampThreshold& soft) {
@@ -86,9 +85,7 @@ void check_rest(CaseRun& run, ClampSetup setup, const ClampThreshold& soft) {
 
 void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold& soft,
                      double width, double rigid) {
-  const double dt = run.simulate(clamp_problem(setup))->engine().time_step();
-  const ClampThreshold fine =
-      search_about(run, setup, soft.squeeze, width, rigid, {{"dt", fmt::format("{}", 0.5 * dt)}});
+  const ClampThreshold fine = search_about(run, setup, soft.squeeze, width, rigid, {.finer = 2.0});
   run.check({.quantity = "critical clamp force at half the step ÷ at the whole one",
              .unit = "1",
              .claim = "how hard a clamp must press does not depend on the time step",
@@ -105,7 +102,7 @@ void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold
 
 void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, double least,
                            double width, bool half_step) {
-  if (is_paper(run)) run.passages_are_noted();
+  run.bodies_are_thrown();
   const ClampLimit limit = clamp_limit(setup);
   const double rigid = 0.5 * (limit.lower + limit.upper);
   const ClampSetup middle = stiffer(setup, kStiffer), hard = stiffer(middle, kStiffer);

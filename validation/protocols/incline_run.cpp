@@ -6,8 +6,8 @@
 namespace stiction {
 
 InclineRun::InclineRun(CaseRun& run, const InclineSetup& setup, const Problem& problem,
-                       const Settings& extra)
-    : simulation_(run.simulate(problem, extra)), frame_(incline_frame(setup)), start_(0.0) {
+                       const Accuracy& accuracy)
+    : simulation_(run.simulate(problem, accuracy)), frame_(incline_frame(setup)), start_(0.0) {
   start_ = travel();
 }
 

@@ -17,7 +17,7 @@ constexpr double radians(double degrees) { return degrees / 180.0 * std::numbers
 class InclineRun {
  public:
   InclineRun(CaseRun& run, const InclineSetup& setup, const Problem& problem,
-             const Settings& extra = {});
+             const Accuracy& accuracy = {});
 
   void advance_to(double time) { simulation_->advance_to(time); }
   void record_frames(double interval) { simulation_->record_frames(interval); }

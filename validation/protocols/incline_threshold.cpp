@@ -8,9 +8,9 @@
 
 namespace stiction {
 
-bool incline_holds(CaseRun& run, const InclineSetup& setup, const Settings& extra) {
+bool incline_holds(CaseRun& run, const InclineSetup& setup, const Accuracy& accuracy) {
   constexpr double kAtRest = 1e-9;  // m/s: far above round-off, far below any start-up slip
-  InclineRun incline(run, setup, settled_incline_problem(setup), extra);
+  InclineRun incline(run, setup, settled_incline_problem(setup), accuracy);
   incline.advance_to(1.1);
   const double before = incline.speed();
   incline.advance_to(1.4);
@@ -19,11 +19,11 @@ bool incline_holds(CaseRun& run, const InclineSetup& setup, const Settings& extr
 }
 
 Bracket incline_threshold(CaseRun& run, const InclineSetup& setup, double width,
-                          const Settings& extra) {
+                          const Accuracy& accuracy) {
   const auto holds = [&](double tan_slope) {
     InclineSetup sloped = setup;
     sloped.tan_slope = tan_slope;
-    return incline_holds(run, sloped, extra);
+    return incline_holds(run, sloped, accuracy);
   };
   // Far from Coulomb's value as theory has it, so that the search about that is about the only one.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

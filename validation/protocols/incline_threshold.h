@@ -13,11 +13,11 @@ namespace stiction {
 /// than so much' would be biased. What separates the two sides of the threshold is the sign of its
 /// acceleration, g (sin θ − μ cos θ): it is read between 1.1 s and 1.4 s, when vibrations have
 /// decayed to 1e-12 m/s.
-bool incline_holds(CaseRun& run, const InclineSetup& setup, const Settings& extra = {});
+bool incline_holds(CaseRun& run, const InclineSetup& setup, const Accuracy& accuracy = {});
 
 /// The critical tan θ of `setup` (whose own tan θ is ignored): holds at 0.83 μ, slides at 1.21 μ,
 /// and between them searched outwards from Coulomb's value.
 Bracket incline_threshold(CaseRun& run, const InclineSetup& setup, double width,
-                          const Settings& extra = {});
+                          const Accuracy& accuracy = {});
 
 }  // namespace stiction

@@ -6,11 +6,11 @@
 
 namespace stiction {
 
-SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& extra,
+SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& over,
                           SlabSeries* history) {
   constexpr double kEvery = 0.05, kLongest = 8.0;  // s
   constexpr int kPerWindow = 6;                    // samples
-  SlabRun slab(run, setup, extra);
+  SlabRun slab(run, setup, {}, over);
   if (history) slab.record_frames(0.02);
   SlabOutcome outcome;
   double now = 0.0, before = INFINITY;  // highest kinetic energy in this window and the last, J

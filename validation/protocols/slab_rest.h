@@ -19,8 +19,8 @@ struct SlabOutcome {
 /// highest kinetic energy seen in a window of `kStallWindow` is more than half that of the window
 /// before. Elastic vibration falls by more than a decade in that time, a limit cycle or a slide
 /// doesn't; so a run that would still come to rest is not cut off. Gives up at 8 s in any case.
-/// `history` may be null.
-SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& extra,
+/// `history` may be null. `over`: what a study lays over the run's settings.
+SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& over,
                           SlabSeries* history);
 
 }  // namespace stiction

@@ -37,9 +37,9 @@ const std::vector<Claim>& claims() {
 }
 
 // The case of validate that has this name, or those of the default set in the folder of this name.
-std::vector<Case> meant(const std::string& name) {
+std::vector<Case> meant(const std::string& name, const EngineKind& engine) {
   std::vector<Case> found;
-  for (Case& one : case_catalog()) {
+  for (Case& one : cases_for(engine)) {
     if (one.name == name) return {std::move(one)};
     if (one.set != CaseSet::kFull && one.name.starts_with(name + "/")) {
       found.push_back(std::move(one));
@@ -53,7 +53,7 @@ void run_claim(CaseRun& run, const Claim& claim) {
   run.passages_are_noted();
   int met = 0, count = 0;
   for (const std::string& name : claim.cases) {
-    for (const Case& one : meant(name)) {
+    for (const Case& one : meant(name, run.engine())) {
       CaseRun part = run.part(run.settings());
       one.run(part);
       const Record record = part.record();

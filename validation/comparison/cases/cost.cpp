@@ -18,12 +18,12 @@ double friction_seconds(const Cost& cost) { return cost.phase_seconds.at("fricti
 void run_cost(CaseRun& run, const ComparisonScene& scene) {
   const Snapshot start =
       settled_without_memory(run.engine(), scene, contacts_of(run.settings())).state;
-  const auto own = run.simulate(scene.problem, scene.settings);
+  const auto own = run.simulate_with(scene.settings, scene.problem);
   Settings settings = scene.settings;
   settings["method"] = run.settings().at("method");
   settings["rule"] = "fixed-point";
   const auto fixed_point = run.engine().make(settings);
-  fixed_point->load(scene.problem);
+  fixed_point->load(scene.problem, {});
   own->engine().restore(start);
   fixed_point->restore(start);
   // Nanoseconds a contact of the next steps.

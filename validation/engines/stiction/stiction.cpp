@@ -10,9 +10,11 @@
 #include "solver/step.h"
 #include "validation/engine/engine.h"
 #include "validation/engine/settings.h"
+#include "validation/engines/stiction/configurations.h"
 #include "validation/engines/stiction/stiction_expectations.h"
 #include "validation/engines/stiction/stiction_method.h"
 #include "validation/engines/stiction/stiction_scene.h"
+#include "validation/engines/stiction/studies.h"
 #include "validation/observe/step_cost.h"
 
 namespace stiction {
@@ -31,26 +33,40 @@ double round_down_125(double limit) {
   return decade;
 }
 
+// Least n with 10 n² + 2 surface vertices or more.
+int ball_frequency(int vertices) {
+  int n = 1;
+  while (10 * n * n + 2 < vertices) ++n;
+  return n;
+}
+
 class StictionEngine final : public Engine {
  public:
   explicit StictionEngine(const Settings& given) {
     SettingsReader reader(given);
     read_method(reader, options_);
+    chosen_cells_ = reader.has("cells");
     how_.cells = reader.count("cells", how_.cells);
+    chosen_ball_ = reader.has("ball");
     how_.ball = reader.count("ball", how_.ball);
     chosen_time_step_ = reader.has("dt");
     options_.time_step = reader.number("dt", options_.time_step);
     reader.refuse_unknown("stiction");
   }
 
-  void load(const Problem& problem) override {
+  void load(const Problem& problem, const Accuracy& accuracy) override {
+    if (accuracy.fineness > 0 && !chosen_cells_) how_.cells = accuracy.fineness;
+    if (accuracy.roundness > 0 && !chosen_ball_) how_.ball = ball_frequency(accuracy.roundness);
     const SceneDescription description = scene_description(problem, how_);
     scene_ = build_scene(description);
     meshes_ = distinct_meshes(description);
     if (!chosen_time_step_) {
+      const double own = 0.8 * scene_.stable_time_step;
+      const bool asked = accuracy.time > 0.0 && accuracy.time <= scene_.stable_time_step;
       options_.time_step =
-          std::min(options_.time_step, round_down_125(0.8 * scene_.stable_time_step));
+          asked ? accuracy.time : std::min(options_.time_step, round_down_125(own));
     }
+    options_.time_step /= accuracy.finer;
     check_options(options_, scene_);
     state_ = initial_state(scene_);
     workspace_ = Workspace{};
@@ -135,6 +151,8 @@ class StictionEngine final : public Engine {
   }
 
   std::vector<Mesh> meshes() const override { return meshes_; }
+
+  int fineness() const override { return how_.cells; }
 
   Settings settings() const override {
     Settings all = method_settings(options_, scene_.pairs_possible);
@@ -255,7 +273,8 @@ class StictionEngine final : public Engine {
 
   Options options_;
   Discretisation how_;
-  bool chosen_time_step_ = false;
+  // What a user set goes before what a case asks for.
+  bool chosen_cells_ = false, chosen_ball_ = false, chosen_time_step_ = false;
   Scene scene_;
   std::vector<Mesh> meshes_;
   State state_;
@@ -281,10 +300,26 @@ EngineKind engine_stiction() {
   return {
       .name = "stiction",
       .description = "this project's solver: tetrahedra, penalty contact, coherent static friction",
-      .capabilities = {.deformable = true, .point_masses = true, .save_restore = true},
+      .manifest = {.point_masses = true,
+                   .boxes = true,
+                   .balls = true,
+                   .meshes = true,
+                   .deformable = true,
+                   .held_parts = true,
+                   .body_contact = true,
+                   .self_contact = true,
+                   .moving_obstacles = true,
+                   .drag = true,
+                   .varying_gravity = true,
+                   .contact_forces = true,
+                   .snapshots = true},
       .settings_help = settings_help(),
       .make = make,
-      .expectations = stiction_expectations()};
+      .expectations = stiction_expectations(),
+      .configurations = configurations_of,
+      .configuration = configuration_of,
+      .without = settings_without,
+      .studies = stiction_studies};
 }
 
 }  // namespace stiction

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 std::unique_ptr<Engine> loaded(const Problem& problem, const Settings& settings = {}) {
   std::unique_ptr<Engine> engine = find_engine("stiction").make(settings);
-  engine->load(problem);
+  engine->load(problem, {});
   return engine;
 }
 
@@ -51,9 +51,9 @@ ContactSums sums(const Engine& engine, const InclineFrame& frame) {
 
 TEST(StictionEngine, SaysWhatItIs) {
   const EngineKind kind = find_engine("stiction");
-  EXPECT_TRUE(kind.capabilities.deformable);
-  EXPECT_TRUE(kind.capabilities.point_masses);
-  EXPECT_TRUE(kind.capabilities.save_restore);
+  EXPECT_TRUE(kind.manifest.deformable);
+  EXPECT_TRUE(kind.manifest.point_masses);
+  EXPECT_TRUE(kind.manifest.snapshots);
   for (const char* name : {"rule", "gain", "alpha", "dt", "cells"}) {
     EXPECT_EQ(kind.settings_help.count(name), 1u) << name;
   }

@@ -40,7 +40,7 @@ void run_stop(CaseRun& run, InclineSetup setup) {
   const double time = reference::stopping_time(incline, setup.speed);
   const double deceleration = reference::deceleration(incline);
   const auto distance = [&](double dt) {
-    InclineRun stopping(run, setup, incline_problem(setup), {{"dt", fmt::format("{:.17g}", dt)}});
+    InclineRun stopping(run, setup, incline_problem(setup), {.time = dt});
     stopping.advance_to(1.1 * time);
     return stopping.travel();
   };

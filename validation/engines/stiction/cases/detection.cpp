@@ -91,7 +91,6 @@ void check_depths(CaseRun& run, const DetectionComparison& all) {
 }
 
 void run_detection(CaseRun& run, int random) {
-  if (run.engine().name != "stiction") return;
   std::mt19937 generator(1);
   DetectionComparison all;
   for (const auto& [name, mesh] : bodies()) {

@@ -13,7 +13,6 @@
 #include "validation/engines/stiction/stiction_method.h"
 #include "validation/engines/stiction/stiction_scene.h"
 #include "validation/problems/slab_problem.h"
-#include "validation/protocols/methods.h"
 
 namespace stiction {
 
@@ -93,7 +92,6 @@ int overlooked(const Scene& scene, const Workspace& workspace) {
 }
 
 void run_kappa(CaseRun& run, const SlabSetup& setup) {
-  if (run.engine().name != "stiction") return;
   // Simulated by the engine too, so that the record shows its settings and cost.
   SlabRun shown(run, setup);
   shown.advance_to(0.1);

@@ -143,7 +143,6 @@ void check_all(CaseRun& run, const std::string& of, const ConsistentComparison& 
 }
 
 void run_consistent(CaseRun& run, int count) {
-  if (run.engine().name != "stiction") return;
   std::mt19937 generator(1);
   ConsistentComparison exactly, off, anywhere;
   for (const Placement& placement : degenerate()) {

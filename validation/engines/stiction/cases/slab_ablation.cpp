@@ -186,10 +186,12 @@ std::vector<Case> cases_slab_ablation() {
   const auto many = random_slabs(20, 3, 1);
   return {{.name = "slab/ablation",
            .title = "what each ingredient of the quiet method does for rest, four poses",
+           .variants = {{}},
            .run = [few](CaseRun& run) { run_ablation(run, few); }},
           {.name = "slab/ablation/twenty",
            .title = "what each ingredient of the quiet method does for rest, twenty poses",
            .set = CaseSet::kFull,
+           .variants = {{}},
            .run = [many](CaseRun& run) { run_ablation(run, many); }}};
 }
 

@@ -91,7 +91,6 @@ StepSeconds cheapest_step(CaseRun& run, int cells) {
 // add ln(ln n₂/ln n₁)/ln(n₂/n₁) to the exponent between n₁ and n₂ contacts: half of that is the
 // bound, so that linear passes and n log n does not.
 void run_scaling(CaseRun& run, const std::vector<int>& sizes) {
-  if (run.engine().name != "stiction") return;  // others need not time their phases
   std::vector<Series> each;
   for (const std::string& phase : kContactPhases) {
     each.push_back({phase + " per contact", "s", "contacts", "1", {}, {}});

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/engines/stiction/configurations.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+
+namespace stiction {
+
+namespace {
+
+const Settings kOld{{"method", "old"}};
+const Settings kPaper{{"method", "paper"}};
+const Settings kSecant{{"method", "paper"}, {"rule", "secant"}};
+const Settings kKeep{{"memory", "keep"}, {"method", "paper"}};
+const Settings kWithoutMemory{{"method", "paper"}, {"rule", "none"}};
+const Settings kQuiet{{"method", "quiet"}};
+const std::vector<Settings> kMethods{kOld, kPaper, kSecant, kQuiet};
+const std::vector<Settings> kRules{
+    {{"rule", "fixed-point"}}, {{"rule", "none"}}, {{"rule", "conjugate-vector"}}};
+const std::vector<Settings> kDefault{{}};
+
+// Of a case or a glob, in which * crosses '/': the first that matches.
+struct Row {
+  const char* cases;
+  std::vector<Settings> always;
+  std::vector<Settings> only_full{};
+};
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> all = {
+      {"bar-on-bed/*", kRules},
+      {"clamp/half-spaces/*", kRules},
+      {"clamp/row/shear/*", kMethods},
+      {"clamp/row/threshold/*/half-step", {kPaper, kQuiet}},
+      {"incline/above/acceleration/box", kRules},
+      {"incline/at-critical/*", kRules},
+      {"incline/below/*", kRules},
+      {"incline/level/*", kRules},
+      {"incline/restick/*", kRules},
+      // The rules must agree against a fixed plane; one μ shows it.
+      {"incline/threshold/mu=0.5/azimuth=0/yaw=0", kRules},
+      {"incline/threshold/mu=0.5/azimuth=30/*", kRules},
+      {"incline/threshold/mu=0.5/azimuth=45/yaw=0", kRules},
+      {"paper/appendix-a-momentum/crossed-bars", {kQuiet}},  // the others have no contacts of edges
+      {"paper/appendix-a-momentum/*", kMethods},
+      {"paper/fig3-clamped-box/threshold", {kPaper, kQuiet}},
+      {"paper/fig3-clamped-box/threshold/flush", {kQuiet}},
+      {"paper/fig3-clamped-box/threshold/offset", {kQuiet}},
+      {"paper/fig3-clamped-box/threshold/offset/vertices", {kPaper}},
+      {"paper/fig3-clamped-box*", kMethods},
+      {"paper/fig4-membrane", {kPaper, kQuiet}, {kOld, kSecant}},
+      {"paper/fig4-membrane/*", {kPaper, kQuiet}},
+      {"paper/fig5-box-pyramid/flush", {kQuiet}},
+      {"paper/fig5-box-pyramid/half-step", {kWithoutMemory, kPaper, kQuiet}},
+      {"paper/fig5-box-pyramid/threshold", kMethods},
+      {"paper/fig5-box-pyramid/*rigid-ground", {kPaper, kQuiet}},
+      {"paper/fig5-box-pyramid*", {kOld, kWithoutMemory, kPaper, kSecant, kQuiet}},
+      {"paper/fig6-basket/*", kMethods},
+      {"paper/fig7-four-balls", {kOld, kQuiet}},
+      {"paper/fig7-four-balls/*", {kPaper, kQuiet}},
+      {"push-and-retract/*", kMethods},
+      {"slab/rest/damping/*", {kQuiet}},
+      {"slab/rest/many/*", {kQuiet}},
+      {"slab/rest/random", {kPaper, kQuiet}, {kOld, kSecant}},
+      {"slab/rest/*", kMethods},
+      {"slab/threshold", {kPaper, kQuiet}, {kOld, kSecant, kKeep}},
+      {"slab/threshold/fine", {kOld, kPaper, kSecant, kQuiet, kKeep}},
+      {"two-body/*", kMethods},
+      {"half-space/*", kDefault},
+      {"incline/*", kDefault},
+      {"*", {kQuiet}},
+  };
+  return all;
+}
+
+}  // namespace
+
+Configuration configuration_of(const Settings& settings) {
+  const auto method = settings.find("method");
+  Configuration one{.settings = settings};
+  one.contrast = method != settings.end() && method->second == "old";
+  one.keeps_angular_momentum = method == settings.end() || method->second == "quiet";
+  one.lets_thrown_pass = method != settings.end() && method->second == "paper";
+  return one;
+}
+
+std::vector<Configuration> configurations_of(const std::string& case_name) {
+  const auto row = std::find_if(rows().begin(), rows().end(), [&](const Row& one) {
+    return fnmatch(one.cases, case_name.c_str(), 0) == 0;
+  });
+  std::vector<Configuration> all;
+  for (const Settings& settings : row->always) all.push_back(configuration_of(settings));
+  for (const Settings& settings : row->only_full) {
+    all.push_back(configuration_of(settings));
+    all.back().only_full = true;
+  }
+  return all;
+}
+
+std::optional<Settings> settings_without(Without what) {
+  switch (what) {
+    case Without::kFrictionMemory:
+      return Settings{{"rule", "none"}};
+    case Without::kPostCorrection:
+      return Settings{{"post-correction", "off"}};
+    case Without::kStabilisation:
+      return kWithoutMemory;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stiction
