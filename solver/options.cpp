@@ -26,7 +26,7 @@ void check_options(const Options& options, const Scene& scene) {
   } else if (!(options.friction.relaxation > 0.0 && options.friction.relaxation < 2.0)) {
     wrong << "the relaxation must lie between 0 and 2, not " << options.friction.relaxation;
   } else if (options.sweeps < 0) {
-    wrong << "friction needs at least one sweep, not " << options.sweeps;
+    wrong << "sweeps are counted from 1 (0: as many as the rule needs), not " << options.sweeps;
   } else if (!(options.pairs.harmonic_gain > 0.0 && options.pairs.harmonic_gain < 4.0 / 3.0)) {
     wrong << "the harmonic gain must lie between 0 and 4/3, above which normal forces diverge, not "
           << options.pairs.harmonic_gain;

@@ -194,11 +194,14 @@ double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
   return std::sqrt(beta * beta + 4.0 / omega2) - beta;
 }
 
+std::uint64_t SceneSerial::next() {
+  static std::atomic<std::uint64_t> scenes{0};
+  return ++scenes;
+}
+
 Scene build_scene(const SceneDescription& description) {
   check_description(description);
-  static std::atomic<std::uint64_t> scenes{0};
   Scene scene;
-  scene.serial = ++scenes;
   scene.half_spaces = description.half_spaces;
   scene.gravity = description.gravity;
   scene.drag = description.drag;

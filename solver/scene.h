@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/gravity.h"
@@ -75,10 +76,32 @@ struct Body {
   Motion motion{};     ///< of its pinned vertices
 };
 
+/// Tells the scenes of one process apart, so that lists which were made for one are not taken for
+/// another's. A copy is another scene: it may be edited.
+class SceneSerial {
+ public:
+  SceneSerial() : value_(next()) {}
+  SceneSerial(const SceneSerial&) : value_(next()) {}
+  SceneSerial(SceneSerial&& other) noexcept : value_(std::exchange(other.value_, next())) {}
+  SceneSerial& operator=(const SceneSerial& other) {
+    if (this != &other) value_ = next();
+    return *this;
+  }
+  SceneSerial& operator=(SceneSerial&& other) noexcept {
+    value_ = std::exchange(other.value_, next());
+    return *this;
+  }
+  operator std::uint64_t() const { return value_; }  ///< > 0
+
+ private:
+  static std::uint64_t next();
+  std::uint64_t value_;
+};
+
 /// Constant data of a simulation. Vertices of a body are renumbered at load: along a space-filling
 /// curve, those on the surface first; elements follow their vertices.
 struct Scene {
-  std::uint64_t serial = 0;  ///< tells scenes of one process apart; 0 is none
+  SceneSerial serial;
   std::vector<Body> bodies;
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;

@@ -247,5 +247,19 @@ INSTANTIATE_TEST_SUITE_P(Materials, ElementTimeStepLimit,
                                          Stiff{"NegativePoissonRatio", {1000.0, 1e6, -0.5, 0.0}}),
                          [](const auto& one) { return one.param.name; });
 
+TEST(SceneSerial, IsAnotherOfACopyAndTheSameOfWhatWasMoved) {
+  const SceneDescription one = test::one_body(test::elastic_body(test::corner_tetrahedron()));
+  Scene scene = build_scene(one);
+  const std::uint64_t serial = scene.serial;
+  const Scene copy = scene;
+  EXPECT_NE(copy.serial, serial);
+  Scene assigned = build_scene(one);
+  assigned = scene;
+  EXPECT_NE(assigned.serial, serial);
+  EXPECT_NE(assigned.serial, copy.serial);
+  const Scene moved = std::move(scene);
+  EXPECT_EQ(moved.serial, serial);
+}
+
 }  // namespace
 }  // namespace stiction

@@ -32,15 +32,16 @@ std::uint64_t hash_of(const State& state) {
   hash.add(&state.step, sizeof state.step);
   for (const Position& p : state.position) hash.add(p.x.data(), sizeof p.x);
   for (const Velocity& v : state.velocity) hash.add(v.v.data(), sizeof v.v);
-  for (const FrictionMemory* memory : {&state.memory, &state.pair_friction, &state.edge_friction}) {
+  for (const FrictionMemory* memory :
+       {&state.obstacle_friction, &state.pair_friction, &state.edge_friction}) {
     add(memory->key, hash);
     add(memory->status, hash);
     add(memory->value, hash);
   }
-  add(state.pair_memory.body_key, hash);
-  add(state.pair_memory.element, hash);
-  add(state.pair_memory.triangle, hash);
-  for (const PairMemory::Excess& excess : state.pair_memory.excess) {
+  add(state.pair_geometry.body_key, hash);
+  add(state.pair_geometry.element, hash);
+  add(state.pair_geometry.triangle, hash);
+  for (const PairGeometry::Excess& excess : state.pair_geometry.excess) {
     hash.add(&excess.body_key, sizeof excess.body_key);
     hash.add(&excess.depth, sizeof excess.depth);
   }

@@ -23,7 +23,7 @@ static_assert(sizeof(Velocity) == 32 && sizeof(Position) == 32);
 
 /// What persists of a pair contact besides its friction: where it was, for hysteresis and ties. In
 /// the order of the body keys, which is that of `State::pair_friction` too.
-struct PairMemory {
+struct PairGeometry {
   std::vector<ContactKey> body_key;  ///< (vertex, penetrated body)
   std::vector<std::int32_t> element;
   std::vector<std::int32_t> triangle;
@@ -39,20 +39,20 @@ struct PairMemory {
 /// Everything that a step changes and the next step reads: what is hashed, saved and restored. A
 /// copy of a State is a snapshot; assigning it back restores it, friction memory included.
 struct State {
-  std::uint64_t step = 0;          ///< steps done; time is t = step · Δt
-  std::vector<Position> position;  ///< per vertex
-  std::vector<Velocity> velocity;  ///< per vertex
-  FrictionMemory memory;           ///< of the obstacle contacts of the last step
-  FrictionMemory pair_friction;    ///< of the pair contacts of the last step
-  FrictionMemory edge_friction;    ///< of the edge contacts of the last step
-  PairMemory pair_memory;
+  std::uint64_t step = 0;            ///< steps done; time is t = step · Δt
+  std::vector<Position> position;    ///< per vertex
+  std::vector<Velocity> velocity;    ///< per vertex
+  FrictionMemory obstacle_friction;  ///< of the obstacle contacts of the last step
+  FrictionMemory pair_friction;      ///< of the pair contacts of the last step
+  FrictionMemory edge_friction;      ///< of the edge contacts of the last step
+  PairGeometry pair_geometry;
 };
 
 /// The scene's initial state.
 State initial_state(const Scene& scene);
 
-/// FNV-1a over step count, positions, velocities and friction memory, 64 bits. Equal states have
-/// equal hashes; golden hashes hold per toolchain only.
+/// FNV-1a over step count, positions, velocities, friction memory and where pair contacts were, 64
+/// bits. Equal states have equal hashes; golden hashes hold per toolchain only.
 std::uint64_t hash_of(const State& state);
 
 }  // namespace stiction

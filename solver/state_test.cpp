@@ -17,7 +17,7 @@ State some_state() {
   body.initial_velocity = test::noise(4, 1.0, 1);
   State state = initial_state(build_scene(test::one_body(body)));
   state.step = 3;
-  state.memory = {{1, 2}, {ContactStatus::kStick, ContactStatus::kSlip}, {0.5, 1.5}};
+  state.obstacle_friction = {{1, 2}, {ContactStatus::kStick, ContactStatus::kSlip}, {0.5, 1.5}};
   return state;
 }
 
@@ -28,7 +28,7 @@ TEST(InitialState, IsTheScenesOwn) {
   const Scene scene = build_scene(test::one_body(body));
   const State state = initial_state(scene);
   EXPECT_EQ(state.step, 0u);
-  EXPECT_TRUE(state.memory.key.empty());
+  EXPECT_TRUE(state.obstacle_friction.key.empty());
   ASSERT_EQ(state.position.size(), 8u);
   for (std::size_t k = 0; k < 8; ++k) {
     const auto column = static_cast<Eigen::Index>(k);
@@ -62,14 +62,16 @@ INSTANTIATE_TEST_SUITE_P(
                [](State& s) { s.position[3].x.z() = std::nextafter(s.position[3].x.z(), 9.0); }},
         Change{"TheLastBitOfAVelocity",
                [](State& s) { s.velocity[0].v.x() = std::nextafter(s.velocity[0].v.x(), 9.0); }},
-        Change{"AContactKey", [](State& s) { s.memory.key[1] = 7; }},
-        Change{"AContactStatus", [](State& s) { s.memory.status[0] = ContactStatus::kSlip; }},
-        Change{"AMemoryValue", [](State& s) { s.memory.value[1] = std::nextafter(1.5, 2.0); }},
+        Change{"AContactKey", [](State& s) { s.obstacle_friction.key[1] = 7; }},
+        Change{"AContactStatus",
+               [](State& s) { s.obstacle_friction.status[0] = ContactStatus::kSlip; }},
+        Change{"AMemoryValue",
+               [](State& s) { s.obstacle_friction.value[1] = std::nextafter(1.5, 2.0); }},
         Change{"AContactMore",
                [](State& s) {
-                 s.memory.key.push_back(3);
-                 s.memory.status.push_back(ContactStatus::kNew);
-                 s.memory.value.push_back(1.0);
+                 s.obstacle_friction.key.push_back(3);
+                 s.obstacle_friction.status.push_back(ContactStatus::kNew);
+                 s.obstacle_friction.value.push_back(1.0);
                }}),
     [](const auto& one) { return one.param.name; });
 
@@ -100,9 +102,9 @@ TEST(ASavedState, ReplaysToTheSameHashWithItsFrictionMemory) {
   State state = initial_state(scene);
   Workspace workspace;
   advance(scene, state, workspace, 300);
-  ASSERT_FALSE(state.memory.value.empty());
+  ASSERT_FALSE(state.obstacle_friction.value.empty());
   // Something that a fresh memory would not hold: contacts that learned to push less.
-  for (double& xi : state.memory.value) xi = 0.9;
+  for (double& xi : state.obstacle_friction.value) xi = 0.9;
   const State saved = state;
 
   advance(scene, state, workspace, 200);
@@ -119,7 +121,7 @@ TEST(ASavedState, ReplaysToTheSameHashWithItsFrictionMemory) {
   EXPECT_EQ(hash_of(elsewhere), first) << "nothing in a workspace is needed to continue";
 
   State forgetful = saved;
-  forgetful.memory = {};
+  forgetful.obstacle_friction = {};
   advance(scene, forgetful, fresh, 200);
   EXPECT_NE(hash_of(forgetful), first) << "the memory is part of the state";
 }

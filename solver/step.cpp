@@ -43,14 +43,15 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
       return;
     case Phase::kNormalForce:
       if (!workspace.pairs.empty() || !workspace.edges.empty())
-        pair_normal_forces(scene, options, workspace, state.memory);
+        pair_normal_forces(scene, options, workspace, state.obstacle_friction);
       normal_forces(scene, dt, state.position, workspace.velocity, workspace.contacts, time);
       return;
     case Phase::kFriction:
       friction_forces(scene, options, state, workspace);
       return;
     case Phase::kIntegrate:
-      if (scene.pairs_possible) remember_pairs(workspace.pairs, scene.topology, state.pair_memory);
+      if (scene.pairs_possible)
+        remember_pairs(workspace.pairs, scene.topology, state.pair_geometry);
       integrate(dt, workspace.velocity, state);
       return;
   }

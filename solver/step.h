@@ -12,7 +12,8 @@ namespace stiction {
 /// [Lazarevych2009, sec. 3].
 ///
 ///   1  v* = v_t0 + Δt M⁻¹ F(x_t0, v_t0),   x* = x_t0 + Δt v*
-///   2  contacts: vertices whose x* lies inside an obstacle
+///   2  contacts: vertices whose x* lies inside an obstacle or another body, edges that cross at x*;
+///      their depths and normals
 ///   3  normal forces, then friction, on v* in place, contact by contact (Seidel)
 ///   4  x_t1 = x_t0 + Δt v_t1
 ///
@@ -23,8 +24,8 @@ namespace stiction {
 void step(const Scene& scene, const Options& options, State& state, Workspace& workspace);
 
 /// One phase of it alone, for benchmarks: needs what the phases before it left in the workspace.
-/// `state.step` is counted by `step`, which
-/// also leaves out the depth phase where no two bodies can touch.
+/// `state.step` is counted by `step`, which also leaves out the depth phase where no two bodies can
+/// touch.
 void run_phase(Phase phase, const Scene& scene, const Options& options, State& state,
                Workspace& workspace);
 

@@ -98,7 +98,7 @@ void Batch::restore() {
       return;
     case Phase::kFriction:
       workspace.velocity = velocity_;
-      work_.state.memory = start_.memory;
+      work_.state.obstacle_friction = start_.obstacle_friction;
       work_.state.pair_friction = start_.pair_friction;
       work_.state.edge_friction = start_.edge_friction;
       return;

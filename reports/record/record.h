@@ -111,8 +111,8 @@ struct Record {
 Verdict combined_verdict(const std::vector<Check>& checks);
 
 /// The check that decides: of those with the worst verdict (order as above), the one whose |error|
-/// is largest against its tolerance (NaN counts as infinite; the first of equals). Null when no
-/// check is pass, fail or error. The pointer lives as long as `checks` is unchanged.
+/// is largest against its tolerance (NaN counts as infinite; the first of equals). Null when every
+/// check is shown or not applicable. The pointer lives as long as `checks` is unchanged.
 const Check* worst_check(const std::vector<Check>& checks);
 
 /// Spelling used in records and tables ("pass", "exact-computed", …), and back.

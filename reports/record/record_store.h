@@ -26,8 +26,7 @@ namespace stiction {
 class RecordStore {
  public:
   /// Makes `out_dir` where it is missing and in it a folder named by the UTC time to the second,
-  /// with
-  /// "-2", "-3" … behind it while that name is taken.
+  /// with "-2", "-3" … behind it while that name is taken.
   static RecordStore create(const std::filesystem::path& out_dir);
 
   ~RecordStore();

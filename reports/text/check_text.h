@@ -21,8 +21,7 @@ std::string tolerance_text(const Check& check);
 /// rel", and what its band says.
 std::string check_sentence(const Check& check);
 
-/// What a band says of the value, to follow a verdict or a value: ", as expected in [1e-6, 1e-5]
-/// m",
+/// What a band says of the value, to follow a verdict or a value: ", as expected in [1e-6, 1e-5] m",
 /// ", worse than expected [1e-6, 1e-5] m", ", better than known [1e-6, 1e-5] m: raise the bar".
 /// Empty without a band.
 std::string band_text(const Check& check);

@@ -15,8 +15,7 @@ namespace stiction {
 //   normal n             unit, out of the penetrated body or obstacle, towards the vertex.
 //   normal force fⁿ      magnitude ≥ 0, N; acts on the vertex along +n (Signorini: it never pulls).
 //   free slip ũ          tangential slip velocity that the step would end with if this contact had
-//   no
-//                        friction, m/s; start slip u: the same at the start of the step.
+//                        no friction, m/s; start slip u: the same at the start of the step.
 //   inverse mass w       velocity change of the pair per unit friction force held for a step:
 //                        w = Δt (1/mᵢ + Σⱼ hᵢⱼ²/mⱼ), m/s/N [(9)–(11)]; a fixed obstacle adds
 //                        nothing.
@@ -29,12 +28,18 @@ namespace stiction {
 
 enum class ContactStatus : std::uint8_t { kNew, kStick, kSlip };
 
-/// Identity of a contact from step to step: obstacle number above, vertex number below. Contacts
+/// Identity of a contact from step to step, two numbers ≥ 0: (obstacle, vertex); between bodies
+/// (vertex, body) or (vertex, triangle), see PairKey; of crossing edges (edge a, edge b). Contacts
 /// stand in the order of their keys.
 using ContactKey = std::uint64_t;
 
-constexpr ContactKey contact_key(std::uint32_t obstacle, std::uint32_t vertex) {
-  return static_cast<ContactKey>(obstacle) << 32 | vertex;
+constexpr ContactKey contact_key(std::int32_t first, std::int32_t second) {
+  return static_cast<ContactKey>(static_cast<std::uint32_t>(first)) << 32 |
+         static_cast<std::uint32_t>(second);
+}
+constexpr std::int32_t first_of(ContactKey key) { return static_cast<std::int32_t>(key >> 32); }
+constexpr std::int32_t second_of(ContactKey key) {
+  return static_cast<std::int32_t>(key & 0xffffffffu);
 }
 
 /// Contacts of one step of vertices against fixed obstacles: one-sided, no partner to push back.

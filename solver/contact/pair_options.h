@@ -35,8 +35,8 @@ enum class PairKey {
   kTriangle  ///< (vertex, triangle): the literal reading; memory is lost at each triangle's edge
 };
 
-/// Settings of two-sided contacts; the defaults are the quiet method. Old is {kPaper, kTriangle, no
-/// post-correction, no reaction of friction}, paper is {kPaper, kTriangle, interleaved}.
+/// Settings of two-sided contacts; the defaults are the quiet method. What old and paper are is said
+/// once, by the adapter's presets (validation/engines/stiction/stiction_method.cpp).
 struct PairOptions {
   NormalGain gain = NormalGain::kHarmonic;
   double harmonic_gain = 1.0;  ///< κ₀, dimensionless, in (0, 4/3)

@@ -24,8 +24,7 @@ inline constexpr double kConsistentThin = 4e-12;
 ///
 /// Deviations:
 ///  1. ε = kConsistentThin of the penetrated body's longest edge, where Heidelberger et al. have 0.
-///  So a
-///     vertex on the surface itself takes the mean of what its edges leave through there instead
+///     So a vertex on the surface itself takes the mean of what its edges leave through there instead
 ///     of 0/0, whatever side of it rounding puts the vertex on. Farther than 1e-4 edges from the
 ///     surface it changes w by less than rounding does.
 ///  2. An edge leaves where it first does, wherever it ends: one that comes back in counts too.

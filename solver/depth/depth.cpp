@@ -48,7 +48,7 @@ constexpr double kNothing = 1e-15;
 // energy. Of the border's margin, in which one contact comes and goes, a third is answered at once:
 // with nothing the critical force of a row of boxes reads 0.075 % too much, with all of it 2 of 200
 // poses don't rest.
-double excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairMemory& memory,
+double excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairGeometry& memory,
                  const PairContact& contact, std::int32_t last, double unexplained) {
   constexpr double kRemains = 0.9;
   if (unexplained > 0.0) return std::min(unexplained, contact.depth);
@@ -130,11 +130,10 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       contact.normal = (foot - point) / distance;
     }
     if (resting >= 0) {
-      note_too_deep(scene.topology, contact.vertex,
-                    static_cast<std::int32_t>(contact.key & 0xffffffffu), contact.depth,
+      note_too_deep(scene.topology, contact.vertex, second_of(contact.key), contact.depth,
                     workspace.search);
     }
-    contact.excess = excess_of(scene.topology, x, state.pair_memory, contact, last,
+    contact.excess = excess_of(scene.topology, x, state.pair_geometry, contact, last,
                                choice.unexplained - border / 3.0);
     contact.depth -= contact.excess;
     set_partners(triangle, options, state, projection, contact);
@@ -169,21 +168,19 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   }
   if (options.pairs.key == PairKey::kTriangle) {
     for (PairContact& contact : workspace.pairs) {
-      contact.key = contact_key(static_cast<std::uint32_t>(contact.vertex),
-                                static_cast<std::uint32_t>(contact.triangle));
+      contact.key = contact_key(contact.vertex, static_cast<std::uint32_t>(contact.triangle));
     }
   }
 }
 
-void remember_pairs(const PairContacts& pairs, const Topology& topology, PairMemory& memory) {
+void remember_pairs(const PairContacts& pairs, const Topology& topology, PairGeometry& memory) {
   memory.body_key.resize(pairs.size());
   memory.element.resize(pairs.size());
   memory.triangle.resize(pairs.size());
   memory.excess.clear();
   for (std::size_t c = 0; c < pairs.size(); ++c) {
     const std::int32_t body = topology.element_body[static_cast<std::size_t>(pairs[c].element)];
-    memory.body_key[c] =
-        contact_key(static_cast<std::uint32_t>(pairs[c].vertex), static_cast<std::uint32_t>(body));
+    memory.body_key[c] = contact_key(pairs[c].vertex, body);
     memory.element[c] = pairs[c].element;
     memory.triangle[c] = pairs[c].triangle;
     if (pairs[c].excess > kNothing * topology.mean_edge) {

@@ -30,6 +30,6 @@ void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t b
                    PairSearch& search);
 
 /// Keeps where the contacts are for the hysteresis and the ties of the next step.
-void remember_pairs(const PairContacts& pairs, const Topology& topology, PairMemory& memory);
+void remember_pairs(const PairContacts& pairs, const Topology& topology, PairGeometry& memory);
 
 }  // namespace stiction

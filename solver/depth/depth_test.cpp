@@ -60,7 +60,7 @@ TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
     // One step before, the point was nearer to the face of `last_normal`.
     state.position.back().x += 1e-3 * last_normal;
     test::Found last(scene, options, state);
-    remember_pairs(last.workspace.pairs, scene.topology, state.pair_memory);
+    remember_pairs(last.workspace.pairs, scene.topology, state.pair_geometry);
     state.position.back().x -= 1e-3 * last_normal;
     const test::Found now(scene, options, state);
     EXPECT_EQ(now.workspace.pairs.size(), 1u);
@@ -124,7 +124,7 @@ TEST(SideEntry, IsAnsweredByAndBy) {
       ++by_and_by;
     }
     EXPECT_GT(by_and_by, 0) << "step " << step;
-    remember_pairs(found.workspace.pairs, scene.topology, state.pair_memory);
+    remember_pairs(found.workspace.pairs, scene.topology, state.pair_geometry);
   }
 
   State falling = initial_state(scene);
@@ -148,7 +148,7 @@ TEST(BorderMargin, KeepsAVertexAHairBeyondItsFace) {
     Options options;
     State state = initial_state(scene);
     const test::Found before(scene, options, state);
-    remember_pairs(before.workspace.pairs, scene.topology, state.pair_memory);
+    remember_pairs(before.workspace.pairs, scene.topology, state.pair_geometry);
     for (int v = scene.bodies[1].first_vertex; v < scene.vertex_count(); ++v) {
       state.position[static_cast<std::size_t>(v)].x += Vec3(shift, shift, 0.0);
     }
@@ -262,7 +262,7 @@ TEST(Depths, AreThoseOfNumbers) {
   Options options;
   State state = initial_state(scene);
   const test::Found last(scene, options, state);
-  remember_pairs(last.workspace.pairs, scene.topology, state.pair_memory);
+  remember_pairs(last.workspace.pairs, scene.topology, state.pair_geometry);
   for (const double bad : {test::kNaN, test::kInfinity}) {
     const std::int32_t vertex = last.workspace.pairs.front().vertex;
     state.position[static_cast<std::size_t>(vertex)].x = Vec3(0.0, bad, 0.0);
@@ -362,8 +362,8 @@ TEST(Depths, TheLiteralKeyNamesTheTriangle) {
   options.pairs.key = PairKey::kTriangle;
   const test::Found found(scene, options, initial_state(scene));
   for (const PairContact& contact : found.workspace.pairs) {
-    EXPECT_EQ(contact.key, contact_key(static_cast<std::uint32_t>(contact.vertex),
-                                       static_cast<std::uint32_t>(contact.triangle)));
+    EXPECT_EQ(contact.key,
+              contact_key(contact.vertex, static_cast<std::uint32_t>(contact.triangle)));
   }
 }
 

@@ -41,8 +41,8 @@ struct Nearest {
 Projection project_by_list(const Topology& topology, const PairSearch& search,
                            const PairSearch::Group& group, const Vec3& point,
                            const PairContact& contact, std::int32_t resting) {
-  const auto vertex = static_cast<std::size_t>(group.key >> 32);
-  const auto body = static_cast<std::size_t>(group.key & 0xffffffffu);
+  const auto vertex = static_cast<std::size_t>(first_of(group.key));
+  const auto body = static_cast<std::size_t>(second_of(group.key));
   // Far above the round-off of a distance.
   const double rounding = 1e-9 * search.skin + 1e-14 * point.norm();
   const double moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
@@ -125,7 +125,7 @@ Projection project(const Topology& topology, PairSearch& search, PairSearch::Gro
   Projection best{{}, -1};
   if (listed) best = project_by_list(topology, search, *group, point, contact, resting);
   if (best.triangle < 0) best = project_by_balls(topology, search, point, contact, resting, false);
-  const auto body = static_cast<std::size_t>(contact.key & 0xffffffffu);
+  const auto body = static_cast<std::size_t>(second_of(contact.key));
   const double near = kSqueezed * topology.least_width[body];
   if (resting >= 0 || best.nearest.distance2 < near * near) return best;
   return project_by_balls(topology, search, point, contact, resting, true);

@@ -209,10 +209,7 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   };
   std::vector<Found> found;
   for (const ContactKey key : workspace.search.edge_candidate) {
-    Found pair{key,
-               static_cast<std::int32_t>(key >> 32),
-               static_cast<std::int32_t>(key & 0xffffffffu),
-               {}};
+    Found pair{key, first_of(key), second_of(key), {}};
     if (!crossing_of(topology, x, pair.a, pair.b, pair.crossing)) continue;
     const double gap = pair.crossing.gap;
     const auto lies_within = [&](const EndMargins& margins) {

@@ -8,6 +8,7 @@ void detect(const Scene& scene, double dt, const std::vector<Position>& position
   contacts.clear();
   for (std::size_t o = 0; o < scene.half_spaces.size(); ++o) {
     const HalfSpace& obstacle = scene.half_spaces[o];
+    const auto number = static_cast<std::int32_t>(o);
     const Vec3 offset = obstacle.motion.at(time + dt);
     const Vec3 velocity = (offset - obstacle.motion.at(time)) / dt;
     const Vec3 point = obstacle.point + offset;
@@ -17,8 +18,7 @@ void detect(const Scene& scene, double dt, const std::vector<Position>& position
       const Vec3 x = position[v].x + dt * predicted[v].v;
       const double depth = -obstacle.normal.dot(x - point);
       if (depth > 0.0) {
-        contacts.add(contact_key(static_cast<std::uint32_t>(o), static_cast<std::uint32_t>(vertex)),
-                     vertex, static_cast<std::int32_t>(o), depth, velocity);
+        contacts.add(contact_key(number, vertex), vertex, number, depth, velocity);
       }
     }
   }

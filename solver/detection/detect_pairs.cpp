@@ -32,7 +32,7 @@ void add_contact(const Scene& scene, ContactKey key, std::int32_t element, std::
   PairContact contact;
   contact.open = open;
   contact.key = key;
-  contact.vertex = static_cast<std::int32_t>(key >> 32);
+  contact.vertex = first_of(key);
   contact.element = element;
   contact.triangle = triangle;
   set_corners(scene.elements, contact);
@@ -47,7 +47,7 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
   const auto x = [&](std::int32_t v) -> const Vec3& {
     return search.predicted[static_cast<std::size_t>(v)];
   };
-  const Vec3& point = x(static_cast<std::int32_t>(group.key >> 32));
+  const Vec3& point = x(first_of(group.key));
   const auto smallest_weight = [&](std::int32_t e) {
     const auto& corner = scene.elements[static_cast<std::size_t>(e)].vertex;
     return barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3])).minCoeff();
@@ -78,7 +78,7 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
 
 // Tests the candidates, and merges what is found with the contacts of the last step that have only
 // just opened. Those are measured in the depth phase, which drops them when the gap is too wide.
-void merge_with_kept(const Scene& scene, const PairSearch& search, const PairMemory& last,
+void merge_with_kept(const Scene& scene, const PairSearch& search, const PairGeometry& last,
                      const PairOptions& options, PairContacts& pairs) {
   const bool keep_open_ones = options.hysteresis > 0.0;
   const bool keep_triangle = keep_open_ones || options.tie_margin > 0.0;
@@ -142,7 +142,7 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
     }
   }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
-  merge_with_kept(scene, search, state.pair_memory, options.pairs, workspace.pairs);
+  merge_with_kept(scene, search, state.pair_geometry, options.pairs, workspace.pairs);
   if constexpr (kMutation == Mutation::kLostContact) {
     if (state.step % 100 == 99 && !workspace.pairs.empty()) workspace.pairs.pop_back();
   }

@@ -24,7 +24,7 @@ std::set<ContactKey> brute_force(const Scene& scene, const State& state) {
       const Eigen::Vector4d weight =
           barycentric(x(v), x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
       if (weight.minCoeff() >= 0.0) {
-        keys.insert(contact_key(static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(body)));
+        keys.insert(contact_key(v, body));
       }
     }
   }
@@ -181,7 +181,7 @@ TEST(DetectPairs, KeepsAContactThatHasJustOpenedAndDropsItBeyondTheHysteresis) {
   const std::size_t count = touching.workspace.pairs.size();
   ASSERT_GT(count, 0u);
   State state = touching.state;
-  remember_pairs(touching.workspace.pairs, scene.topology, state.pair_memory);
+  remember_pairs(touching.workspace.pairs, scene.topology, state.pair_geometry);
   const auto lifted = [&](double gap) {
     State up = state;
     const Body& upper = scene.bodies[1];
@@ -205,7 +205,7 @@ TEST(DetectPairs, ForgetsAContactThatHasOpenedWhereOnlyTheTieMarginRemembers) {
   const test::Found touching(scene, options, initial_state(scene));
   ASSERT_FALSE(touching.workspace.pairs.empty());
   State state = touching.state;
-  remember_pairs(touching.workspace.pairs, scene.topology, state.pair_memory);
+  remember_pairs(touching.workspace.pairs, scene.topology, state.pair_geometry);
   const Body& upper = scene.bodies[1];
   for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) {
     state.position[static_cast<std::size_t>(v)].x.z() += 2.0 * depth;

@@ -37,8 +37,7 @@ void find_edge_candidates(const Scene& scene, PairSearch& search) {
       }
       // Edges are numbered body by body.
       const auto [a, b] = std::minmax(boxes[i].edge, boxes[j].edge);
-      search.edge_candidate.push_back(
-          contact_key(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)));
+      search.edge_candidate.push_back(contact_key(a, b));
     }
   }
   std::sort(search.edge_candidate.begin(), search.edge_candidate.end());

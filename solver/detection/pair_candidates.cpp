@@ -123,8 +123,7 @@ void find_candidates(const Scene& scene, std::int32_t e, PairSearch& search) {
         }
         if (fixed && scene.bodies[static_cast<std::size_t>(other)].fixed) return;
         if (!box.contains(search.reference[v])) return;
-        search.candidate.push_back(
-            {contact_key(static_cast<std::uint32_t>(vertex), static_cast<std::uint32_t>(body)), e});
+        search.candidate.push_back({contact_key(vertex, body), e});
       });
 }
 
@@ -196,7 +195,7 @@ bool update_candidates(const Scene& scene, PairSearch& search) {
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
                   PairSearch& search) {
   const double moves = std::sqrt(3.0) * search.skin;
-  const Vec3& x = search.reference[static_cast<std::size_t>(group.key >> 32)];
+  const Vec3& x = search.reference[static_cast<std::size_t>(first_of(group.key))];
   const auto e = static_cast<std::size_t>(element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
   const auto end = topology.near.begin() + topology.near_begin[e + 1];

@@ -243,7 +243,7 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   const EdgeSide edges{options.time_step, scene.friction, workspace.edges};
   const FrictionParameters friction = mutated(options.friction);
   const bool known = with_friction_rule(options.rule, friction, [&](const auto& rule) {
-    carry_memory(rule, state.memory, obstacles, workspace.memory);
+    carry_memory(rule, state.obstacle_friction, obstacles, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
     carry_memory(rule, state.edge_friction, edges, workspace.edge_friction);
     warm_start(rule, pairs, workspace.pair_friction, velocity);
@@ -282,7 +282,7 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   remember_status(obstacles, workspace.memory);
   remember_status(pairs, workspace.pair_friction);
   remember_status(edges, workspace.edge_friction);
-  std::swap(state.memory, workspace.memory);
+  std::swap(state.obstacle_friction, workspace.memory);
   if (kMutation != Mutation::kStalePairMemory ||
       state.pair_friction.key != workspace.pair_friction.key) {
     std::swap(state.pair_friction, workspace.pair_friction);

@@ -32,8 +32,7 @@ class FrictionPhase : public testing::TestWithParam<std::string> {
   }
 
   void touch(std::int32_t vertex, double normal_force) {
-    workspace.contacts.add(contact_key(0, static_cast<std::uint32_t>(vertex)), vertex, 0,
-                           test::kNaN);
+    workspace.contacts.add(contact_key(0, vertex), vertex, 0, test::kNaN);
     workspace.contacts.normal_force.back() = normal_force;
     workspace.contacts.friction_force.back().setConstant(test::kNaN);
   }
@@ -56,7 +55,7 @@ TEST_P(FrictionPhase, StickEndsTheSlip) {
   EXPECT_LT(velocity(1).head<2>().norm(), 5 * 2 * test::kEpsilon);
   EXPECT_EQ(velocity(1).z(), -7.0) << "friction is tangential";
   EXPECT_EQ(workspace.contacts.status[0], ContactStatus::kStick);
-  EXPECT_EQ(state.memory.status[0], ContactStatus::kStick);
+  EXPECT_EQ(state.obstacle_friction.status[0], ContactStatus::kStick);
   EXPECT_LT((force(0) - Vec3(-3, 4, 0) / kInverse).norm(), 40 * 2 * test::kEpsilon);
 }
 
@@ -128,10 +127,10 @@ class FrictionMemoryOfAStep : public FrictionPhase {
   // holds.
   void remember(std::vector<std::uint32_t> vertices, std::vector<double> xi) {
     for (const std::uint32_t v : vertices) {
-      state.memory.key.push_back(contact_key(0, v));
-      state.memory.status.push_back(ContactStatus::kStick);
+      state.obstacle_friction.key.push_back(contact_key(0, v));
+      state.obstacle_friction.status.push_back(ContactStatus::kStick);
     }
-    state.memory.value = std::move(xi);
+    state.obstacle_friction.value = std::move(xi);
   }
 };
 
@@ -140,8 +139,8 @@ TEST_F(FrictionMemoryOfAStep, FollowsTheKeysWhenContactsAppearAndVanishBetween) 
   for (const std::int32_t v : {1, 2, 3, 4}) touch(v, 100.0);  // 0 has gone, 2 and 4 are new
   for (std::size_t v = 0; v < 5; ++v) velocity(v) = Vec3(1, 0, 0);
   solve("fixed-point");
-  EXPECT_EQ(state.memory.key, workspace.contacts.key);
-  EXPECT_EQ(state.memory.value, (std::vector<double>{0.25, 1.0, 0.75, 1.0}));
+  EXPECT_EQ(state.obstacle_friction.key, workspace.contacts.key);
+  EXPECT_EQ(state.obstacle_friction.value, (std::vector<double>{0.25, 1.0, 0.75, 1.0}));
   // … and each force is that of its own ξ: −ξ ũ/w.
   EXPECT_EQ(force(0).x(), -0.25 / kInverse);
   EXPECT_EQ(force(1).x(), -1.0 / kInverse);
@@ -156,19 +155,19 @@ TEST_F(FrictionMemoryOfAStep, TellsObstaclesApart) {
   workspace.contacts.normal_force.back() = 100.0;
   velocity(1) = Vec3(1, 0, 0);
   solve("fixed-point");
-  EXPECT_EQ(state.memory.value, std::vector<double>{1.0});
+  EXPECT_EQ(state.obstacle_friction.value, std::vector<double>{1.0});
 }
 
 TEST_F(FrictionMemoryOfAStep, IsForgottenOnSeparation) {
   remember({1}, {0.25});
   solve("fixed-point");  // a step without contact
-  EXPECT_TRUE(state.memory.key.empty());
-  EXPECT_TRUE(state.memory.value.empty());
+  EXPECT_TRUE(state.obstacle_friction.key.empty());
+  EXPECT_TRUE(state.obstacle_friction.value.empty());
   touch(1, 100.0);
   state.velocity[1].v = Vec3(0.5, 0, 0);  // would move ξ if the contact counted as stuck before
   velocity(1) = Vec3(1, 0, 0);
   solve("fixed-point");
-  EXPECT_EQ(state.memory.value, std::vector<double>{1.0});
+  EXPECT_EQ(state.obstacle_friction.value, std::vector<double>{1.0});
 }
 
 TEST_F(FrictionMemoryOfAStep, UsesTheSlipAtTheStartOfTheStep) {
@@ -177,7 +176,7 @@ TEST_F(FrictionMemoryOfAStep, UsesTheSlipAtTheStartOfTheStep) {
   state.velocity[1].v = Vec3(0.5, 0, 9);  // u: its normal part is no slip
   velocity(1) = Vec3(1, 0, 0);            // ũ
   solve("fixed-point");
-  EXPECT_DOUBLE_EQ(state.memory.value[0], 1.0 + 0.7 * 0.5);
+  EXPECT_DOUBLE_EQ(state.obstacle_friction.value[0], 1.0 + 0.7 * 0.5);
 }
 
 TEST_F(FrictionMemoryOfAStep, IsForgottenWhenTheContactSlips) {
@@ -185,8 +184,8 @@ TEST_F(FrictionMemoryOfAStep, IsForgottenWhenTheContactSlips) {
   touch(1, 1.0);
   velocity(1) = Vec3(10, 0, 0);
   solve("fixed-point");
-  EXPECT_EQ(state.memory.status[0], ContactStatus::kSlip);
-  EXPECT_EQ(state.memory.value, std::vector<double>{1.0});
+  EXPECT_EQ(state.obstacle_friction.status[0], ContactStatus::kSlip);
+  EXPECT_EQ(state.obstacle_friction.value, std::vector<double>{1.0});
 }
 
 TEST_F(FrictionMemoryOfAStep, OfAnotherRuleIsNotRead) {
@@ -194,15 +193,15 @@ TEST_F(FrictionMemoryOfAStep, OfAnotherRuleIsNotRead) {
   touch(1, 100.0);
   velocity(1) = Vec3(1, 0, 0);
   solve("fixed-point");
-  EXPECT_EQ(state.memory.value, std::vector<double>{1.0});
+  EXPECT_EQ(state.obstacle_friction.value, std::vector<double>{1.0});
 }
 
 TEST_F(FrictionMemoryOfAStep, OfTheRuleNoneHoldsStatusesOnly) {
   touch(1, 100.0);
   velocity(1) = Vec3(1, 0, 0);
   solve("none");
-  EXPECT_EQ(state.memory.key.size(), 1u);
-  EXPECT_TRUE(state.memory.value.empty());
+  EXPECT_EQ(state.obstacle_friction.key.size(), 1u);
+  EXPECT_TRUE(state.obstacle_friction.value.empty());
 }
 
 TEST_F(FrictionMemoryOfAStep, DemandsAKnownRule) { EXPECT_THROW(solve("magic"), std::logic_error); }

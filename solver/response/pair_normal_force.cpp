@@ -47,7 +47,7 @@ void add_obstacles(Workspace& workspace, const FrictionMemory& last, bool count_
   for (const ContactKey key : last.key) {
     while (now != workspace.contacts.key.end() && *now < key) ++now;
     if (now != workspace.contacts.key.end() && *now == key) continue;
-    workspace.load[static_cast<std::size_t>(key & 0xffffffffu)] += 1.0;
+    workspace.load[static_cast<std::size_t>(second_of(key))] += 1.0;
   }
 }
 

@@ -75,8 +75,7 @@ TEST(PairNormalForce, HarmonicGainCountsTheVertexsContactsWithObstacles) {
   pair_normal_forces(scene, options, found.workspace);
   const double alone = found.workspace.pairs.front().normal_force;
   const auto v = static_cast<std::size_t>(first.vertex);
-  found.workspace.contacts.add(contact_key(0, static_cast<std::uint32_t>(v)), first.vertex, 0,
-                               1e-3);
+  found.workspace.contacts.add(contact_key(0, first.vertex), first.vertex, 0, 1e-3);
   pair_normal_forces(scene, options, found.workspace);
   // 1/fⁿ is a sum over the vertices of N/m: one more contact adds 1/m.
   const double dt = options.time_step;

@@ -13,7 +13,7 @@ namespace stiction {
 
 // What the programs that run cases have in common.
 
-/// Exit codes: every check holds (or is a known limit), some fail, could not run.
+/// Exit codes: every check holds (or falls short as expected), some fail, could not run.
 enum ExitCode { kAllHold = 0, kSomeFail = 1, kCouldNotRun = 2 };
 
 ExitCode exit_code(const std::vector<Record>& records);

@@ -8,8 +8,7 @@
 namespace stiction {
 
 /// Static friction made coherent over time by a fixed-point iteration, one update a step
-/// [Lazarevych2009, (14)–(18)]: one value ξ a contact, an integral controller on the slip left
-/// over.
+/// [Lazarevych2009, (14)–(18)]: one value ξ a contact, an integral controller on the slip left.
 ///
 ///   ξ ← ξ + g (u·ũ)/|ũ|²      if the contact stuck in the last step
 ///   stick   f = ξ λ f_max = −ξ ũ/w, clamped to |f| ≤ μ fⁿ
@@ -22,8 +21,7 @@ namespace stiction {
 ///    `keep_through_slip` (the paper says nothing of either).
 /// 3. A clamped contact slips, and a slipping one does not learn, so the controller cannot wind up.
 /// 4. The slip u (start of the step) is projected on ũ/|ũ| of the present step. With |ũ| ≤ 1e-12
-/// m/s
-///    that direction is round-off: ξ is held, the closed form needs no direction.
+///    m/s that direction is round-off: ξ is held, the closed form needs no direction.
 ///
 /// u → 0: ξ is constant. A fixed obstacle leaves u = 0, so ξ stays 1.
 struct FixedPoint {

@@ -17,10 +17,8 @@ namespace stiction {
 /// Deviations from the paper:
 /// 1. u is the slip over |ũ|, dimensionless, so that ξ and u change on the same scale.
 /// 2. With `safeguard`: where |Δu| ≤ 1e-9 or Δξ = 0 (the formula divides by nothing), or the slope
-/// has
-///    the wrong sign (more friction must mean less slip), the fixed-point step with the gain g is
-///    taken instead, and |Δξ| ≤ ½. Without it a vanishing |Δu| holds ξ, which can freeze it for
-///    good.
+///    has the wrong sign (more friction must mean less slip), the fixed-point step with the gain g
+///    is taken instead, and |Δξ| ≤ ½. Without it a vanishing |Δu| can freeze ξ for good.
 /// 3. Initial ξ = 1; forgotten on separation, and on slip unless `keep_through_slip`.
 struct Secant {
   static constexpr RuleCard kCard{

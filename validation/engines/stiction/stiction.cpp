@@ -222,8 +222,8 @@ class StictionEngine final : public Engine {
     }
     for (int k = 0; k < 4; ++k) add(-contact.weight[k], contact.partner[k]);
     // Edges are numbered behind the vertices.
-    const auto edge_a = static_cast<std::int64_t>(contact.key >> 32);
-    const auto edge_b = static_cast<std::int64_t>(contact.key & 0xffffffffu);
+    const auto edge_a = static_cast<std::int64_t>(first_of(contact.key));
+    const auto edge_b = static_cast<std::int64_t>(second_of(contact.key));
     return {.body = body_of(contact.vertex[0]),
             .obstacle = static_cast<std::size_t>(
                 scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
