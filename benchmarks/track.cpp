@@ -126,9 +126,9 @@ int main(int argc, char** argv) {
     }
     return chosen(arguments);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kNothingWorse : kCouldNotMeasure;
+    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction track: {}\n", error.what());
-    return kCouldNotMeasure;
+    return stiction::kCouldNotRun;
   }
 }

@@ -12,14 +12,13 @@
 #include "reports/documents/document.h"
 #include "reports/documents/kept_figures.h"
 #include "reports/record/record_json.h"
+#include "reports/text/exit_code.h"
 
 namespace stiction {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-enum ExitCode { kAgree = 0, kDiffer = 1, kCouldNotRun = 2 };
 
 struct Arguments {
   std::string root = ".";
@@ -173,7 +172,7 @@ int readme(const Arguments& arguments) {
   if (!arguments.against.empty()) agree = project.agrees_with(records_of(arguments.against));
   const bool only_look = arguments.check || !arguments.against.empty();
   if (!project.documents(only_look) && only_look) agree = false;
-  return agree ? kAgree : kDiffer;
+  return agree ? kHolds : kDoesNotHold;
 }
 
 }  // namespace
@@ -205,7 +204,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kAgree : stiction::kCouldNotRun;
+    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
     return stiction::readme(arguments);

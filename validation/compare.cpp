@@ -155,7 +155,7 @@ int compare(Arguments& arguments) {
       if (job.which.name != last) fmt::print("{:<34} {}\n", job.which.name, job.which.title);
       last = job.which.name;
     }
-    return kAllHold;
+    return kHolds;
   }
   RecordStore store = RecordStore::create(arguments.out);
   std::vector<Record> records(jobs.size());
@@ -197,7 +197,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kAllHold : stiction::kCouldNotRun;
+    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
     return stiction::compare(arguments);

@@ -167,7 +167,7 @@ int validate(Arguments& arguments) {
   if (!arguments.show_expectations.empty()) {
     const RecordFile file = read_records(std::filesystem::path(arguments.show_expectations));
     fmt::print("{}", show_expectations(file.records, find_engine(arguments.selection.engine)));
-    return kAllHold;
+    return kHolds;
   }
   Selection& selection = arguments.selection;
   selection.settings = parse_settings(arguments.settings);
@@ -180,7 +180,7 @@ int validate(Arguments& arguments) {
   if (arguments.list) {
     if (!arguments.quick) selection.set = CaseSet::kFull;
     list_cases(cases, selection);
-    return kAllHold;
+    return kHolds;
   }
   const std::vector<Job> jobs = select_jobs(cases, selection);
   // Refuses unknown settings before anything runs.
@@ -227,7 +227,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kAllHold : stiction::kCouldNotRun;
+    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
     return stiction::validate(arguments);

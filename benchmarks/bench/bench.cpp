@@ -14,13 +14,12 @@
 #include "benchmarks/bench/fixed.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/text/exit_code.h"
 #include "solver/demand.h"
 
 namespace stiction::bench {
 
 namespace {
-
-enum ExitCode { kMeasured = 0, kNotAtRest = 1, kCouldNotRun = 2 };
 
 struct Arguments {
   std::string filter;
@@ -77,11 +76,11 @@ void register_all(const std::vector<Chosen>& chosen, Measure& measure, bool give
 
 int write_records(const std::vector<Record>& records, const std::string& out) {
   RecordStore store = RecordStore::create(out);
-  int code = kMeasured;
+  int code = kHolds;
   for (const Record& record : records) {
     store.append(record);
     if (record.verdict != Verdict::kFail) continue;
-    code = kNotAtRest;
+    code = kDoesNotHold;
     const Check* const worst = worst_check(record.checks);
     fmt::print(stderr, "stiction bench: {}: {} is {:.3g}, not {:.3g} ± {:.3g} {}\n",
                record.case_name, worst->quantity, worst->value, worst->expected, worst->tolerance,
@@ -96,23 +95,23 @@ int write_records(const std::vector<Record>& records, const std::string& out) {
 int bench(const Arguments& arguments, bool given_min_time) {
   if (arguments.list_fixed) {
     for (const std::string& name : fixed_names()) fmt::print("{}\n", name);
-    return kMeasured;
+    return kHolds;
   }
   if (arguments.machine) {
     const Environment environment = current_environment();
     const nlohmann::json told = {{"machine", environment.machine},
                                  {"toolchain", environment.toolchain}};
     fmt::print("{}\n", told.dump());
-    return kMeasured;
+    return kHolds;
   }
   if (!arguments.fixed.empty()) {
     fmt::print("{}\n", run_fixed(arguments.fixed, arguments.batches));
-    return kMeasured;
+    return kHolds;
   }
   const std::vector<Chosen> chosen = choose(arguments.filter, arguments.full);
   if (arguments.list) {
     for (const Chosen& one : chosen) fmt::print("{}\n", one.name);
-    return kMeasured;
+    return kHolds;
   }
   const Machine machine = measure_machine();
   benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
@@ -182,12 +181,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(ours);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kMeasured : kCouldNotRun;
+    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
     return bench(arguments, given_min_time);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction bench: {}\n", error.what());
-    return kCouldNotRun;
+    return stiction::kCouldNotRun;
   }
 }

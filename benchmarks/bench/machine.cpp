@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <vector>
+
+#include "validation/engine/cpu_time.h"
 
 namespace stiction::bench {
 
@@ -18,12 +19,12 @@ double bandwidth() {
   std::vector<double> a(kCount, 0.0), b(kCount, 1.0), c(kCount, 2.0);
   double best = 0.0;
   for (int k = 0; k < 5; ++k) {
-    const double start = thread_seconds();
+    const double start = thread_cpu_seconds();
     for (std::size_t i = 0; i < kCount; ++i) a[i] = b[i] + 0.5 * c[i];
     benchmark::DoNotOptimize(a.data());
     benchmark::ClobberMemory();
     // Two reads, one write, and the read of the line that is written.
-    best = std::max(best, 4.0 * 8.0 * static_cast<double>(kCount) / (thread_seconds() - start));
+    best = std::max(best, 4.0 * 8.0 * static_cast<double>(kCount) / (thread_cpu_seconds() - start));
   }
   return best;
 }
@@ -39,29 +40,23 @@ double peak() {
     double a = 0.999999, b = 1e-6;
     benchmark::DoNotOptimize(a);
     benchmark::DoNotOptimize(b);
-    const double start = thread_seconds();
+    const double start = thread_cpu_seconds();
     for (int round = 0; round < kRounds; ++round) {
       for (double& value : x) value = a * value + b;
     }
     benchmark::DoNotOptimize(x);
-    best = std::max(best, 2.0 * kChains * kRounds / (thread_seconds() - start));
+    best = std::max(best, 2.0 * kChains * kRounds / (thread_cpu_seconds() - start));
   }
   return best;
 }
 
 }  // namespace
 
-double thread_seconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 double clock_overhead() {
   double smallest = 1.0;
   for (int k = 0; k < 1000; ++k) {
-    const double start = thread_seconds();
-    smallest = std::min(smallest, thread_seconds() - start);
+    const double start = thread_cpu_seconds();
+    smallest = std::min(smallest, thread_cpu_seconds() - start);
   }
   return smallest;
 }

@@ -13,10 +13,7 @@ struct Machine {
 /// Measures both, best of several; takes about half a second.
 Machine measure_machine();
 
-/// CPU time of the calling thread, s: what others do on a shared machine counts little in it.
-double thread_seconds();
-
-/// What reading that clock twice adds to a difference, s: the smallest of many.
+/// What reading the thread's clock twice adds to a difference, s: the smallest of many.
 double clock_overhead();
 
 }  // namespace stiction::bench

@@ -4,19 +4,11 @@
 #include <algorithm>
 #include <regex>
 
+#include "reference/statistics/two_samples.h"
 #include "solver/demand.h"
+#include "validation/engine/cpu_time.h"
 
 namespace stiction::bench {
-
-namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
 
 std::vector<Chosen> choose(const std::string& filter, bool full) {
   const bool without = !filter.empty() && filter[0] == '-';
@@ -49,14 +41,14 @@ void Measure::run(benchmark::State& state, const Chosen& chosen) {
   seconds.reserve(static_cast<std::size_t>(state.max_iterations));
   for (auto _ : state) {
     batch.restore();
-    const double start = thread_seconds();
+    const double start = thread_cpu_seconds();
     batch.run();
-    seconds.push_back(std::max(1e-9, thread_seconds() - start - overhead_));
+    seconds.push_back(std::max(1e-9, thread_cpu_seconds() - start - overhead_));
     state.SetIterationTime(seconds.back());
   }
   Result result{chosen,
                 static_cast<double>(batch.work().contacts()),
-                median(std::move(seconds)),
+                reference::median(std::move(seconds)),
                 modelled_cost(chosen.timed, batch.work()),
                 batch.hash(),
                 batch.work().error()};
@@ -77,12 +69,12 @@ Batch& Measure::batch_of(const Chosen& chosen) {
   batch_.reset();
   if (!workload_ || workload_->family != chosen.family.name || workload_->size != chosen.size) {
     workload_.reset();
-    const double start = thread_seconds();
+    const double start = thread_cpu_seconds();
     workload_ = std::make_unique<Workload>(settle(chosen.family, chosen.size));
     settled_.push_back({chosen.family.name, chosen.size, static_cast<double>(workload_->contacts()),
                         workload_->options, workload_->checks, hash_of(workload_->state),
                         workload_->state.step, workload_->workspace.contact_updates,
-                        thread_seconds() - start});
+                        thread_cpu_seconds() - start});
   }
   batch_ = std::make_unique<Batch>(*workload_, chosen.timed);
   batch_name_ = chosen.name;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/contact/slip.h"
 #include "solver/observables.h"
 #include "solver/step.h"
 #include "validation/judge/verdict.h"
@@ -42,21 +43,22 @@ double unbalance(const Scene& scene, const State& before, const State& after, do
 double mean_slip(const Scene& scene, const State& state, const Workspace& workspace) {
   double sum = 0.0;
   int loaded = 0;
-  const auto add = [&](const Vec3& slip, const Vec3& normal, double force) {
+  const auto add = [&](const Vec3& slip, double force) {
     if (force == 0.0) return;
-    sum += (slip - normal.dot(slip) * normal).norm();
+    sum += slip.norm();
     ++loaded;
   };
   const auto v = [&](std::int32_t k) { return state.velocity[static_cast<std::size_t>(k)].v; };
   for (const PairContact& pair : workspace.pairs) {
-    Vec3 slip = v(pair.vertex);
-    for (int k = 0; k < 4; ++k) slip -= pair.weight[k] * v(pair.partner[k]);
-    add(slip, pair.normal, pair.normal_force);
+    add(slip_of(pair, state.velocity), pair.normal_force);
+  }
+  for (const EdgeContact& edge : workspace.edges) {
+    add(slip_of(edge, state.velocity), edge.normal_force);
   }
   const OneSidedContacts& contacts = workspace.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    add(v(contacts.vertex[c]),
-        scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])].normal,
+    add(tangential(v(contacts.vertex[c]),
+                   scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])].normal),
         contacts.normal_force[c]);
   }
   return loaded > 0 ? sum / loaded : 0.0;

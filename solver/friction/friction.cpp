@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "solver/contact/slip.h"
 #include "solver/demand.h"
 #include "solver/feature.h"
 #include "solver/friction/catalog.h"
@@ -16,8 +17,6 @@
 namespace stiction {
 
 namespace {
-
-Vec3 tangential(const Vec3& v, const Vec3& normal) { return v - normal.dot(v) * normal; }
 
 double mutated(double mu) {
   if constexpr (kMutation == Mutation::kFrictionScaled) return 1.02 * mu;
@@ -85,12 +84,7 @@ struct PairSide {
     return options.time_step * pairs[c].inverse_mass;
   }
   Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
-    const PairContact& contact = pairs[c];
-    Vec3 v = velocity[static_cast<std::size_t>(contact.vertex)].v;
-    for (int k = 0; k < 4; ++k) {
-      v -= contact.weight[k] * velocity[static_cast<std::size_t>(contact.partner[k])].v;
-    }
-    return tangential(v, contact.normal);
+    return slip_of(pairs[c], velocity);
   }
   void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
     const PairContact& contact = pairs[c];
@@ -122,15 +116,7 @@ struct EdgeSide {
     return dt * edges[c].inverse_mass;
   }
   Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
-    const EdgeContact& contact = edges[c];
-    Vec3 v = Vec3::Zero();
-    for (int k = 0; k < 2; ++k) {
-      v += contact.own_weight[k] * velocity[static_cast<std::size_t>(contact.vertex[k])].v;
-    }
-    for (int k = 0; k < 4; ++k) {
-      v -= contact.weight[k] * velocity[static_cast<std::size_t>(contact.partner[k])].v;
-    }
-    return tangential(v, contact.normal);
+    return slip_of(edges[c], velocity);
   }
   void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
     stiction::apply(dt * force, edges[c], velocity);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "solver/contact/slip.h"
 #include "solver/step.h"
 #include "validation/engine/settings.h"
 #include "validation/engines/stiction/stiction_method.h"
@@ -68,11 +69,7 @@ void FrozenStep::replay(const char* rule, const std::vector<double>& memory) con
 }
 
 Vec3 FrozenStep::slip_of(const PairContact& contact) const {
-  Vec3 slip = state_.velocity[static_cast<std::size_t>(contact.vertex)].v;
-  for (int k = 0; k < 4; ++k) {
-    slip -= contact.weight[k] * state_.velocity[static_cast<std::size_t>(contact.partner[k])].v;
-  }
-  return slip - contact.normal.dot(slip) * contact.normal;
+  return stiction::slip_of(contact, state_.velocity);
 }
 
 Eigen::VectorXd FrozenStep::learned() const {

@@ -14,10 +14,10 @@
 namespace stiction {
 
 ExitCode exit_code(const std::vector<Record>& records) {
-  ExitCode code = kAllHold;
+  ExitCode code = kHolds;
   for (const Record& record : records) {
     if (record.verdict == Verdict::kError) return kCouldNotRun;
-    if (record.verdict == Verdict::kFail) code = kSomeFail;
+    if (record.verdict == Verdict::kFail) code = kDoesNotHold;
   }
   return code;
 }

@@ -7,15 +7,14 @@
 
 #include "reports/formats/table.h"
 #include "reports/record/record.h"
+#include "reports/text/exit_code.h"
 #include "validation/engine/engine.h"
 
 namespace stiction {
 
 // What the programs that run cases have in common.
 
-/// Exit codes: every check holds (or falls short as expected), some fail, could not run.
-enum ExitCode { kAllHold = 0, kSomeFail = 1, kCouldNotRun = 2 };
-
+/// kHolds where every check holds or falls short as expected; kCouldNotRun where a record is an error.
 ExitCode exit_code(const std::vector<Record>& records);
 
 /// "NAME=VALUE" words as settings; throws InputError for another word.

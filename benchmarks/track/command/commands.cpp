@@ -54,9 +54,9 @@ void show(const Outcome& outcome, const Arguments& arguments) {
 }
 
 int code_of(const Outcome& outcome, const Arguments& arguments) {
-  if (any(outcome.comparisons, Change::kWorse)) return kRegressed;
+  if (any(outcome.comparisons, Change::kWorse)) return kDoesNotHold;
   const bool improved = any(outcome.comparisons, Change::kBetter);
-  return improved && arguments.report_improvement ? kImproved : kNothingWorse;
+  return improved && arguments.report_improvement ? kBetter : kHolds;
 }
 
 // The machine whose runs are looked at: that of the last run, or all.
@@ -100,7 +100,7 @@ int track_record(const Arguments& arguments) {
   History history = history_of(arguments);
   const std::int64_t id = history.add(run);
   fmt::print("Run {} of {}: {} metrics.\n", id, run.revision, run.measurements.all().size());
-  return kNothingWorse;
+  return kHolds;
 }
 
 int track_compare(const Arguments& arguments) {
@@ -145,13 +145,13 @@ int track_history(const Arguments& arguments) {
       fmt::print("  {:>5}  {:.6g}\n", trend.runs[k], trend.medians[k]);
     }
   }
-  if (arguments.out.empty()) return kNothingWorse;
+  if (arguments.out.empty()) return kHolds;
   RecordStore store = RecordStore::create(arguments.out);
   for (const Record& record : trend_records(trends, current_environment())) store.append(record);
   store.finish();
   fmt::print("Records: {}\n", store.folder().string());
   store.tell_caller();
-  return kNothingWorse;
+  return kHolds;
 }
 
 int track_import(const Arguments& arguments) {
@@ -160,7 +160,7 @@ int track_import(const Arguments& arguments) {
   History history = history_of(arguments);
   const std::int64_t id = history.add(run);
   fmt::print("Run {}: {} metrics of {}.\n", id, run.measurements.all().size(), run.machine.text());
-  return kNothingWorse;
+  return kHolds;
 }
 
 int track_export(const Arguments& arguments) {
@@ -169,12 +169,12 @@ int track_export(const Arguments& arguments) {
       to_google_json(history.run(arguments.run == 0 ? last_id(history) : arguments.run));
   if (arguments.file == "-") {
     fmt::print("{}", text);
-    return kNothingWorse;
+    return kHolds;
   }
   std::ofstream stream(arguments.file);
   stream << text << std::flush;
   if (!stream) throw TrackError(fmt::format("cannot write {}", arguments.file));
-  return kNothingWorse;
+  return kHolds;
 }
 
 int track_bisect(const Arguments& arguments) {
@@ -184,7 +184,7 @@ int track_bisect(const Arguments& arguments) {
   if (!found) {
     fmt::print("{} did not move between {} and {}.\n", arguments.metric, arguments.good,
                arguments.bad);
-    return kNothingWorse;
+    return kHolds;
   }
   const Comparison& one = found->comparison;
   const std::string unit = one.metric.unit == "1" ? "" : " " + one.metric.unit;
@@ -194,7 +194,7 @@ int track_bisect(const Arguments& arguments) {
     fmt::print("It may be this one too, which could not be measured: {}\n",
                subject_of(project, commit));
   }
-  return one.change == Change::kWorse ? kRegressed : kNothingWorse;
+  return one.change == Change::kWorse ? kDoesNotHold : kHolds;
 }
 
 }  // namespace stiction::track

@@ -4,10 +4,9 @@
 #include <string>
 
 #include "benchmarks/track/measure/campaign.h"
+#include "reports/text/exit_code.h"
 
 namespace stiction::track {
-
-enum ExitCode { kNothingWorse = 0, kRegressed = 1, kCouldNotMeasure = 2, kImproved = 3 };
 
 /// What a user may ask for; each command reads its part.
 struct Arguments {

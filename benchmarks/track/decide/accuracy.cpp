@@ -14,12 +14,11 @@
 #include "benchmarks/track/store/remembered.h"
 #include "benchmarks/track/store/scratch.h"
 #include "reports/record/record_json.h"
+#include "reports/text/exit_code.h"
 
 namespace stiction::track {
 
 namespace {
-
-constexpr int kCouldNotRun = 2;  // exit code of validate
 
 double rank_of(Verdict verdict) {
   switch (verdict) {

@@ -8,9 +8,9 @@
 
 #include "solver/demand.h"
 #include "solver/hash.h"
+#include "validation/engine/cpu_time.h"
 #include "validation/engine/engine.h"
 #include "validation/engine/settings.h"
-#include "validation/observe/step_cost.h"
 
 namespace stiction {
 

@@ -4,18 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/contact/slip.h"
 #include "solver/demand.h"
 #include "solver/elasticity/corotational.h"
 #include "solver/observables.h"
 #include "solver/step.h"
+#include "validation/engine/cpu_time.h"
 #include "validation/engine/engine.h"
 #include "validation/engine/settings.h"
 #include "validation/engines/stiction/configurations.h"
+#include "validation/engines/stiction/step_cost.h"
 #include "validation/engines/stiction/stiction_expectations.h"
 #include "validation/engines/stiction/stiction_method.h"
 #include "validation/engines/stiction/stiction_scene.h"
 #include "validation/engines/stiction/studies.h"
-#include "validation/observe/step_cost.h"
 
 namespace stiction {
 
@@ -184,11 +186,9 @@ class StictionEngine final : public Engine {
   ContactSample sample_of(const PairContact& contact) const {
     const auto i = static_cast<std::size_t>(contact.vertex);
     const double dt = options_.time_step;
-    Vec3 slip = state_.velocity[i].v;
     Vec3 arm = state_.position[i].x - dt * state_.velocity[i].v;
     for (int k = 0; k < 4; ++k) {
       const auto j = static_cast<std::size_t>(contact.partner[k]);
-      slip -= contact.weight[k] * state_.velocity[j].v;
       arm -= contact.weight[k] * (state_.position[j].x - dt * state_.velocity[j].v);
     }
     return {.body = body_of(contact.vertex),
@@ -201,7 +201,7 @@ class StictionEngine final : public Engine {
             .gap = -(contact.depth + contact.excess),
             .normal_force = contact.normal_force,
             .friction_force = contact.friction_force,
-            .slip = slip - contact.normal.dot(slip) * contact.normal,
+            .slip = slip_of(contact, state_.velocity),
             .sticks = contact.status == ContactStatus::kStick,
             .position = state_.position[i].x,
             .arm = arm};
@@ -209,10 +209,9 @@ class StictionEngine final : public Engine {
 
   ContactSample sample_of(const EdgeContact& contact) const {
     const double dt = options_.time_step;
-    Vec3 position = Vec3::Zero(), slip = Vec3::Zero(), arm = Vec3::Zero();
+    Vec3 position = Vec3::Zero(), arm = Vec3::Zero();
     const auto add = [&](double weight, std::int32_t vertex) {
       const auto v = static_cast<std::size_t>(vertex);
-      slip += weight * state_.velocity[v].v;
       arm += weight * (state_.position[v].x - dt * state_.velocity[v].v);
     };
     for (int k = 0; k < 2; ++k) {
@@ -234,7 +233,7 @@ class StictionEngine final : public Engine {
             .gap = -contact.depth,
             .normal_force = contact.normal_force,
             .friction_force = contact.friction_force,
-            .slip = slip - contact.normal.dot(slip) * contact.normal,
+            .slip = slip_of(contact, state_.velocity),
             .sticks = contact.status == ContactStatus::kStick,
             .position = position,
             .arm = arm};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validation/observe/step_cost.h"
+#include "validation/engines/stiction/step_cost.h"
 
 #include <algorithm>
-#include <ctime>
+
+#include "reference/statistics/two_samples.h"
 
 namespace stiction {
 
@@ -22,20 +23,7 @@ double clock_overhead() {
   return smallest;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
-
-double thread_cpu_seconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 StepCost::StepCost() : overhead_(clock_overhead()) {}
 
@@ -72,7 +60,9 @@ Cost StepCost::total(std::uint64_t contact_updates) const {
         timed_steps_ == 0 ? 0.0
                           : net * static_cast<double>(steps_) / static_cast<double>(timed_steps_);
   }
-  cost.ns_per_contact_update = 1e9 * median(seconds_per_contact_);
+  if (!seconds_per_contact_.empty()) {
+    cost.ns_per_contact_update = 1e9 * reference::median(seconds_per_contact_);
+  }
   return cost;
 }
 

@@ -9,9 +9,6 @@
 
 namespace stiction {
 
-/// CPU time of this thread so far, s.
-double thread_cpu_seconds();
-
 /// What the solver's steps have cost. Phases are timed in some steps only and scaled up to all:
 /// reading the clock would otherwise be a tenth of the step of a small scene.
 class StepCost {
