@@ -3,49 +3,24 @@
 #include <cmath>
 
 #include "benchmarks/workloads/workload.h"
-#include "reference/meshes/box_mesh.h"
+#include "validation/engines/stiction/stiction_scene.h"
+#include "validation/problems/plates_problem.h"
 
 namespace stiction::bench {
 
 namespace {
 
-constexpr double kCell = 0.05;          // m
-constexpr double kYoungsModulus = 2e5;  // Pa
-constexpr double kDensity = 1000.0;     // kg/m³
-constexpr double kSlope = 0.3;          // tan θ, at μ = 0.5
-
-BodyDescription plate(const std::string& name, int cells) {
-  BodyDescription body;
-  body.name = name;
-  body.mesh = reference::box_mesh({kCell * cells, kCell * cells, kCell}, {cells, cells, 1});
-  body.material = {.density = kDensity,
-                   .youngs_modulus = kYoungsModulus,
-                   .poisson_ratio = 0.3,
-                   .damping_time = 1e-3};
-  return body;
-}
-
-// A plate of n × n cells on a larger one that is held below, turned so that the two meshes nowhere
-// match: nearly all (n + 1)² vertices of the upper one touch, and as many of the lower one.
 Setup make(int contacts) {
-  const int n = std::max(2, static_cast<int>(std::lround(std::sqrt(0.5 * contacts))));
-  BodyDescription upper = plate("upper", n);
-  const Eigen::AngleAxisd turn(0.3, Vec3::UnitZ());
-  upper.mesh.vertices =
-      (turn.toRotationMatrix() * upper.mesh.vertices).colwise() + Vec3(0.013, 0.007, 0.5 * kCell);
-  BodyDescription lower = plate("lower", static_cast<int>(std::ceil(1.3 * n)) + 1);
-  lower.mesh.vertices.row(2).array() -= 0.5 * kCell;
-  for (Eigen::Index v = 0; v < lower.mesh.vertices.cols(); ++v) {
-    if (lower.mesh.vertices(2, v) < -0.9 * kCell) lower.pinned.push_back(static_cast<int>(v));
-  }
+  PlatesSetup plates;
+  plates.cells = std::max(2, static_cast<int>(std::lround(std::sqrt(0.5 * contacts))));
+  plates.tan_slope = 0.3;  // at μ = 0.5
   Setup setup;
-  setup.description.bodies = {upper, lower};
-  setup.description.friction = 0.5;
-  setup.description.gravity = {{0.0}, {9.81 / std::hypot(1.0, kSlope) * Vec3(kSlope, 0.0, -1.0)}};
+  setup.description = scene_description(plates_problem(plates), {});
   // The upper plate as a mass on the shear spring of the lower one, a column of 1 m²:
   // ω² = G/h ÷ ρh.
-  const double shear_modulus = kYoungsModulus / 2.6;
-  setup.bounce = std::sqrt(shear_modulus / kDensity) / kCell;
+  const double shear_modulus =
+      plates.elasticity.youngs_modulus / (2.0 * (1.0 + plates.elasticity.poisson_ratio));
+  setup.bounce = std::sqrt(shear_modulus / plates.density) / kPlateCell;
   return setup;
 }
 

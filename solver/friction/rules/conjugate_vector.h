@@ -5,18 +5,18 @@
 
 namespace stiction {
 
-/// The stored vector whose sweeps are accelerated by conjugate directions of all contacts together
-/// [Silcowitz2010]. With r the change of all forces by a sweep, |r|² = Σ w rᵢ²,
+/// Nonsmooth nonlinear conjugate gradient [Silcowitz2010]: the stored vector whose sweeps
+/// (iterations over all contacts) are accelerated by conjugate directions of all together. With r the change of all forces by a sweep, |r|² = Σ w rᵢ²,
 ///
 ///   β = |rᵏ|²/|rᵏ⁻¹|²;   β > 1: p ← r,   else   f ← P(f + β p),  p ← β p + r
 ///
 /// after each sweep but the last, which is the one that takes away no more slip than
 /// `slip_tolerance` gΔt, or the `sweeps`th, or one after which sweeps hardly help any more: at rest
-/// one sweep does. Contacts of both sides that say
-/// nearly the same twice make a sweep pass slip to and fro; conjugate directions see the pattern.
-/// With one sweep it is the stored vector. Deviation: the accelerated force is clamped to the cone
-/// at once, because a sweep that takes a clamped contact for a sticking one would move its
-/// neighbours.
+/// one sweep does. Contacts of both sides that say nearly the same twice make a sweep pass slip to
+/// and fro; conjugate directions see the pattern. With one sweep it is the stored vector.
+///
+/// Deviation: the accelerated force is clamped to the cone at once, because a sweep that takes a
+/// clamped contact for a sticking one would move its neighbours.
 struct ConjugateVector : StoredVector {
   static constexpr RuleCard kCard{
       "f",

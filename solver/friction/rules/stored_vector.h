@@ -7,7 +7,7 @@
 
 namespace stiction {
 
-/// Friction remembered as a vector, the friction part of the quiet method: three values a contact.
+/// Warm-started projected Gauss–Seidel: friction remembered as a vector, three values a contact.
 /// The last step's force, projected on the tangent plane and clamped to the present cone, is
 /// applied first to all contacts; then a forward projected Gauss–Seidel pass removes the slip that
 /// is left.

@@ -178,10 +178,13 @@ Settings method_settings(const Options& options, bool with_pairs) {
 std::map<std::string, std::string> method_settings_help() {
   return {
       {"method", "preset of all below: quiet (default), paper, old"},
-      {"rule", "friction rule: " + friction_rule_list() + " (quiet: conjugate-vector)"},
+      {"rule", "friction rule: " + friction_rule_list() +
+                   " (quiet: conjugate-vector, a nonsmooth nonlinear conjugate gradient; "
+                   "stored-vector is a warm-started projected Gauss–Seidel iteration)"},
       {"integrator", "symplectic-euler (default) or verlet"},
       {"sweeps",
-       "passes over all contacts in the friction phase; conjugate-vector: at most (default: 1; 64 "
+       "iterations over all contacts in the friction phase; conjugate-vector: at most (default: 1; "
+       "64 "
        "of conjugate-vector)"},
       {"gain", "g of the rules that learn from slip, dimensionless (default 0.7)"},
       {"alpha", "the paper's raw α, s/m, in place of g"},

@@ -7,45 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "reference/meshes/box_mesh.h"
 #include "reference/statistics/power_law.h"
 #include "validation/core/case_run.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/plates_problem.h"
 
 namespace stiction {
 
 namespace {
-
-constexpr double kCell = 0.05;  // m
-
-MeshShape plate(int cells) {
-  return {reference::box_mesh(Vec3(kCell * cells, kCell * cells, kCell), {cells, cells, 1})};
-}
-
-// A plate of n × n cells on a larger one that is held below, turned so that the two meshes nowhere
-// match: (n + 1)² vertices of the upper one touch, and of the lower one those that the load presses
-// into it.
-Problem plates(int n) {
-  const Elasticity elasticity{.youngs_modulus = 2e5, .poisson_ratio = 0.3, .damping_time = 1e-3};
-  const auto body = [&](const std::string& name, int cells) {
-    return ProblemBody{.name = name,
-                       .shape = plate(cells),
-                       .mass = 1000.0 * kCell * kCell * kCell * cells * cells,
-                       .elasticity = elasticity};
-  };
-  ProblemBody upper = body("upper", n);
-  upper.position = Vec3(0.013, 0.007, 0.5 * kCell);
-  upper.rotation = Eigen::AngleAxisd(0.3, Vec3::UnitZ());
-  ProblemBody lower = body("lower", static_cast<int>(std::ceil(1.3 * n)) + 1);
-  lower.position = Vec3(0.0, 0.0, -0.5 * kCell);
-  lower.held = HeldPart{Vec3(0.0, 0.0, -0.5 * kCell), Vec3::UnitZ()};
-  Problem problem;
-  problem.name = "plates";
-  problem.bodies = {upper, lower};
-  problem.friction = 0.5;
-  problem.gravity = {{0.0}, {Vec3(0.0, 0.0, -kStandardGravity)}};
-  return problem;
-}
 
 const std::vector<std::string> kContactPhases = {"detect", "depth", "normal force", "friction"};
 const std::vector<std::string> kPasses = {"forces", "predict", "integrate"};
@@ -64,7 +32,7 @@ struct StepSeconds {
 
 StepSeconds cheapest_step(CaseRun& run, int cells) {
   constexpr int kTimed = 16, kSteps = 6;  // the engine times every 16th step
-  const auto simulation = run.simulate(plates(cells));
+  const auto simulation = run.simulate(plates_problem({.cells = cells}));
   Engine& engine = simulation->engine();
   engine.advance(kTimed);
   Cost before = engine.cost();
