@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# A program outside this tree builds against what `cmake --install` leaves: install_test.sh BUILD
+# Programs outside this tree build against what `cmake --install` leaves: install_test.sh BUILD
 set -euo pipefail
 build=$1
 work=$(mktemp -d)
@@ -38,9 +38,31 @@ int main() {
   std::printf("%d contact\n", static_cast<int>(workspace.contacts.size()));
 }
 C
-cmake -S "$work/consumer" -B "$work/consumer/build" -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/log" 2>&1 &&
-  cmake --build "$work/consumer/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-said=$("$work/consumer/build/consumer")
-[ "$said" = "1 contact" ] || { echo "the consumer says '$said', not '1 contact'"; exit 1; }
-echo "a program outside the tree builds and runs: $said"
+# builds CONSUMER SAYS: configures, builds and runs what stands in the folder.
+builds() {
+  local folder=$work/$1 said
+  cmake -S "$folder" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/log" 2>&1 &&
+    cmake --build "$folder/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  said=$("$folder/build/consumer")
+  [[ $said == $2 ]] || { echo "the $1 says '$said', not '$2'"; exit 1; }
+  echo "a $1 outside the tree builds and runs: $said"
+}
+builds consumer "1 contact"
+
+mkdir "$work/validator"
+sed -e 's/find_package(stiction REQUIRED)/find_package(stiction REQUIRED COMPONENTS validation)/' \
+  -e 's/stiction::solver/stiction::validation/' "$work/consumer/CMakeLists.txt" >"$work/validator/CMakeLists.txt"
+cat >"$work/validator/main.cpp" <<'C'
+#include <cstdio>
+
+#include "validation/core/runner.h"
+
+int main() {
+  using namespace stiction;
+  const Record record =
+      run_job(select_jobs(case_catalog(), {.globs = {"half-space/free-fall"}}).front(), 1.0);
+  std::printf("%s: %s", record.case_name.c_str(), to_string(record.verdict).c_str());
+}
+C
+builds validator "half-space/free-fall: pass"
