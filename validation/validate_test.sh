@@ -46,7 +46,7 @@ refuses "an unknown case" "no case matches 'nonsense/*'; --list shows them all" 
 holds 0 "an engine of rigid bodies passes what it can" "$validate" --engine plain --no-page --out plain
 grep -q ', 0 fail, 0 limit, 0 refuted, 0 error, [1-9][0-9]* not applicable' out ||
   failed "an engine of rigid bodies" "something else than pass and not applicable: $(tail -n 3 out)"
-grep -q '"the engine has no bodies of any shape, held parts, contact between bodies"' plain/latest/records.jsonl ||
+grep -q '"the engine has no bodies given as meshes, held parts, contact between bodies"' plain/latest/records.jsonl ||
   failed "an engine of rigid bodies" "no words for what it lacks"
 holds 1 "the same engine creeping fails" "$validate" --engine plain --set creep=1e-3 --no-page --out creeping
 for red in incline/below/creep/50% incline/below/creep/99% incline/restick/point incline/threshold/mu=0.5/azimuth=30/yaw=20; do

@@ -69,7 +69,8 @@ inline bool can_stick(const SlipProblem& problem) {
 //   void reset(double* memory) const        a new contact, or one whose memory is forgotten
 //   static constexpr RuleCard kCard         what it remembers and guarantees, for people
 //   static constexpr bool kWarmStart        whether the memory holds a force to start from:
-//   Vec3 start(const double* memory) const  that force, N (projected and clamped by the caller)
+//   Vec3 start(const double* memory) const  that force, N (projected and clamped by the caller);
+//                                           may be left out without a warm start
 //   SlipSolution solve(const SlipProblem&, double* memory) const
 //   static constexpr bool kConjugate        may be left out; see conjugate_vector.h
 // `solve` is called once a contact and sweep, in the order of the keys.

@@ -33,25 +33,6 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-std::vector<Settings> variants_of(const Case& which, const EngineKind& engine, bool full) {
-  if (!which.variants.empty()) return which.variants;
-  if (!engine.configurations) return {{}};
-  std::vector<Settings> all;
-  for (Configuration& one : engine.configurations(which.name)) {
-    if (full || !one.only_full) all.push_back(std::move(one.settings));
-  }
-  return all;
-}
-
-std::vector<Case> cases_for(const EngineKind& engine) {
-  std::vector<Case> all = case_catalog();
-  if (!engine.studies) return all;
-  for (Case& one : engine.studies()) all.push_back(std::move(one));
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Case& a, const Case& b) { return a.name < b.name; });
-  return all;
-}
-
 Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
                        const Problem& problem, const Accuracy& accuracy)
     : run_(run),

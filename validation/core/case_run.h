@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,12 +18,6 @@ namespace stiction {
 
 class CaseRun;
 class PassageWatch;
-
-/// The engine lacks what a case needs: the record is `not applicable`, with these words.
-class NotApplicable : public std::runtime_error {
- public:
-  explicit NotApplicable(const std::string& words) : std::runtime_error(words) {}
-};
 
 /// An engine that has taken a problem. Whether bodies pass through each other is watched from
 /// outside (passage_watch.h). Its cost and state hash go into the case's record when the

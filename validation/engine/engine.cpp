@@ -19,7 +19,7 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
     need(point, manifest.point_masses, "point masses");
     need(std::holds_alternative<BoxShape>(body.shape), manifest.boxes, "boxes");
     need(std::holds_alternative<BallShape>(body.shape), manifest.balls, "balls");
-    need(std::holds_alternative<MeshShape>(body.shape), manifest.meshes, "bodies of any shape");
+    need(std::holds_alternative<MeshShape>(body.shape), manifest.meshes, "bodies given as meshes");
     need(body.must_deform, manifest.deformable, "bodies that deform");
     need(body.held.has_value(), manifest.held_parts, "held parts");
     need(body.self_collision, manifest.self_contact, "a body's contact with itself");

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,6 @@ struct Manifest {
   bool moving_obstacles = false;
   bool drag = false;             ///< a medium that damps all motion
   bool varying_gravity = false;  ///< over time
-  bool contact_forces = false;   ///< contacts() has forces and slips
   bool snapshots = false;        ///< save() and restore()
 };
 
@@ -75,6 +75,12 @@ struct Energies {
 /// An opaque copy of an engine's whole state, friction memory included.
 using Snapshot = std::shared_ptr<const void>;
 
+/// The engine lacks what a case needs: the record is `not applicable`, with these words.
+class NotApplicable : public std::runtime_error {
+ public:
+  explicit NotApplicable(const std::string& words) : std::runtime_error(words) {}
+};
+
 /// The adapter behind which any engine can be put. One object simulates one problem.
 class Engine {
  public:
@@ -88,7 +94,11 @@ class Engine {
   virtual void advance(std::uint64_t steps) = 0;  ///< whole steps; throws InputError if it diverges
 
   virtual BodyMotion body(std::size_t index) const = 0;
-  virtual std::vector<ContactSample> contacts() const = 0;
+  /// Those at the end of the last step. An engine that does not tell them leaves this out: a case
+  /// that asks is not applicable.
+  virtual std::vector<ContactSample> contacts() const {
+    throw NotApplicable("the engine does not tell its contacts");
+  }
   /// For pictures: triangles of a body's surface, counter-clockwise seen from outside, and where
   /// the vertices that they name are now (m). Empty, the default: nothing to draw.
   virtual Eigen::Matrix3Xi surface(std::size_t) const { return {}; }
@@ -103,8 +113,9 @@ class Engine {
   virtual Settings settings() const = 0;  ///< as resolved, Δt included
   virtual Cost cost() const = 0;          ///< of all steps so far
   virtual std::uint64_t state_hash() const = 0;
-  virtual Snapshot save() const = 0;
-  virtual void restore(const Snapshot& snapshot) = 0;
+  /// With Manifest::snapshots alone.
+  virtual Snapshot save() const { throw NotApplicable("the engine has no snapshots"); }
+  virtual void restore(const Snapshot&) { throw NotApplicable("the engine has no snapshots"); }
 };
 
 /// A way to run an engine that it brings with it.

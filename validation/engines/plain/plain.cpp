@@ -208,11 +208,7 @@ EngineKind engine_plain() {
       .name = "plain",
       .description =
           "rigid bodies that slide on half-spaces and do not turn: Coulomb's law, step by step",
-      .manifest = {.point_masses = true,
-                   .boxes = true,
-                   .varying_gravity = true,
-                   .contact_forces = true,
-                   .snapshots = true},
+      .manifest = {.point_masses = true, .boxes = true, .varying_gravity = true, .snapshots = true},
       .settings_help = {{"dt", "time step, s (default 2e-4)"},
                         {"creep",
                          "slip speed below which friction fades, m/s (default 0: Coulomb's law)"}},

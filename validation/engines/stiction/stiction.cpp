@@ -310,7 +310,6 @@ EngineKind engine_stiction() {
                    .moving_obstacles = true,
                    .drag = true,
                    .varying_gravity = true,
-                   .contact_forces = true,
                    .snapshots = true},
       .settings_help = settings_help(),
       .make = make,

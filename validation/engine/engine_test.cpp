@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/engine/engine.h"
+
+#include <gtest/gtest.h>
+
+#include "validation/core/case_run.h"
+#include "validation/core/runner.h"
+#include "validation/observe/observe.h"
+#include "validation/problems/incline_problem.h"
+
+namespace stiction {
+namespace {
+
+// The least that an engine can be: it tells neither contacts nor snapshots, and nothing moves.
+class Mute final : public Engine {
+ public:
+  void load(const Problem&, const Accuracy&) override {}
+  double time_step() const override { return 1e-3; }
+  std::uint64_t steps_done() const override { return steps_; }
+  void advance(std::uint64_t steps) override { steps_ += steps; }
+  BodyMotion body(std::size_t) const override { return {Vec3::Zero(), Vec3::Zero()}; }
+  Energies energies() const override { return {}; }
+  Momenta momenta() const override { return {Vec3::Zero(), Vec3::Zero()}; }
+  Settings settings() const override { return {}; }
+  Cost cost() const override { return {}; }
+  std::uint64_t state_hash() const override { return 0; }
+
+ private:
+  std::uint64_t steps_ = 0;
+};
+
+Record run_on_mute(const std::function<void(CaseRun&)>& run) {
+  EngineKind kind{
+      .name = "mute",
+      .description = "a test",
+      .manifest = {.boxes = true},
+      .settings_help = {},
+      .make = [](const Settings&) -> std::unique_ptr<Engine> { return std::make_unique<Mute>(); }};
+  return run_job({{.name = "a/case", .title = "a test", .run = run}, kind, {}}, 1.0);
+}
+
+void expect_not_applicable(const Record& record, const std::string& words) {
+  EXPECT_EQ(record.verdict, Verdict::kNotApplicable);
+  EXPECT_EQ(record.error, "");
+  ASSERT_FALSE(record.notes.empty());
+  EXPECT_EQ(record.notes.front(), words);
+}
+
+TEST(Engine, WithoutWhatACaseAsksIsNotApplicableInWords) {
+  expect_not_applicable(run_on_mute([](CaseRun& run) {
+                          const auto simulation = run.simulate(incline_problem({}));
+                          simulation->advance(1);
+                          run.check({.quantity = "deepest", .value = 0.0, .tolerance = 1.0});
+                          fastest_slip(simulation->engine());
+                        }),
+                        "the engine does not tell its contacts");
+  expect_not_applicable(
+      run_on_mute([](CaseRun& run) { run.simulate(incline_problem({}))->engine().save(); }),
+      "the engine has no snapshots");
+  expect_not_applicable(
+      run_on_mute([](CaseRun& run) { run.need(&Manifest::snapshots, "snapshots"); }),
+      "the engine has no snapshots");
+  InclineSetup point;
+  point.shape = PointShape{};
+  expect_not_applicable(run_on_mute([&](CaseRun& run) { run.simulate(incline_problem(point)); }),
+                        "the engine has no point masses");
+}
+
+}  // namespace
+}  // namespace stiction
