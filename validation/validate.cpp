@@ -88,7 +88,11 @@ void define(CLI::App& app, Arguments& arguments) {
                  "Multiplies every tolerance; 0 fails whatever is not exact and so shows every "
                  "residual")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber)
+      ->check([](const std::string& text) {
+        char* end = nullptr;
+        const bool is_scale = std::strtod(text.c_str(), &end) >= 0.0 && *end == '\0';
+        return is_scale ? std::string() : "must be a number from 0, not '" + text + "'";
+      })
       ->capture_default_str();
   app.add_option(
          "--show-expectations", arguments.show_expectations,
@@ -96,7 +100,7 @@ void define(CLI::App& app, Arguments& arguments) {
          "run measured, and its failures, as rows of validation/engines/stiction/expectations/")
       ->type_name("RECORDS.jsonl");
   app.footer(engine_help() +
-             "\nExit code: 0 every check holds or falls short as expected (limit, refuted), 1 "
+             "\nExit code: 0 every check holds or falls short as expected, 1 "
              "some fail, 2 could not run (bad input, a case "
              "that broke off, a full disk).");
 }
@@ -139,7 +143,8 @@ class Console {
   }
 
   void finished(std::size_t index, const Record& record) {
-    waiting_[index] = table_rows(record, style_);
+    // What an engine cannot take stands in a few lines at the end.
+    waiting_[index] = record.verdict == Verdict::kNotApplicable ? "" : table_rows(record, style_);
     ++done_;
     if (progress_) fmt::print(stderr, "\r\033[K");
     while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);

@@ -44,7 +44,7 @@ refuses "an unknown case" "no case matches 'nonsense/*'; --list shows them all" 
   "$validate" --case 'nonsense/*'
 # ---- another engine ---------------------------------------------------------------------------
 holds 0 "an engine of rigid bodies passes what it can" "$validate" --engine plain --no-page --out plain
-grep -q ', 0 fail, 0 limit, 0 refuted, 0 error, [1-9][0-9]* not applicable' out ||
+grep -q ', 0 fail, 0 expected shortfalls, 0 refuted, 0 errors, [1-9][0-9]* not applicable' out ||
   failed "an engine of rigid bodies" "something else than pass and not applicable: $(tail -n 3 out)"
 grep -q '"the engine has no bodies given as meshes, held parts, contact between bodies"' plain/latest/records.jsonl ||
   failed "an engine of rigid bodies" "no words for what it lacks"
@@ -221,8 +221,8 @@ short=(--case paper/fig5-box-pyramid --no-page)
 holds 0 "what falls short as expected doesn't fail" "$validate" "${short[@]}" --out short
 grep -q '^  refuted  slip uphill at rest' out || failed "a refuted claim" "the table has none"
 grep -q 'as expected in \[' out || failed "a refuted claim" "its band is not shown"
-grep -qE '^1 pass, 0 fail, 4 limit, 0 refuted, ' out || failed "a refuted claim" "it is not counted"
-grep -q '"expected_low":' short/latest/records.jsonl || failed "a refuted claim" "no band in its record"
+grep -qE '^1 pass, 0 fail, 4 expected shortfalls, 0 refuted, ' out || failed "a refuted claim" "it is not counted"
+grep -q '"band":\[' short/latest/records.jsonl || failed "a refuted claim" "no band in its record"
 exits 1 "far worse than expected" "$build/validate_kGainReversed" "${short[@]}" --out worse
 grep -q 'worse than expected \[' out || failed "far worse than expected" "no sentence says so"
 passed "a method that falls far shorter than expected turns the case red"

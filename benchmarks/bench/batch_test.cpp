@@ -32,8 +32,8 @@ std::vector<std::string> family_names() {
 
 TEST_P(EveryFamily, ComesToRestWithAboutTheContactsAskedFor) {
   const Workload work = settled(GetParam());
-  for (const Check& check : work.checks) {
-    EXPECT_EQ(check.verdict, Verdict::kPass) << check.quantity << " " << check.value;
+  for (const Judgement& check : work.checks) {
+    EXPECT_EQ(check.verdict, Verdict::kPass) << check.claim.quantity << " " << check.value;
   }
   // The formulas for sizes are for large scenes; a small one has more border.
   EXPECT_GT(work.contacts(), kContacts / 2u);

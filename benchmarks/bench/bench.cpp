@@ -81,10 +81,10 @@ int write_records(const std::vector<Record>& records, const std::string& out) {
     store.append(record);
     if (record.verdict != Verdict::kFail) continue;
     code = kDoesNotHold;
-    const Check* const worst = worst_check(record.checks);
+    const Judgement* const worst = worst_check(record.checks);
     fmt::print(stderr, "stiction bench: {}: {} is {:.3g}, not {:.3g} ± {:.3g} {}\n",
-               record.case_name, worst->quantity, worst->value, worst->expected, worst->tolerance,
-               worst->worst);
+               record.case_name, worst->claim.quantity, worst->value, worst->claim.expected,
+               worst->claim.tolerance, worst->worst);
   }
   store.finish();
   fmt::print("\nRecords: {}\n", store.folder().string());

@@ -50,25 +50,23 @@ Record workload_record(const Measure::Settled& settled, const std::vector<Result
       record.cost.ns_per_contact_update += 1e9 * result.seconds / result.contacts;
     }
   }
-  record.verdict = combined_verdict(record.checks);
+  record.verdict = verdict_of(record);
   return record;
 }
 
-Check exponent_check(const Scaling& scaling) {
-  Check check{.quantity = "exponent of cost over contacts, " + scaling.part,
-              .unit = "1",
-              .claim = "the cost grows linearly with the number of contacts",
-              .formula = "time ∝ contactsᵖ, p = 1",
-              .source = "one pass over contacts a phase, and overlap regions for the search",
-              .kind = ReferenceKind::kAnalytic,
-              .value = scaling.law.exponent,
-              .expected = 1.0,
-              .tolerance = 0.2,
-              .reason =
-                  "from cache to memory a contact may cost four times as much: log₁₀ 4 over "
-                  "three decades"};
-  judge(check, 1.0);
-  return check;
+Judgement exponent_check(const Scaling& scaling) {
+  return judge(
+      {.quantity = "exponent of cost over contacts, " + scaling.part,
+       .unit = "1",
+       .statement = "the cost grows linearly with the number of contacts",
+       .formula = "time ∝ contactsᵖ, p = 1",
+       .source = "one pass over contacts a phase, and overlap regions for the search",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 1.0,
+       .tolerance = 0.2,
+       .reason = "from cache to memory a contact may cost four times as much: log₁₀ 4 over "
+                 "three decades"},
+      scaling.law.exponent);
 }
 
 std::vector<Record> scaling_records(const std::vector<Scaling>& scalings) {
@@ -88,31 +86,29 @@ std::vector<Record> scaling_records(const std::vector<Scaling>& scalings) {
     record.series.push_back(std::move(series));
     if (scaling.part == "step") record.checks.push_back(exponent_check(scaling));
   }
-  for (Record& record : records) record.verdict = combined_verdict(record.checks);
+  for (Record& record : records) record.verdict = verdict_of(record);
   return records;
 }
 
 Record feature_record(const std::vector<FeatureCost>& features) {
   Record record = new_record("bench/features", "model only what a scene needs");
   for (const FeatureCost& feature : features) {
-    Check check{.quantity = "instructions of a step, " + feature.title + ": unused ÷ without",
-                .unit = "1",
-                .claim = "a feature that a scene does not use costs nothing",
-                .source = "callgrind, a build without the feature beside the usual one",
-                .kind = ReferenceKind::kExactComputed,
-                .value = feature.unused / feature.without,
-                .expected = 1.0,
-                .tolerance = 0.01,
-                .reason =
-                    "one test a contact and phase, of the hundreds of instructions that "
-                    "each of these takes"};
-    judge(check, 1.0);
-    record.checks.push_back(std::move(check));
+    record.checks.push_back(
+        judge({.quantity = "instructions of a step, " + feature.title + ": unused ÷ without",
+               .unit = "1",
+               .statement = "a feature that a scene does not use costs nothing",
+               .source = "callgrind, a build without the feature beside the usual one",
+               .kind = ReferenceKind::kExactComputed,
+               .expected = 1.0,
+               .tolerance = 0.01,
+               .reason = "one test a contact and phase, of the hundreds of instructions that "
+                         "each of these takes"},
+              feature.unused / feature.without));
     record.notes.push_back(fmt::format("{}: used ÷ without {:.3f}, {:.0f} instructions without",
                                        feature.title, feature.used / feature.without,
                                        feature.without));
   }
-  record.verdict = combined_verdict(record.checks);
+  record.verdict = verdict_of(record);
   return record;
 }
 

@@ -24,10 +24,10 @@ Workload settled() {
                                [](const Family& family) { return family.name == kFamily; });
   demand(at != families.end(), "the fixed benchmarks' family is in the catalog");
   Workload work = settle(*at, kContacts);
-  for (const Check& check : work.checks) {
+  for (const Judgement& check : work.checks) {
     if (check.verdict == Verdict::kPass) continue;
-    throw std::runtime_error(
-        fmt::format("the workload is not at rest: {} is {:.3g}", check.quantity, check.value));
+    throw std::runtime_error(fmt::format("the workload is not at rest: {} is {:.3g}",
+                                         check.claim.quantity, check.value));
   }
   return work;
 }

@@ -53,7 +53,7 @@ class Measure {
     int size = 0;
     double contacts = 0.0;
     Options options;
-    std::vector<Check> checks;
+    std::vector<Judgement> checks;
     std::uint64_t hash = 0;
     std::uint64_t steps = 0;
     std::uint64_t contact_updates = 0;

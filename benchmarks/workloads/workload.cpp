@@ -64,21 +64,20 @@ double mean_slip(const Scene& scene, const State& state, const Workspace& worksp
   return loaded > 0 ? sum / loaded : 0.0;
 }
 
-Check rest_check(const std::string& quantity, const std::string& claim, double value,
-                 const std::string& worst) {
-  Check check{.quantity = quantity,
-              .unit = "1",
-              .claim = claim,
-              .source = "equilibrium",
-              .kind = ReferenceKind::kAnalytic,
-              .value = value,
-              .expected = 0.0,
-              .tolerance = 0.05,
-              .reason =
-                  "the drag leaves (1 + ωT) e^(−ωT) = 5e-4 of the bounce, ωT = 10; modes a "
-                  "hundred times weaker than the slowest bounce was taken for are left whole",
-              .worst = worst};
-  judge(check, 1.0);
+Judgement rest_check(const std::string& quantity, const std::string& statement, double value,
+                     const std::string& worst) {
+  Judgement check =
+      judge({.quantity = quantity,
+             .unit = "1",
+             .statement = statement,
+             .source = "equilibrium",
+             .kind = ReferenceKind::kAnalytic,
+             .expected = 0.0,
+             .tolerance = 0.05,
+             .reason = "the drag leaves (1 + ωT) e^(−ωT) = 5e-4 of the bounce, ωT = 10; modes a "
+                       "hundred times weaker than the slowest bounce was taken for are left whole"},
+            value);
+  check.worst = worst;
   return check;
 }
 
@@ -86,7 +85,7 @@ Check rest_check(const std::string& quantity, const std::string& claim, double v
 
 double Workload::error() const {
   double largest = 0.0;
-  for (const Check& check : checks) {
+  for (const Judgement& check : checks) {
     // What is no number stays so.
     if (!(std::abs(check.error) <= largest) && !std::isnan(largest))
       largest = std::abs(check.error);

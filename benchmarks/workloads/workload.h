@@ -50,7 +50,7 @@ struct Workload {
   Workspace workspace;  ///< warm: what the last step left
   /// How far from rest: the worst body's unbalanced force over its weight, and the mean slip of
   /// loaded contacts over what gravity adds to a free body's speed in one step.
-  std::vector<Check> checks;
+  std::vector<Judgement> checks;
 
   std::size_t contacts() const {
     return workspace.contacts.size() + workspace.pairs.size() + workspace.edges.size();

@@ -40,7 +40,7 @@ struct FigureRule {
   std::string case_glob{};                        ///< of the records' cases
   std::string except{};                           ///< glob of cases left out; empty: none
   std::map<std::string, std::string> settings{};  ///< that a record must have; "" is 'not set'
-  std::string quantity{};                         ///< of a check …
+  std::string quantity{};                         ///< of a check or a figure …
   std::string series{};                           ///< … or of a series, at x = `at`
   double at = 0.0;
   Taken within = Taken::kOnly;  ///< of the records and checks of one case

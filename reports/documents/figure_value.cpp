@@ -46,9 +46,14 @@ bool matches(const std::string& glob, const std::string& name) {
 std::vector<FigureValue> values_in(const FigureRule& rule, const Record& record) {
   std::vector<FigureValue> values;
   if (!rule.quantity.empty()) {
-    for (const Check& check : record.checks) {
-      if (check.quantity == rule.quantity)
+    for (const Judgement& check : record.checks) {
+      if (check.claim.quantity == rule.quantity) {
         values.push_back({check.value, check.value, check.verdict});
+      }
+    }
+    for (const Figure& figure : record.figures) {
+      if (figure.quantity != rule.quantity) continue;
+      values.push_back({figure.value, figure.value, Verdict::kForInformation});
     }
     return values;
   }
@@ -57,14 +62,14 @@ std::vector<FigureValue> values_in(const FigureRule& rule, const Record& record)
     for (std::size_t k = 0; k < series.x.size(); ++k) {
       // A size asked for is met as nearly as the mesh allows.
       if (std::abs(series.x[k] - rule.at) > 0.2 * std::abs(rule.at)) continue;
-      values.push_back({series.y[k], series.y[k], Verdict::kShown});
+      values.push_back({series.y[k], series.y[k], Verdict::kForInformation});
     }
   }
   return values;
 }
 
 Verdict worst(const std::vector<FigureValue>& values) {
-  std::vector<Check> checks(values.size());
+  std::vector<Judgement> checks(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) checks[k].verdict = values[k].verdict;
   return combined_verdict(checks);
 }

@@ -13,7 +13,7 @@ namespace stiction {
 struct FigureValue {
   double low = 0.0;  ///< = high, but of a range
   double high = 0.0;
-  Verdict verdict = Verdict::kShown;  ///< of the checks it stands for
+  Verdict verdict = Verdict::kForInformation;  ///< of the checks it stands for
 };
 
 /// Whether a record is of the figure's cases.

@@ -18,7 +18,7 @@ Record record(const std::string& name, const std::string& method, double drift,
               Verdict verdict = Verdict::kPass) {
   Record one = test::passing_record(name);
   one.settings = {{"method", method}};
-  one.checks[0].quantity = "drift";
+  one.checks[0].claim.quantity = "drift";
   one.checks[0].value = drift;
   one.checks[0].verdict = verdict;
   return one;
@@ -36,7 +36,7 @@ FigureRule drift_of(const std::string& case_glob) {
 TEST(FigureValue, IsThatOfTheRecordWithTheSettings) {
   FigureRule rule = drift_of("slab/rest");
   rule.settings = {{"method", "quiet"}};
-  const FigureValue value = value_of(rule, {record("slab/rest", "paper", 3.0, Verdict::kLimit),
+  const FigureValue value = value_of(rule, {record("slab/rest", "paper", 3.0, Verdict::kShortfall),
                                             record("slab/rest", "quiet", 2.0)});
   EXPECT_EQ(value.low, 2.0);
   EXPECT_EQ(value.high, 2.0);
@@ -58,11 +58,11 @@ TEST(FigureValue, TakesTheBestOfACaseAndTheRangeOverCases) {
   rule.over = Taken::kRange;
   const FigureValue value =
       value_of(rule, {record("rules/a", "x", 5.0), record("rules/a", "y", 4.0),
-                      record("rules/b", "x", 9.0, Verdict::kLimit), record("rules/b", "y", kInf),
-                      record("rules/membrane", "x", 100.0)});
+                      record("rules/b", "x", 9.0, Verdict::kShortfall),
+                      record("rules/b", "y", kInf), record("rules/membrane", "x", 100.0)});
   EXPECT_EQ(value.low, 4.0);
   EXPECT_EQ(value.high, 9.0);
-  EXPECT_EQ(value.verdict, Verdict::kLimit);
+  EXPECT_EQ(value.verdict, Verdict::kShortfall);
 }
 
 TEST(FigureValue, NoNumberAmongThemIsNone) {
@@ -93,7 +93,7 @@ TEST(FigureValue, SaysWhatIsMissing) {
   EXPECT_EQ(test::message_of([&] { value_of(rule, {record("slab/rest", "old", 1.0)}); }),
             "validate.toml:3: figure 'drift': no record of 'slab/rest' with method=quiet");
   Record renamed = record("slab/rest", "quiet", 1.0);
-  renamed.checks[0].quantity = "way";
+  renamed.checks[0].claim.quantity = "way";
   EXPECT_EQ(test::message_of([&] { value_of(rule, {renamed}); }),
             "validate.toml:3: figure 'drift': the record of 'slab/rest' has no quantity 'drift'");
   Record broken = test::error_record();

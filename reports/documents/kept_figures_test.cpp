@@ -26,15 +26,15 @@ TEST(KeptFigures, ReadBackAsTheyWere) {
   KeptFigures kept;
   kept.environment = {"4f2a9c1+", "g++ 12", "Example \"CPU\"", "2026-01-01"};
   kept.figures = {{"a", {0.1, 0.1, Verdict::kPass}},
-                  {"b", {7.0, test::kInf, Verdict::kShown}},
-                  {"c", {test::kNan, test::kNan, Verdict::kLimit}}};
+                  {"b", {7.0, test::kInf, Verdict::kForInformation}},
+                  {"c", {test::kNan, test::kNan, Verdict::kShortfall}}};
   kept.samples = {{"sample", "one\n  μ \"two\"\n"}};
   const KeptFigures back = read_kept_figures(file_with(to_json(kept)));
   EXPECT_EQ(to_json(back), to_json(kept));
   EXPECT_EQ(back.figures.at("a").low, 0.1);
   EXPECT_EQ(back.figures.at("b").high, test::kInf);
   EXPECT_TRUE(std::isnan(back.figures.at("c").low));
-  EXPECT_EQ(back.figures.at("c").verdict, Verdict::kLimit);
+  EXPECT_EQ(back.figures.at("c").verdict, Verdict::kShortfall);
   EXPECT_EQ(back.samples.at("sample"), "one\n  μ \"two\"\n");
 }
 

@@ -11,11 +11,11 @@
 namespace stiction {
 namespace {
 
-constexpr std::size_t kCheckColumns = 19;
+constexpr std::size_t kCheckColumns = 20;
 constexpr std::string_view kHeader =
     "case,title,engine,settings,case_verdict,case_error,"
     "quantity,unit,claim,formula,source,kind,value,expected,error,relative,scale,tolerance,reason,"
-    "digits,worst,expected_low,expected_high,cause,verdict,"
+    "of_tolerance,digits,worst,band_low,band_high,cause,verdict,"
     "cpu_seconds,steps,contact_updates,ns_per_contact_update,state_hash,"
     "revision,toolchain,machine,date";
 
@@ -24,6 +24,10 @@ std::string cell(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
+}
+
+std::string optional(const std::optional<double>& value) {
+  return value ? format_exact(*value) : std::string();
 }
 
 std::string row(const std::vector<std::string>& values) {
@@ -40,14 +44,37 @@ std::string case_cells(const Record& record) {
               to_string(record.verdict), record.error});
 }
 
-std::string check_cells(const Check& check) {
-  return row(
-      {check.quantity, check.unit, check.claim, check.formula, check.source, to_string(check.kind),
-       format_exact(check.value), format_exact(check.expected), format_exact(check.error),
-       check.relative ? "true" : "false", format_exact(check.scale), format_exact(check.tolerance),
-       check.reason, format_exact(check.digits), check.worst,
-       check.band ? format_exact(check.band->low) : "",
-       check.band ? format_exact(check.band->high) : "", check.cause, to_string(check.verdict)});
+std::string check_cells(const Judgement& check) {
+  return row({check.claim.quantity,
+              check.claim.unit,
+              check.claim.statement,
+              check.claim.formula,
+              check.claim.source,
+              to_string(check.claim.kind),
+              format_exact(check.value),
+              format_exact(check.claim.expected),
+              format_exact(check.error),
+              check.claim.relative ? "true" : "false",
+              optional(check.claim.scale),
+              format_exact(check.claim.tolerance),
+              check.claim.reason,
+              format_exact(check.of_tolerance),
+              optional(check.digits),
+              check.worst,
+              check.band ? format_exact(check.band->low) : "",
+              check.band ? format_exact(check.band->high) : "",
+              check.cause,
+              to_string(check.verdict)});
+}
+
+// A figure has no claim: quantity, unit, meaning and value, in the columns of a check.
+std::string figure_cells(const Figure& figure) {
+  std::vector<std::string> cells(kCheckColumns);
+  cells[0] = figure.quantity;
+  cells[1] = figure.unit;
+  cells[2] = figure.meaning;
+  cells[6] = format_exact(figure.value);
+  return row(cells);
 }
 
 std::string run_cells(const Record& record) {
@@ -67,8 +94,10 @@ std::string csv_table(const std::vector<Record>& records) {
   for (const Record& record : records) {
     const std::string before = fmt::format("{},", case_cells(record));
     const std::string after = fmt::format(",{}\r\n", run_cells(record));
-    for (const Check& check : record.checks) table += before + check_cells(check) + after;
-    if (record.checks.empty()) table += before + std::string(kCheckColumns - 1, ',') + after;
+    for (const Judgement& check : record.checks) table += before + check_cells(check) + after;
+    for (const Figure& figure : record.figures) table += before + figure_cells(figure) + after;
+    if (record.checks.empty() && record.figures.empty())
+      table += before + std::string(kCheckColumns - 1, ',') + after;
   }
   return table;
 }

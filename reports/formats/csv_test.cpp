@@ -72,10 +72,10 @@ TEST(Csv, OneRowPerCheck) {
 TEST(Csv, ABandHasTwoColumnsEmptyWithoutOne) {
   const Rows rows = parsed(csv_table({test::refuted_record()}));
   EXPECT_EQ(named(rows, 1).at("verdict"), "refuted");
-  EXPECT_EQ(named(rows, 1).at("expected_low"), "0.305");
-  EXPECT_EQ(named(rows, 1).at("expected_high"), "0.32");
+  EXPECT_EQ(named(rows, 1).at("band_low"), "0.305");
+  EXPECT_EQ(named(rows, 1).at("band_high"), "0.32");
   EXPECT_EQ(named(rows, 1).at("cause"), "normal forces never settle");
-  EXPECT_EQ(named(rows, 2).at("expected_low"), "");
+  EXPECT_EQ(named(rows, 2).at("band_low"), "");
 }
 
 TEST(Csv, ARecordWithoutChecksHasARow) {
@@ -89,9 +89,22 @@ TEST(Csv, ARecordWithoutChecksHasARow) {
   EXPECT_EQ(row.at("machine"), "Example CPU, 2 cores");
 }
 
+TEST(Csv, AFigureHasARowWithoutAClaim) {
+  Record record = test::compared_record();
+  record.checks.clear();
+  const Rows rows = parsed(csv_table({record}));
+  ASSERT_EQ(rows.size(), 2u);
+  const auto row = named(rows, 1);
+  EXPECT_EQ(row.at("quantity"), "steps to 1e-9");
+  EXPECT_EQ(row.at("claim"), "static friction is found again soon");
+  EXPECT_EQ(row.at("value"), "12");
+  EXPECT_EQ(row.at("expected"), "");
+  EXPECT_EQ(row.at("verdict"), "");
+}
+
 TEST(Csv, AnEmptyFirstCellKeepsItsPlace) {
   Record record = test::passing_record("");
-  record.checks[0].quantity.clear();
+  record.checks[0].claim.quantity.clear();
   const Rows rows = parsed(csv_table({record}));
   ASSERT_EQ(rows[1].size(), rows[0].size());
   EXPECT_EQ(named(rows, 1).at("unit"), "1");

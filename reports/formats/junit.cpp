@@ -51,7 +51,7 @@ std::string time_text(double seconds) {
 std::string counts(const Tally& tally) {
   return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}" time="{}")",
                      tally.records(), tally.fail, tally.error,
-                     tally.not_applicable + tally.limit + tally.refuted,
+                     tally.not_applicable + tally.shortfall + tally.refuted,
                      time_text(tally.cpu_seconds));
 }
 
@@ -62,11 +62,11 @@ std::string notes_lines(const Record& record) {
 }
 
 std::string failure(const Record& record) {
-  const Check* worst = worst_check(record.checks);
+  const Judgement* worst = worst_check(record.checks);
   if (worst == nullptr) return "      <failure message=\"no check decides\" type=\"fail\"/>\n";
   std::string text = fmt::format("      <failure message=\"{}\" type=\"fail\">claim: {}\n",
-                                 escaped(check_sentence(*worst)), escaped(worst->claim));
-  text += "tolerance: " + escaped(worst->reason) + "\n";
+                                 escaped(check_sentence(*worst)), escaped(worst->claim.statement));
+  text += "tolerance: " + escaped(worst->claim.reason) + "\n";
   if (worst->band) text += "cause of the band: " + escaped(worst->cause) + "\n";
   if (!worst->worst.empty()) text += "worst offender: " + escaped(worst->worst) + "\n";
   return text + notes_lines(record) + "</failure>\n";
@@ -81,17 +81,17 @@ std::string outcome(const Record& record) {
     case Verdict::kNotApplicable:
       return fmt::format("      <skipped message=\"{}\"/>\n",
                          record.notes.empty() ? "not applicable" : escaped(record.notes.front()));
-    case Verdict::kLimit:
+    case Verdict::kShortfall:
     case Verdict::kRefuted: {
-      const Check* worst = worst_check(record.checks);
+      const Judgement* worst = worst_check(record.checks);
       if (worst == nullptr) return "      <skipped message=\"no check decides\"/>\n";
       return fmt::format(
           "      <skipped message=\"{}{}: {}\"/>\n",
-          record.verdict == Verdict::kLimit ? "falls short" : "a claim of the paper is refuted",
+          record.verdict == Verdict::kShortfall ? "falls short" : "a claim of the paper is refuted",
           escaped(band_text(*worst)), escaped(worst->cause));
     }
     case Verdict::kPass:
-    case Verdict::kShown:
+    case Verdict::kForInformation:
       break;
   }
   return "";
@@ -99,7 +99,7 @@ std::string outcome(const Record& record) {
 
 std::string system_out(const Record& record) {
   std::string text = "      <system-out>" + escaped(record.title) + "\n";
-  for (const Check& check : record.checks) {
+  for (const Judgement& check : record.checks) {
     text += fmt::format("{}: {}\n", to_string(check.verdict), escaped(check_sentence(check)));
   }
   text += notes_lines(record);

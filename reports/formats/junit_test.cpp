@@ -118,9 +118,10 @@ TEST(Junit, IsWellFormed) {
 
 TEST(Junit, AFailureNamesItsWorstCheck) {
   Record record = test::failing_record();
-  Check mild = test::failing_check();
-  mild.quantity = "mild";
+  Judgement mild = test::failing_check();
+  mild.claim.quantity = "mild";
   mild.error = 2e-4;
+  mild.of_tolerance = 2.0;
   record.checks.insert(record.checks.begin(), mild);
   const std::string xml = junit_xml({record});
   EXPECT_TRUE(has(xml, "<failure message=\"stopping distance: measured 0.31 m, expected 0.3 m"));
@@ -138,7 +139,7 @@ TEST(Junit, AFailureWithoutADecidingCheckIsStillAFailure) {
 
 TEST(Junit, HostileTextIsEscaped) {
   for (const Verdict verdict : {Verdict::kPass, Verdict::kFail, Verdict::kNotApplicable,
-                                Verdict::kShown, Verdict::kError}) {
+                                Verdict::kForInformation, Verdict::kError}) {
     Record record = test::hostile_record();
     record.verdict = verdict;
     record.checks[0].verdict = verdict;
@@ -158,7 +159,7 @@ TEST(Junit, NoRecords) {
 }
 
 TEST(JunitXml, SkipsWhatFallsShortAsExpected) {
-  const std::string xml = junit_xml({test::limit_record(), test::refuted_record()});
+  const std::string xml = junit_xml({test::shortfall_record(), test::refuted_record()});
   EXPECT_NO_THROW(StrictXml(xml).elements());
   EXPECT_TRUE(has(xml,
                   "<skipped message=\"falls short, as expected in [0.305, 0.32] m: normal forces "

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <optional>
 #include <set>
 
 #include "reports/formats/markdown_family.h"
@@ -46,28 +46,26 @@ std::string overview(const std::vector<Family>& families) {
   MarkdownTable table({{"family"},
                        {"pass", kRight},
                        {"fail", kRight},
-                       {"limit", kRight},
+                       {"expected shortfall", kRight},
                        {"refuted", kRight},
                        {"error", kRight},
                        {"not applicable", kRight},
-                       {"shown", kRight},
+                       {"for information", kRight},
                        {"fewest digits", kRight},
                        {"CPU s", kRight}});
   for (const Family& family : families) {
     Tally tally;
-    double fewest = std::numeric_limits<double>::infinity();
+    std::optional<double> fewest;
     for (const Record* record : family.records) {
       tally.add(*record);
-      for (const Check& check : record->checks) {
-        const bool decides = check.verdict == Verdict::kPass || check.verdict == Verdict::kFail;
-        if (decides && !(check.digits >= fewest)) fewest = check.digits;  // NaN is fewest
-      }
+      const std::optional<double> digits = fewest_digits(*record);
+      if (digits && !(fewest && *digits >= *fewest)) fewest = digits;  // NaN is fewest
     }
     const auto count = [](std::size_t n) { return n == 0 ? std::string() : std::to_string(n); };
     table.add_row({markdown_escaped(family.name), count(tally.pass), count(tally.fail),
-                   count(tally.limit), count(tally.refuted), count(tally.error),
-                   count(tally.not_applicable), count(tally.shown),
-                   fewest == std::numeric_limits<double>::infinity() ? "" : format_digits(fewest),
+                   count(tally.shortfall), count(tally.refuted), count(tally.error),
+                   count(tally.not_applicable), count(tally.information),
+                   fewest ? format_digits(*fewest) : std::string(),
                    format_seconds(tally.cpu_seconds)});
   }
   return table.text();
@@ -82,15 +80,15 @@ std::string attention(const Record& record) {
                       record.title.empty() ? "" : " ", markdown_escaped(settings_text(settings)));
   if (!record.error.empty())
     text += fmt::format("- What went wrong: {}\n", markdown_escaped(record.error));
-  for (const Check& check : record.checks) {
+  for (const Judgement& check : record.checks) {
     if (check.verdict != Verdict::kFail && check.verdict != Verdict::kError) continue;
     text += fmt::format("- {}\n", markdown_escaped(check_sentence(check)));
     const auto item = [&](const char* name, const std::string& content) {
       if (!content.empty()) text += fmt::format("  - {}: {}\n", name, markdown_escaped(content));
     };
-    item("Claim", check.claim);
+    item("Claim", check.claim.statement);
     item("Worst offender", check.worst);
-    item("Why this tolerance", check.reason);
+    item("Why this tolerance", check.claim.reason);
     if (check.band) item("Cause of the band", check.cause);
   }
   for (const std::string& note : record.notes) {
@@ -103,17 +101,23 @@ constexpr const char* kHowToRead =
     "## How to read this\n\n"
     "- **error** is measured − expected, or with \"rel\" behind it the same divided by a stated "
     "scale; a check passes when its size is at most the **tolerance**.\n"
-    "- **digits** are those that agree with the expected value, −log10 of the relative error, at "
-    "most 16.\n"
+    "- **of tolerance** is the size of the error divided by the tolerance: a check holds up to "
+    "100 %.\n"
+    "- **digits** are those that agree with the expected value, −log10 of the error over the size "
+    "of the quantity, at most 16. Where zero is expected and the case names no size there are "
+    "none: how near zero is near is for the tolerance to say. A family's are the fewest of its "
+    "checks that pass or fail.\n"
     "- **Reference**: *analytic*: a closed form; *exact-computed*: computed in exact or much more "
     "precise arithmetic; *self-converged*: the limit of this program's own refinement; *external*: "
     "published or measured elsewhere; *golden*: an earlier result of this program, which proves "
     "sameness and not truth.\n"
-    "- *limit*: the claim does not hold, but the value lies in a band that was stated beforehand "
+    "- *expected shortfall*: the claim does not hold, but the value lies in a band that was stated "
+    "beforehand "
     "with its measured cause. *refuted*: likewise, and the claim is one of the paper, tested and "
     "found not to hold. Neither makes the run fail; a value outside its band does, on either side: "
     "a better one means that the band has to be drawn anew.\n"
-    "- *shown* is reported beside the verdicts and decides none; *not applicable* means that the "
+    "- *for information*: reported beside the verdicts, deciding none; *not applicable* means that "
+    "the "
     "engine cannot do what the case asks.\n"
     "- A CPU time counts the engine's steps; ns per contact update counts the contact phases only. "
     "Equal state hashes mean bit-identical end states.\n";

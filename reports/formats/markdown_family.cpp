@@ -59,14 +59,14 @@ class SharedTexts {
 // What the checks of one table share.
 using ClaimKey = std::tuple<std::string, std::string, ReferenceKind, std::string>;
 
-ClaimKey key_of(const Check& check) {
-  return {check.claim, check.formula, check.kind, check.source};
+ClaimKey key_of(const Judgement& check) {
+  return {check.claim.statement, check.claim.formula, check.claim.kind, check.claim.source};
 }
 
 std::vector<ClaimKey> claims_of(const Family& family) {
   std::vector<ClaimKey> claims;  // in the order they came; a family has few
   for (const Record* record : family.records) {
-    for (const Check& check : record->checks) {
+    for (const Judgement& check : record->checks) {
       const ClaimKey key = key_of(check);
       if (std::find(claims.begin(), claims.end(), key) == claims.end()) claims.push_back(key);
     }
@@ -77,7 +77,7 @@ std::vector<ClaimKey> claims_of(const Family& family) {
 template <typename Visit>
 void for_checks(const Family& family, const ClaimKey& key, Visit visit) {
   for (const Record* record : family.records) {
-    for (const Check& check : record->checks) {
+    for (const Judgement& check : record->checks) {
       if (key_of(check) == key) visit(*record, check);
     }
   }
@@ -103,8 +103,8 @@ std::string claim_text(const ClaimKey& key, const SharedTexts& reasons, const Sh
 
 std::string claim_section(const Family& family, const ClaimKey& key) {
   SharedTexts reasons, causes;
-  for_checks(family, key, [&](const Record& record, const Check& check) {
-    reasons.add(check.reason, record.case_name);
+  for_checks(family, key, [&](const Record& record, const Judgement& check) {
+    reasons.add(check.claim.reason, record.case_name);
     causes.add(check.cause, record.case_name);
   });
   MarkdownTable table({{"case"},
@@ -112,28 +112,47 @@ std::string claim_section(const Family& family, const ClaimKey& key) {
                        {"measured", kRight},
                        {"expected", kRight},
                        {"error", kRight},
-                       {"digits", kRight},
                        {"tolerance", kRight},
+                       {"of tolerance", kRight},
+                       {"digits", kRight},
                        {"verdict"},
                        {"worst offender"}});
-  for_checks(family, key, [&](const Record& record, const Check& check) {
-    const std::string mark = reasons.mark(check.reason);
+  for_checks(family, key, [&](const Record& record, const Judgement& check) {
+    const std::string mark = reasons.mark(check.claim.reason);
     table.add_row(
-        {markdown_escaped(family.label(record)), markdown_escaped(check.quantity),
-         markdown_escaped(with_unit(format_value(check.value), check.unit)),
-         markdown_escaped(with_unit(format_value(check.expected), check.unit)),
-         markdown_escaped(error_text(check)), format_digits(check.digits),
+        {markdown_escaped(family.label(record)), markdown_escaped(check.claim.quantity),
+         markdown_escaped(with_unit(format_value(check.value), check.claim.unit)),
+         markdown_escaped(with_unit(format_value(check.claim.expected), check.claim.unit)),
+         markdown_escaped(error_text(check)),
          markdown_escaped(tolerance_text(check)) + (mark.empty() ? "" : " (" + mark + ")"),
+         share_text(check), check.digits ? format_digits(*check.digits) : std::string(),
          markdown_verdict(check.verdict) + markdown_escaped(band_text(check)),
          markdown_escaped(check.worst)});
   });
   return claim_text(key, reasons, causes) + table.text();
 }
 
+std::string figures_section(const Family& family) {
+  MarkdownTable table({{"case"}, {"measured quantity"}, {"value", kRight}, {"what it means"}});
+  std::size_t rows = 0;
+  for (const Record* record : family.records) {
+    for (const Figure& figure : record->figures) {
+      table.add_row({markdown_escaped(family.label(*record)), markdown_escaped(figure.quantity),
+                     markdown_escaped(with_unit(format_value(figure.value), figure.unit)),
+                     markdown_escaped(figure.meaning)});
+      ++rows;
+    }
+  }
+  return rows == 0 ? "" : "**Measured, not judged.**\n\n" + table.text();
+}
+
 std::string notes_list(const Family& family) {
   SharedTexts notes;
   for (const Record* record : family.records) {
     for (const std::string& note : record->notes) notes.add(note, family.label(*record));
+    for (const Failure& failure : record->failures) {
+      notes.add("failed: " + failure_text(failure), family.label(*record));
+    }
     notes.add(record->error, family.label(*record));
   }
   std::string text;
@@ -213,6 +232,7 @@ std::string markdown_family(const Family& family) {
         fmt::format("All with {}.\n\n", markdown_escaped(settings_text(family.common_settings)));
   }
   for (const ClaimKey& key : claims_of(family)) text += claim_section(family, key);
+  text += figures_section(family);
   return text + notes_list(family) + mesh_lines(family) + series_line(family) + cost_table(family);
 }
 

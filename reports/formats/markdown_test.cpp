@@ -92,10 +92,27 @@ TEST(MarkdownReport, EqualTextsStandOnceInAFamily) {
   EXPECT_LT(report.find("| azimuth=9 "), report.find("| azimuth=10 "));
 }
 
+TEST(MarkdownReport, FiguresAndFailuresOfAComparison) {
+  const std::string report = markdown_report({test::compared_record()}, "Compared");
+  EXPECT_TRUE(has(report, "**Measured, not judged.**"));
+  EXPECT_TRUE(has(report, "steps to 1e-9"));
+  EXPECT_TRUE(has(report, "failed: a body left its place at gain = -0.5, 2.3"));
+}
+
+TEST(MarkdownReport, FewestDigitsAreThoseOfChecksThatPassOrFail) {
+  Record record = test::passing_record();
+  record.checks.push_back(test::shortfall_record().checks.front());
+  record.checks.back().digits = 0.3;
+  record.checks.push_back(test::failing_check());
+  record.checks.back().digits.reset();
+  EXPECT_TRUE(has(markdown_report({record}, ""), " 4.4 |"));
+  EXPECT_EQ(fewest_digits(record), 4.4);
+}
+
 TEST(MarkdownReport, DifferingReasonsAndNotesAreToldApart) {
   std::vector<Record> records = {test::passing_record("incline/threshold/mu=0.1"),
                                  test::passing_record("incline/threshold/mu=0.3")};
-  records[1].checks[0].reason = "another derivation";
+  records[1].checks[0].claim.reason = "another derivation";
   records[1].notes = {"only here"};
   const std::string report = markdown_report(records);
   EXPECT_TRUE(has(report, "- Tolerance (a): half the bracket"));
@@ -147,9 +164,9 @@ TEST(MarkdownReport, ARecordWithoutChecksKeepsItsReason) {
 
 TEST(MarkdownReport, TellsWhatFallsShortWithItsBandAndCause) {
   const std::string report =
-      markdown_report({test::limit_record(), test::refuted_record()}, "Limits");
-  EXPECT_TRUE(has(report, "0 fail, 1 limit, 1 refuted"));
-  EXPECT_TRUE(has(report, "*limit*, as expected in \\[0.305, 0.32\\] m"));
+      markdown_report({test::shortfall_record(), test::refuted_record()}, "Limits");
+  EXPECT_TRUE(has(report, "0 fail, 1 expected shortfall, 1 refuted"));
+  EXPECT_TRUE(has(report, "*expected shortfall*, as expected in \\[0.305, 0.32\\] m"));
   EXPECT_TRUE(has(report, "*refuted*, as expected in"));
   EXPECT_TRUE(has(report, "- Cause: normal forces never settle"));
   EXPECT_FALSE(has(report, "## What failed"));

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 #include "reports/text/check_text.h"
+#include "reports/text/family.h"
 #include "reports/text/number.h"
 #include "reports/text/tally.h"
 #include "reports/text/text.h"
@@ -24,12 +26,12 @@ constexpr std::string_view kIndent = "  ";
 
 // What a narrow terminal has in shorter form.
 struct Layout {
-  std::string_view gap, digits, tolerance;
+  std::string_view gap, digits, share;
 };
 
 Layout layout_of(const TableStyle& style) {
-  return style.width >= kWideTerminal ? Layout{"  ", "digits", "tolerance"}
-                                      : Layout{" ", "dig.", "   tol."};
+  return style.width >= kWideTerminal ? Layout{"  ", "digits", " of tol."}
+                                      : Layout{" ", "dig.", "of tol."};
 }
 
 // Words as seen on the terminal: what needs attention is in capitals, with or without colour.
@@ -39,14 +41,14 @@ std::string_view verdict_word(Verdict verdict) {
       return "pass";
     case Verdict::kFail:
       return "FAIL";
-    case Verdict::kLimit:
-      return "limit";
+    case Verdict::kShortfall:
+      return "short";
     case Verdict::kRefuted:
       return "refuted";
     case Verdict::kNotApplicable:
       return "n/a";
-    case Verdict::kShown:
-      return "shown";
+    case Verdict::kForInformation:
+      return "info";
     case Verdict::kError:
       return "ERROR";
   }
@@ -60,11 +62,11 @@ std::string_view colour_code(Verdict verdict) {
     case Verdict::kFail:
     case Verdict::kError:
       return "\033[1;31m";  // bold red
-    case Verdict::kLimit:
+    case Verdict::kShortfall:
     case Verdict::kRefuted:
       return "\033[33m";  // yellow
     case Verdict::kNotApplicable:
-    case Verdict::kShown:
+    case Verdict::kForInformation:
       return "\033[2m";  // dim
   }
   return "";
@@ -77,35 +79,37 @@ std::string verdict_cell(Verdict verdict, const TableStyle& style) {
 }
 
 std::size_t quantity_width(const TableStyle& style) {
-  const auto [gap, digits, tolerance] = layout_of(style);
+  const auto [gap, digits, share] = layout_of(style);
   const std::size_t others = kIndent.size() + kVerdictWidth + 2 * kValueWidth + kErrorWidth +
-                             digits.size() + tolerance.size() + 6 * gap.size();
+                             digits.size() + share.size() + 6 * gap.size();
   return std::max(kLeastQuantity, style.width > others ? style.width - others : 0);
 }
 
 struct Cells {
   std::string verdict;  // padded already: it may hold colour codes, which take no columns
-  std::string quantity, value, expected, error, digits, tolerance;
+  std::string quantity, value, expected, error, digits, share;
 };
 
 std::string check_line(const Cells& cells, const TableStyle& style) {
-  const auto [gap, digits, tolerance] = layout_of(style);
+  const auto [gap, digits, share] = layout_of(style);
   const std::array<std::string, 7> columns = {cells.verdict,
                                               padded_right(cells.quantity, quantity_width(style)),
                                               padded_left(cells.value, kValueWidth),
                                               padded_left(cells.expected, kValueWidth),
                                               padded_left(cells.error, kErrorWidth),
                                               padded_left(cells.digits, digits.size()),
-                                              padded_left(cells.tolerance, tolerance.size())};
+                                              padded_left(cells.share, share.size())};
   return fmt::format("{}{}\n", kIndent, fmt::join(columns, gap));
 }
 
 // The unit is what a reader cannot guess, so a long name is cut before it.
-std::string quantity_cell(const Check& check, const TableStyle& style) {
+std::string quantity_cell(const Judgement& check, const TableStyle& style) {
   const std::size_t width = quantity_width(style);
-  const std::string unit = fmt::format(" [{}]", one_line(check.unit.empty() ? "1" : check.unit));
+  const std::string unit =
+      fmt::format(" [{}]", one_line(check.claim.unit.empty() ? "1" : check.claim.unit));
   const std::size_t unit_width = std::min(display_width(unit), width / 2);
-  return shortened(one_line(check.quantity), width - unit_width) + shortened(unit, unit_width);
+  return shortened(one_line(check.claim.quantity), width - unit_width) +
+         shortened(unit, unit_width);
 }
 
 // `left` at the line's start, `right` at its end.
@@ -139,15 +143,37 @@ std::string failure_block(const Record& record, const TableStyle& style) {
   constexpr std::size_t kTextIndent = kVerdictWidth + 2;
   std::string text = verdict_cell(record.verdict, style) + "  " + record_name(record) + "\n";
   text += block("", record.error, kTextIndent, style);
-  for (const Check& check : record.checks) {
+  for (const Judgement& check : record.checks) {
     if (check.verdict != Verdict::kFail && check.verdict != Verdict::kError) continue;
     text += block("", check_sentence(check), kTextIndent, style);
     text += block("worst at:  ", check.worst, kTextIndent + 2, style);
-    text += block("tolerance: ", check.reason, kTextIndent + 2, style);
+    text += block("tolerance: ", check.claim.reason, kTextIndent + 2, style);
     if (check.band) text += block("cause of the band: ", check.cause, kTextIndent + 2, style);
   }
   for (const std::string& note : record.notes) text += block("note: ", note, kTextIndent, style);
   return text;
+}
+
+// Why, and of which families how many: an engine that lacks much would bury what ran.
+std::string not_applicable_block(const std::vector<Record>& records, const TableStyle& style) {
+  std::map<std::string, std::map<std::string, int>> families;  // by reason
+  for (const Record& record : records) {
+    if (record.verdict != Verdict::kNotApplicable) continue;
+    const std::string why = record.notes.empty() ? "no checks" : record.notes.front();
+    ++families[why][family_name(record.case_name)];
+  }
+  std::string text;
+  for (const auto& [why, counts] : families) {
+    std::string list;
+    for (const auto& [family, count] : counts) {
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", one_line(family));
+      if (count > 1) list += fmt::format(" ({})", count);
+    }
+    const std::string plain = padded_right(verdict_word(Verdict::kNotApplicable), kVerdictWidth);
+    std::string lines = block(plain + "  ", why + ": " + list, 0, style);
+    text += lines.replace(0, plain.size(), verdict_cell(Verdict::kNotApplicable, style));
+  }
+  return text.empty() ? text : text + "\n";
 }
 
 }  // namespace
@@ -156,7 +182,7 @@ std::string table_header(const TableStyle& style) {
   const Layout layout = layout_of(style);
   return spread("case  settings", "ns/contact", style.width) +
          check_line({padded_right("", kVerdictWidth), "quantity [unit]", "measured", "expected",
-                     "error", std::string(layout.digits), std::string(layout.tolerance)},
+                     "error", std::string(layout.digits), std::string(layout.share)},
                     style) +
          std::string(style.width, '-') + "\n";
 }
@@ -165,12 +191,13 @@ std::string table_rows(const Record& record, const TableStyle& style) {
   const double ns = record.cost.ns_per_contact_update;
   std::string rows = spread(record_name(record),
                             ns > 0.0 ? fmt::format("{:.3g} ns", ns) : std::string(), style.width);
-  for (const Check& check : record.checks) {
-    rows += check_line(
-        {verdict_cell(check.verdict, style), quantity_cell(check, style), format_value(check.value),
-         format_value(check.expected), format_error(check.error) + (check.relative ? " rel" : ""),
-         format_digits(check.digits), format_error(check.tolerance)},
-        style);
+  for (const Judgement& check : record.checks) {
+    rows +=
+        check_line({verdict_cell(check.verdict, style), quantity_cell(check, style),
+                    format_value(check.value), format_value(check.claim.expected),
+                    format_error(check.error) + (check.claim.relative ? " rel" : ""),
+                    check.digits ? format_digits(*check.digits) : std::string(), share_text(check)},
+                   style);
     // What follows the comma stands under the quantity.
     const std::size_t indent = kIndent.size() + kVerdictWidth + layout_of(style).gap.size();
     if (check.band) rows += block("", band_text(check).substr(2), indent, style);
@@ -190,7 +217,7 @@ std::string table_rows(const Record& record, const TableStyle& style) {
 
 std::string closing_summary(const std::vector<Record>& records, const TableStyle& style) {
   const Tally tally = tally_of(records);
-  std::string summary;
+  std::string summary = not_applicable_block(records, style);
   for (const Record& record : records) {
     if (record.verdict != Verdict::kFail && record.verdict != Verdict::kError) continue;
     summary += failure_block(record, style) + "\n";

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "reports/record/frames.h"
+#include "reports/recording/frames.h"
 
 namespace stiction {
 

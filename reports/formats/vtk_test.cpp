@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reports/record/test_recording.h"
+#include "reports/recording/test_recording.h"
 
 namespace stiction {
 namespace {

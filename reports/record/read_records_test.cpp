@@ -68,35 +68,16 @@ TEST(ReadRecords, AFolderIsNoFile) {
   EXPECT_NE(test::message_of([] { read_records(std::filesystem::path("/")); }), "");
 }
 
-// Names of all fields in a JSON value, but for those of free-form objects.
-void collect_names(const nlohmann::json& json, std::set<std::string>& names) {
-  if (json.is_array()) {
-    for (const auto& element : json) collect_names(element, names);
-  } else if (json.is_object()) {
-    for (const auto& [name, value] : json.items()) {
-      names.insert(name);
-      if (name != "settings" && name != "phase_seconds") collect_names(value, names);
-    }
-  }
-}
-
-TEST(SchemaDocument, NamesEveryFieldAndItsExampleIsARecord) {
+TEST(SchemaDocument, ItsExampleIsARecord) {
   const auto document = std::filesystem::path(__FILE__).parent_path() / "schema.md";
   std::ifstream stream(document);
   ASSERT_TRUE(stream) << document;
-  std::string text;
   std::string example;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with("{")) example = line;
-    text += line + "\n";
   }
   EXPECT_EQ(to_json_line(from_json_line(example, "schema.md")),
             to_json_line(test::passing_record()));
-  std::set<std::string> names;
-  collect_names(nlohmann::json::parse(to_json_line(test::failing_record())), names);
-  for (const std::string& name : names) {
-    EXPECT_NE(text.find("\n| `" + name + "` |"), std::string::npos) << name;
-  }
 }
 
 }  // namespace

@@ -1,109 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/record/record.h"
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string_view>
-#include <utility>
-
 namespace stiction {
-namespace {
 
-template <typename Enum, std::size_t kCount>
-using Words = std::array<std::pair<Enum, std::string_view>, kCount>;
+Verdict verdict_of(const Record& record) {
+  const bool only_figures = record.checks.empty() && !record.figures.empty();
+  return only_figures ? Verdict::kForInformation : combined_verdict(record.checks);
+}
 
-constexpr Words<Verdict, 7> kVerdictWords{{{Verdict::kPass, "pass"},
-                                           {Verdict::kFail, "fail"},
-                                           {Verdict::kLimit, "limit"},
-                                           {Verdict::kRefuted, "refuted"},
-                                           {Verdict::kNotApplicable, "not-applicable"},
-                                           {Verdict::kShown, "shown"},
-                                           {Verdict::kError, "error"}}};
-
-constexpr Words<ReferenceKind, 5> kKindWords{{{ReferenceKind::kAnalytic, "analytic"},
-                                              {ReferenceKind::kExactComputed, "exact-computed"},
-                                              {ReferenceKind::kSelfConverged, "self-converged"},
-                                              {ReferenceKind::kExternal, "external"},
-                                              {ReferenceKind::kGolden, "golden"}}};
-
-template <typename Enum, std::size_t kCount>
-std::string word_of(const Words<Enum, kCount>& words, Enum value) {
-  for (const auto& [candidate, word] : words) {
-    if (candidate == value) return std::string(word);
+std::optional<double> fewest_digits(const Record& record) {
+  std::optional<double> fewest;
+  for (const Judgement& check : record.checks) {
+    const bool judged = check.verdict == Verdict::kPass || check.verdict == Verdict::kFail;
+    if (!judged || !check.digits) continue;
+    if (!fewest || !(*check.digits >= *fewest)) fewest = check.digits;
   }
-  throw std::logic_error("an enumeration value without a word");
-}
-
-template <typename Enum, std::size_t kCount>
-std::optional<Enum> value_of(const Words<Enum, kCount>& words, const std::string& word) {
-  for (const auto& [value, candidate] : words) {
-    if (candidate == word) return value;
-  }
-  return std::nullopt;
-}
-
-// Higher decides over lower; 0 and 1 decide nothing.
-int severity(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kError:
-      return 6;
-    case Verdict::kFail:
-      return 5;
-    case Verdict::kLimit:
-      return 4;
-    case Verdict::kRefuted:
-      return 3;
-    case Verdict::kPass:
-      return 2;
-    case Verdict::kShown:
-      return 1;
-    case Verdict::kNotApplicable:
-      return 0;
-  }
-  throw std::logic_error("an enumeration value without a severity");
-}
-
-// |error| / tolerance, dimensionless; larger is worse. No error at all is 0 even without tolerance.
-double strain(const Check& check) {
-  const double size = std::abs(check.error);
-  if (std::isnan(size) || std::isnan(check.tolerance))
-    return std::numeric_limits<double>::infinity();
-  return size == 0.0 ? 0.0 : size / check.tolerance;
-}
-
-}  // namespace
-
-Verdict combined_verdict(const std::vector<Check>& checks) {
-  Verdict worst = Verdict::kNotApplicable;
-  for (const Check& check : checks) {
-    if (severity(check.verdict) > severity(worst)) worst = check.verdict;
-  }
-  return worst;
-}
-
-const Check* worst_check(const std::vector<Check>& checks) {
-  const Verdict verdict = combined_verdict(checks);
-  if (severity(verdict) < severity(Verdict::kPass)) return nullptr;
-  const Check* worst = nullptr;
-  for (const Check& check : checks) {
-    if (check.verdict != verdict) continue;
-    if (worst == nullptr || strain(check) > strain(*worst)) worst = &check;
-  }
-  return worst;
-}
-
-std::string to_string(Verdict verdict) { return word_of(kVerdictWords, verdict); }
-
-std::string to_string(ReferenceKind kind) { return word_of(kKindWords, kind); }
-
-std::optional<Verdict> parse_verdict(const std::string& word) {
-  return value_of(kVerdictWords, word);
-}
-
-std::optional<ReferenceKind> parse_reference_kind(const std::string& word) {
-  return value_of(kKindWords, word);
+  return fewest;
 }
 
 }  // namespace stiction

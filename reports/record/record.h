@@ -7,45 +7,24 @@
 #include <string>
 #include <vector>
 
+#include "reports/record/judgement.h"
+
 namespace stiction {
 
-/// What an expected value rests on.
-enum class ReferenceKind { kAnalytic, kExactComputed, kSelfConverged, kExternal, kGolden };
-
-/// Outcome of one check, and of a record as the worst of its checks. `kShown` marks a quantity that
-/// is reported beside the verdicts (the old method, a literal reading) and never decides one.
-/// `kLimit` and `kRefuted` mark a check whose claim does not hold, but whose value lies in a band
-/// that was stated beforehand with its cause (`Check::band`, `Check::cause`): a shortfall of the
-/// method, or a claim of the paper that was tested and found not to hold. Outside the band, on
-/// either side, it fails.
-enum class Verdict { kPass, kFail, kLimit, kRefuted, kNotApplicable, kShown, kError };
-
-/// Where a value is expected that falls short of its claim; both ends belong to it.
-struct Band {
-  double low = 0.0;   ///< in the check's unit
-  double high = 0.0;  ///< in the check's unit; infinite for what diverges
+/// A measured number that nobody judges: what a comparison sets side by side.
+struct Figure {
+  std::string quantity{};  ///< e.g. "steps to 1e-9"
+  std::string unit{};      ///< SI; "1" when dimensionless
+  std::string meaning{};   ///< one sentence: what a small value means
+  double value = 0.0;      ///< in `unit`; infinite: it did not get there
 };
 
-/// One quantity held against its expected value.
-struct Check {
-  std::string quantity{};  ///< what was measured, e.g. "stopping distance"
-  std::string unit{};      ///< SI; "1" when dimensionless
-  std::string claim{};     ///< one sentence, what must hold
-  std::string formula{};   ///< closed form in Unicode maths; may be empty
-  std::string source{};    ///< bibliography key or derivation
-  ReferenceKind kind = ReferenceKind::kAnalytic;
-  double value = 0.0;          ///< measured, in `unit`
-  double expected = 0.0;       ///< in `unit`
-  double error = 0.0;          ///< value − expected, or its ratio to `scale` when `relative`
-  bool relative = false;       ///< error and tolerance are relative to |scale|
-  double scale = 1.0;          ///< what a relative error is relative to, in `unit`
-  double tolerance = 0.0;      ///< |error| ≤ tolerance holds; same unit as `error`
-  std::string reason{};        ///< derivation of the tolerance
-  double digits = 0.0;         ///< −log10 of the relative error, capped at 16
-  std::string worst{};         ///< where the worst offender stood; may be empty
-  std::optional<Band> band{};  ///< where the value is expected, short of its claim; mostly nowhere
-  std::string cause{};         ///< why, as measured; empty without a band
-  Verdict verdict = Verdict::kFail;
+/// What broke while figures were measured. A sweep over a parameter names the values that did;
+/// without values it is the whole record.
+struct Failure {
+  std::string reason{};          ///< one sentence
+  std::string parameter{};       ///< e.g. "gain"; empty without values
+  std::vector<double> values{};  ///< of the parameter
 };
 
 /// A quantity over time or over a parameter, decimated to what a plot can show.
@@ -85,16 +64,18 @@ struct Environment {
   std::string date{};       ///< UTC, ISO 8601
 };
 
-/// One record: case × engine × settings. Written as one line of JSON (reports/record/schema.md).
+/// One record: case × engine × settings. Written as one line of JSON (reports/record/schema.json).
 struct Record {
-  static constexpr int kSchemaVersion = 3;
+  static constexpr int kSchemaVersion = 4;
 
   std::string case_name{};  ///< path-like, e.g. "incline/threshold/mu=0.3/azimuth=30"
   std::string title{};      ///< one line for people
   std::string engine{};     ///< e.g. "stiction"
   std::map<std::string, std::string> settings{};  ///< of the engine, e.g. rule → fixed-point
   std::string variant{};  ///< of the case, e.g. "method=paper rule=secant"; empty for a user's own
-  std::vector<Check> checks{};
+  std::vector<Judgement> checks{};
+  std::vector<Figure> figures{};     ///< of a comparison
+  std::vector<Failure> failures{};   ///< of a comparison
   std::vector<std::string> notes{};  ///< what a reader must know: why a case fails, what limits it
   std::vector<Series> series{};
   std::vector<Mesh> meshes{};  ///< of the finest simulation; empty when the engine shows none
@@ -106,20 +87,11 @@ struct Record {
   std::string frames{};  ///< file in the run's folder with a Recording (frames.h); may be empty
 };
 
-/// Worst of a record's checks: error, then fail, then limit, then refuted, then pass. When nothing
-/// decides: kShown if a check is shown, otherwise (an empty list too) kNotApplicable.
-Verdict combined_verdict(const std::vector<Check>& checks);
+/// Worst of a record's checks; kForInformation for one that has only figures.
+Verdict verdict_of(const Record& record);
 
-/// The check that decides: of those with the worst verdict (order as above), the one whose |error|
-/// is largest against its tolerance (NaN counts as infinite; the first of equals). Null when every
-/// check is shown or not applicable. The pointer lives as long as `checks` is unchanged.
-const Check* worst_check(const std::vector<Check>& checks);
-
-/// Spelling used in records and tables ("pass", "exact-computed", …), and back.
-/// The parsers return nothing for an unknown word.
-std::string to_string(Verdict verdict);
-std::string to_string(ReferenceKind kind);
-std::optional<Verdict> parse_verdict(const std::string& word);
-std::optional<ReferenceKind> parse_reference_kind(const std::string& word);
+/// The digits of a record: fewest of its checks that pass or fail and have any; NaN counts as
+/// fewest. Nothing when there is none.
+std::optional<double> fewest_digits(const Record& record);
 
 }  // namespace stiction

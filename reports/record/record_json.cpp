@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "reports/record/json_field.h"
+#include "reports/record/old_record.h"
 #include "reports/text/number.h"
 
 namespace stiction {
@@ -34,29 +35,41 @@ OrderedJson numbers(const std::vector<double>& values) {
   return array;
 }
 
-OrderedJson check_json(const Check& check) {
-  OrderedJson json = {{"quantity", check.quantity},
-                      {"unit", check.unit},
-                      {"claim", check.claim},
-                      {"formula", check.formula},
-                      {"source", check.source},
-                      {"kind", to_string(check.kind)},
-                      {"value", number(check.value)},
-                      {"expected", number(check.expected)},
-                      {"error", number(check.error)},
-                      {"relative", check.relative},
-                      {"scale", number(check.scale)},
-                      {"tolerance", number(check.tolerance)},
-                      {"reason", check.reason},
-                      {"digits", number(check.digits)},
-                      {"worst", check.worst},
-                      {"cause", check.cause},
-                      {"verdict", to_string(check.verdict)}};
-  if (check.band) {
-    json["expected_low"] = number(check.band->low);
-    json["expected_high"] = number(check.band->high);
-  }
+OrderedJson check_json(const Judgement& check) {
+  const Claim& claim = check.claim;
+  OrderedJson json = {{"quantity", claim.quantity},
+                      {"unit", claim.unit},
+                      {"claim", claim.statement},
+                      {"formula", claim.formula},
+                      {"source", claim.source},
+                      {"kind", to_string(claim.kind)},
+                      {"expected", number(claim.expected)},
+                      {"relative", claim.relative}};
+  if (claim.scale) json["scale"] = number(*claim.scale);
+  json["tolerance"] = number(claim.tolerance);
+  json["reason"] = claim.reason;
+  json["value"] = number(check.value);
+  json["worst"] = check.worst;
+  json["error"] = number(check.error);
+  json["of_tolerance"] = number(check.of_tolerance);
+  if (check.digits) json["digits"] = number(*check.digits);
+  if (check.band) json["band"] = numbers({check.band->low, check.band->high});
+  json["cause"] = check.cause;
+  json["verdict"] = to_string(check.verdict);
   return json;
+}
+
+OrderedJson figure_json(const Figure& figure) {
+  return {{"quantity", figure.quantity},
+          {"unit", figure.unit},
+          {"meaning", figure.meaning},
+          {"value", number(figure.value)}};
+}
+
+OrderedJson failure_json(const Failure& failure) {
+  return {{"reason", failure.reason},
+          {"parameter", failure.parameter},
+          {"values", numbers(failure.values)}};
 }
 
 OrderedJson series_json(const Series& series) {
@@ -110,37 +123,49 @@ std::string optional_text(const JsonField& parent, const char* name) {
   return parent.has(name) ? parent[name].text() : std::string();
 }
 
-// Version 2 had a cause without a band, called `limit`.
-std::string read_cause(const JsonField& field) {
-  return optional_text(field, field.has("limit") ? "limit" : "cause");
+std::optional<double> optional_real(const JsonField& parent, const char* name) {
+  return parent.has(name) ? std::optional(parent[name].real()) : std::nullopt;
 }
 
-std::optional<Band> read_band(const JsonField& field) {
-  if (!field.has("expected_low") && !field.has("expected_high")) return std::nullopt;
-  return Band{field["expected_low"].real(), field["expected_high"].real()};
+Band read_band(const JsonField& field) {
+  const std::vector<double> ends = field.list(read_real);
+  if (ends.size() != 2) field.fail(fmt::format("expected 2 numbers, found {}", ends.size()));
+  return {ends[0], ends[1]};
 }
 
-Check read_check(const JsonField& field) {
-  Check check;
-  check.quantity = field["quantity"].text();
-  check.unit = field["unit"].text();
-  check.claim = field["claim"].text();
-  check.formula = optional_text(field, "formula");
-  check.source = field["source"].text();
-  check.kind = field["kind"].word(parse_reference_kind);
+Judgement read_check(const JsonField& field) {
+  Judgement check;
+  check.claim.quantity = field["quantity"].text();
+  check.claim.unit = field["unit"].text();
+  check.claim.statement = field["claim"].text();
+  check.claim.formula = optional_text(field, "formula");
+  check.claim.source = field["source"].text();
+  check.claim.kind = field["kind"].word(parse_reference_kind);
+  check.claim.expected = field["expected"].real();
+  check.claim.relative = field["relative"].boolean();
+  check.claim.scale = optional_real(field, "scale");
+  check.claim.tolerance = field["tolerance"].real();
+  check.claim.reason = field["reason"].text();
   check.value = field["value"].real();
-  check.expected = field["expected"].real();
-  check.error = field["error"].real();
-  check.relative = field["relative"].boolean();
-  check.scale = field["scale"].real();
-  check.tolerance = field["tolerance"].real();
-  check.reason = field["reason"].text();
-  check.digits = field["digits"].real();
   check.worst = optional_text(field, "worst");
-  check.band = read_band(field);
-  check.cause = read_cause(field);
+  check.error = field["error"].real();
+  check.of_tolerance = field["of_tolerance"].real();
+  check.digits = optional_real(field, "digits");
+  if (field.has("band")) check.band = read_band(field["band"]);
+  check.cause = optional_text(field, "cause");
   check.verdict = field["verdict"].word(parse_verdict);
   return check;
+}
+
+Figure read_figure(const JsonField& field) {
+  return {field["quantity"].text(), field["unit"].text(), field["meaning"].text(),
+          field["value"].real()};
+}
+
+Failure read_failure(const JsonField& field) {
+  Failure failure{field["reason"].text(), optional_text(field, "parameter"), {}};
+  if (field.has("values")) failure.values = field["values"].list(read_real);
+  return failure;
 }
 
 Series read_series(const JsonField& field) {
@@ -188,6 +213,7 @@ Record read_record(const JsonField& field) {
         fmt::format("version {} is not one that this program reads (1 to {})", version,
                     Record::kSchemaVersion));
   }
+  const bool is_old = version < 4;
   Record record;
   record.case_name = field["case"].text();
   record.title = optional_text(field, "title");
@@ -196,8 +222,11 @@ Record read_record(const JsonField& field) {
   record.variant = optional_text(field, "variant");
   record.verdict = field["verdict"].word(parse_verdict);
   record.error = optional_text(field, "error");
-  record.checks = field["checks"].list(read_check);
+  record.checks = field["checks"].list(is_old ? read_old_check : read_check);
+  if (field.has("figures")) record.figures = field["figures"].list(read_figure);
+  if (field.has("failures")) record.failures = field["failures"].list(read_failure);
   if (field.has("notes")) record.notes = field["notes"].list(read_text);
+  if (is_old) split_old_checks_and_notes(record);
   if (field.has("meshes")) record.meshes = field["meshes"].list(read_mesh);
   record.cost = read_cost(field["cost"]);
   record.state_hash = optional_text(field, "state_hash");
@@ -221,6 +250,8 @@ std::string to_json_line(const Record& record) {
                             {"verdict", to_string(record.verdict)},
                             {"error", record.error},
                             {"checks", array_of(record.checks, check_json)},
+                            {"figures", array_of(record.figures, figure_json)},
+                            {"failures", array_of(record.failures, failure_json)},
                             {"notes", record.notes},
                             {"meshes", array_of(record.meshes, mesh_json)},
                             {"cost", cost_json(record.cost)},

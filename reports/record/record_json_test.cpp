@@ -29,7 +29,7 @@ std::string message_of_line(const std::string& line) {
 
 TEST(RecordJson, RoundTrip) {
   for (const Record& record : {test::passing_record(), test::failing_record(), test::error_record(),
-                               test::not_applicable_record(), Record{}}) {
+                               test::not_applicable_record(), test::compared_record(), Record{}}) {
     const std::string line = to_json_line(record);
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(to_json_line(from_json_line(line, "here")), line) << "reading lost a field";
@@ -38,7 +38,7 @@ TEST(RecordJson, RoundTrip) {
 
 // The round trip above compares writer with writer; here each field is looked at itself.
 TEST(RecordJson, EveryFieldArrives) {
-  const Record in = test::failing_record();
+  const Record in = test::compared_record();
   const Record out = from_json_line(to_json_line(in), "here");
   EXPECT_EQ(out.case_name, in.case_name);
   EXPECT_EQ(out.title, in.title);
@@ -73,23 +73,33 @@ TEST(RecordJson, EveryFieldArrives) {
   EXPECT_EQ(out.meshes[0].min_dihedral_angle, in.meshes[0].min_dihedral_angle);
   EXPECT_EQ(out.meshes[0].max_dihedral_angle, in.meshes[0].max_dihedral_angle);
   EXPECT_EQ(out.meshes[0].min_altitude, in.meshes[0].min_altitude);
+  ASSERT_EQ(out.figures.size(), 1u);
+  EXPECT_EQ(out.figures[0].quantity, in.figures[0].quantity);
+  EXPECT_EQ(out.figures[0].unit, in.figures[0].unit);
+  EXPECT_EQ(out.figures[0].meaning, in.figures[0].meaning);
+  EXPECT_EQ(out.figures[0].value, in.figures[0].value);
+  ASSERT_EQ(out.failures.size(), 1u);
+  EXPECT_EQ(out.failures[0].reason, in.failures[0].reason);
+  EXPECT_EQ(out.failures[0].parameter, in.failures[0].parameter);
+  EXPECT_EQ(out.failures[0].values, in.failures[0].values);
   ASSERT_EQ(out.checks.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Check& a = out.checks[i];
-    const Check& b = in.checks[i];
-    EXPECT_EQ(a.quantity, b.quantity);
-    EXPECT_EQ(a.unit, b.unit);
-    EXPECT_EQ(a.claim, b.claim);
-    EXPECT_EQ(a.formula, b.formula);
-    EXPECT_EQ(a.source, b.source);
-    EXPECT_EQ(a.kind, b.kind);
+    const Judgement& a = out.checks[i];
+    const Judgement& b = in.checks[i];
+    EXPECT_EQ(a.claim.quantity, b.claim.quantity);
+    EXPECT_EQ(a.claim.unit, b.claim.unit);
+    EXPECT_EQ(a.claim.statement, b.claim.statement);
+    EXPECT_EQ(a.claim.formula, b.claim.formula);
+    EXPECT_EQ(a.claim.source, b.claim.source);
+    EXPECT_EQ(a.claim.kind, b.claim.kind);
     EXPECT_EQ(a.value, b.value);
-    EXPECT_EQ(a.expected, b.expected);
+    EXPECT_EQ(a.claim.expected, b.claim.expected);
     EXPECT_EQ(a.error, b.error);
-    EXPECT_EQ(a.relative, b.relative);
-    EXPECT_EQ(a.scale, b.scale);
-    EXPECT_EQ(a.tolerance, b.tolerance);
-    EXPECT_EQ(a.reason, b.reason);
+    EXPECT_EQ(a.claim.relative, b.claim.relative);
+    EXPECT_EQ(a.claim.scale, b.claim.scale);
+    EXPECT_EQ(a.claim.tolerance, b.claim.tolerance);
+    EXPECT_EQ(a.claim.reason, b.claim.reason);
+    EXPECT_EQ(a.of_tolerance, b.of_tolerance);
     EXPECT_EQ(a.digits, b.digits);
     EXPECT_EQ(a.worst, b.worst);
     ASSERT_EQ(a.band.has_value(), b.band.has_value());
@@ -144,11 +154,11 @@ TEST(RecordJson, NotANumberAndInfinitiesSurvive) {
   const std::string line = to_json_line(test::hostile_record());
   EXPECT_EQ(line.find("null"), std::string::npos);
   const Record out = from_json_line(line, "here");
-  const Check& check = out.checks.front();
+  const Judgement& check = out.checks.front();
   EXPECT_TRUE(std::isnan(check.value));
   EXPECT_TRUE(std::isnan(check.error));
-  EXPECT_EQ(check.expected, test::kInf);
-  EXPECT_EQ(check.scale, -test::kInf);
+  EXPECT_EQ(check.claim.expected, test::kInf);
+  EXPECT_EQ(check.claim.scale, -test::kInf);
   EXPECT_TRUE(std::isnan(out.series[0].x[0]));
   EXPECT_EQ(out.series[0].y[0], -test::kInf);
   EXPECT_EQ(out.cost.phase_seconds.begin()->second, test::kInf);
@@ -184,19 +194,21 @@ TEST(RecordJson, UnknownFieldsAreIgnored) {
 
 TEST(RecordJson, OptionalFieldsMayBeMissing) {
   const std::string line = edited([](auto& json) {
-    for (const char* name :
-         {"title", "settings", "error", "notes", "state_hash", "series", "frames"}) {
+    for (const char* name : {"title", "settings", "error", "figures", "failures", "notes",
+                             "state_hash", "series", "frames"}) {
       json.erase(name);
     }
     json["cost"].erase("phase_seconds");
     json["checks"][0].erase("formula");
-    json["checks"][0].erase("worst");
+    for (const char* name : {"worst", "scale", "digits", "band", "cause"}) {
+      json["checks"][0].erase(name);
+    }
   });
   EXPECT_EQ(from_json_line(line, "here").case_name, test::passing_record().case_name);
 }
 
 TEST(RecordJson, EveryOtherFieldIsRequired) {
-  const auto whole = nlohmann::json::parse(to_json_line(test::passing_record()));
+  const auto whole = nlohmann::json::parse(to_json_line(test::compared_record()));
   const auto demand = [&](const nlohmann::json::json_pointer& parent, const std::string& path,
                           const std::vector<std::string>& names) {
     for (const std::string& name : names) {
@@ -211,7 +223,9 @@ TEST(RecordJson, EveryOtherFieldIsRequired) {
          {"schema_version", "case", "engine", "verdict", "checks", "cost", "environment"});
   demand(Pointer("/checks/0"), "checks[0].",
          {"quantity", "unit", "claim", "source", "kind", "value", "expected", "error", "relative",
-          "scale", "tolerance", "reason", "digits", "verdict"});
+          "tolerance", "reason", "of_tolerance", "verdict"});
+  demand(Pointer("/figures/0"), "figures[0].", {"quantity", "unit", "meaning", "value"});
+  demand(Pointer("/failures/0"), "failures[0].", {"reason"});
   demand(Pointer("/cost"), "cost.",
          {"cpu_seconds", "steps", "contact_updates", "ns_per_contact_update"});
   demand(Pointer("/environment"), "environment.", {"revision", "toolchain", "machine", "date"});
@@ -262,29 +276,15 @@ TEST(RecordJson, ABandReadsBackInfinitiesIncluded) {
   EXPECT_EQ(copy.checks.front().band->high, test::kInf);
   EXPECT_EQ(copy.checks.front().verdict, Verdict::kRefuted);
   EXPECT_EQ(copy.variant, "method=paper");
-  EXPECT_EQ(to_json_line(test::passing_record()).find("expected_low"), std::string::npos)
+  EXPECT_EQ(to_json_line(test::passing_record()).find("band"), std::string::npos)
       << "no band, no field";
 }
 
 TEST(RecordJson, HalfABandIsRefused) {
-  auto json = nlohmann::json::parse(to_json_line(test::limit_record()));
-  json["checks"][0].erase("expected_high");
+  auto json = nlohmann::json::parse(to_json_line(test::shortfall_record()));
+  json["checks"][0]["band"].erase(1);
   EXPECT_EQ(message_of_line(json.dump()),
-            "records.jsonl:7: checks[0].expected_high: the required field is missing");
-}
-
-TEST(RecordJson, ReadsTheLimitOfVersionTwoAsACause) {
-  auto json = nlohmann::json::parse(to_json_line(test::limit_record()));
-  json["schema_version"] = 2;
-  json.erase("variant");
-  for (const char* field : {"cause", "expected_low", "expected_high"}) {
-    json["checks"][0].erase(field);
-  }
-  json["checks"][0]["limit"] = "never settles";
-  const Record record = from_json_line(json.dump(), "line");
-  EXPECT_EQ(record.verdict, Verdict::kLimit);
-  EXPECT_EQ(record.checks.front().cause, "never settles");
-  EXPECT_FALSE(record.checks.front().band.has_value());
+            "records.jsonl:7: checks[0].band: expected 2 numbers, found 1");
 }
 
 TEST(RecordJson, WhatIsNoObject) {

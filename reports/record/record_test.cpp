@@ -10,29 +10,30 @@
 namespace stiction {
 namespace {
 
-Check check_with(Verdict verdict, double error = 0.0, double tolerance = 1.0) {
-  Check check;
+Judgement check_with(Verdict verdict, double error = 0.0, double tolerance = 1.0) {
+  Judgement check;
   check.verdict = verdict;
   check.error = error;
-  check.tolerance = tolerance;
+  check.claim.tolerance = tolerance;
+  check.of_tolerance = share_of_tolerance(error, tolerance);
   return check;
 }
 
-constexpr Verdict kVerdicts[] = {Verdict::kPass,    Verdict::kFail,          Verdict::kLimit,
-                                 Verdict::kRefuted, Verdict::kNotApplicable, Verdict::kShown,
-                                 Verdict::kError};
+constexpr Verdict kVerdicts[] = {
+    Verdict::kPass,          Verdict::kFail,           Verdict::kShortfall, Verdict::kRefuted,
+    Verdict::kNotApplicable, Verdict::kForInformation, Verdict::kError};
 constexpr ReferenceKind kKinds[] = {ReferenceKind::kAnalytic, ReferenceKind::kExactComputed,
                                     ReferenceKind::kSelfConverged, ReferenceKind::kExternal,
                                     ReferenceKind::kGolden};
 
 TEST(CombinedVerdict, IsTheWorstWhateverTheOrder) {
-  const std::vector<Verdict> rising = {Verdict::kNotApplicable, Verdict::kShown, Verdict::kPass,
-                                       Verdict::kRefuted,       Verdict::kLimit, Verdict::kFail,
-                                       Verdict::kError};
+  const std::vector<Verdict> rising = {
+      Verdict::kNotApplicable, Verdict::kForInformation, Verdict::kPass, Verdict::kRefuted,
+      Verdict::kShortfall,     Verdict::kFail,           Verdict::kError};
   for (std::size_t worst = 0; worst < rising.size(); ++worst) {
     for (std::size_t other = 0; other <= worst; ++other) {
-      const Check a = check_with(rising[worst]);
-      const Check b = check_with(rising[other]);
+      const Judgement a = check_with(rising[worst]);
+      const Judgement b = check_with(rising[other]);
       EXPECT_EQ(combined_verdict({a, b}), rising[worst]) << worst << " " << other;
       EXPECT_EQ(combined_verdict({b, a}), rising[worst]) << worst << " " << other;
     }
@@ -41,19 +42,19 @@ TEST(CombinedVerdict, IsTheWorstWhateverTheOrder) {
 
 TEST(CombinedVerdict, NothingToDecideIsNoPass) {
   EXPECT_EQ(combined_verdict({}), Verdict::kNotApplicable);
-  EXPECT_EQ(combined_verdict({check_with(Verdict::kShown)}), Verdict::kShown);
+  EXPECT_EQ(combined_verdict({check_with(Verdict::kForInformation)}), Verdict::kForInformation);
 }
 
 TEST(WorstCheck, IsLargestAgainstItsOwnTolerance) {
-  const std::vector<Check> checks = {
+  const std::vector<Judgement> checks = {
       check_with(Verdict::kPass, 1e9, 1.0), check_with(Verdict::kFail, 5.0, 1.0),
-      check_with(Verdict::kFail, -0.1, 0.01), check_with(Verdict::kShown, 1e9, 1.0)};
+      check_with(Verdict::kFail, -0.1, 0.01), check_with(Verdict::kForInformation, 1e9, 1.0)};
   EXPECT_EQ(worst_check(checks), &checks[2]);
 }
 
 TEST(WorstCheck, NanAndZeroToleranceAreInfinite) {
-  std::vector<Check> checks = {check_with(Verdict::kFail, 5.0, 1.0),
-                               check_with(Verdict::kFail, test::kNan, 1.0)};
+  std::vector<Judgement> checks = {check_with(Verdict::kFail, 5.0, 1.0),
+                                   check_with(Verdict::kFail, test::kNan, 1.0)};
   EXPECT_EQ(worst_check(checks), &checks[1]);
   checks[1] = check_with(Verdict::kFail, 1e-300, 0.0);
   EXPECT_EQ(worst_check(checks), &checks[1]);
@@ -63,7 +64,7 @@ TEST(WorstCheck, NanAndZeroToleranceAreInfinite) {
 
 TEST(WorstCheck, NoneDecides) {
   EXPECT_EQ(worst_check({}), nullptr);
-  const std::vector<Check> checks = {check_with(Verdict::kShown, 5.0)};
+  const std::vector<Judgement> checks = {check_with(Verdict::kForInformation, 5.0)};
   EXPECT_EQ(worst_check(checks), nullptr);
 }
 

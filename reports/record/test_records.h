@@ -21,41 +21,42 @@ inline std::string hostile_text() {
          '\0' + "bad\xff" + "end μ";
 }
 
-inline Check passing_check() {
-  return {.quantity = "critical slope, tan θ",
-          .unit = "1",
-          .claim = "A box sticks if and only if tan θ ≤ μ.",
-          .formula = "tan θ_c = μ",
-          .source = "Coulomb1785",
-          .kind = ReferenceKind::kAnalytic,
-          .value = 0.300012,
-          .expected = 0.3,
-          .error = 4e-5,
-          .relative = true,
-          .scale = 0.3,
-          .tolerance = 1e-4,
-          .reason = "half the bracket's width plus the settling error, first order in Δt",
-          .digits = 4.4,
-          .worst = "upper end of the bracket",
-          .verdict = Verdict::kPass};
+inline Judgement passing_check() {
+  return {
+      .claim = {.quantity = "critical slope, tan θ",
+                .unit = "1",
+                .statement = "A box sticks if and only if tan θ ≤ μ.",
+                .formula = "tan θ_c = μ",
+                .source = "Coulomb1785",
+                .kind = ReferenceKind::kAnalytic,
+                .expected = 0.3,
+                .relative = true,
+                .scale = 0.3,
+                .tolerance = 1e-4,
+                .reason = "half the bracket's width plus the settling error, first order in Δt"},
+      .value = 0.300012,
+      .worst = "upper end of the bracket",
+      .error = 4e-5,
+      .of_tolerance = 0.4,
+      .digits = 4.4,
+      .verdict = Verdict::kPass};
 }
 
-inline Check failing_check() {
-  return {.quantity = "stopping distance",
-          .unit = "m",
-          .claim = "A sliding box stops and stays.",
-          .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
-          .source = "Coulomb1785",
-          .kind = ReferenceKind::kAnalytic,
+inline Judgement failing_check() {
+  return {.claim = {.quantity = "stopping distance",
+                    .unit = "m",
+                    .statement = "A sliding box stops and stays.",
+                    .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
+                    .source = "Coulomb1785",
+                    .kind = ReferenceKind::kAnalytic,
+                    .expected = 0.30,
+                    .tolerance = 1e-4,
+                    .reason = "v₀Δt/2, the bias of symplectic Euler"},
           .value = 0.31,
-          .expected = 0.30,
-          .error = 0.01,
-          .relative = false,
-          .scale = 1.0,
-          .tolerance = 1e-4,
-          .reason = "v₀Δt/2, the bias of symplectic Euler",
-          .digits = 1.5,
           .worst = "vertex 17 at t = 0.42 s",
+          .error = 0.01,
+          .of_tolerance = 100.0,
+          .digits = 1.5,
           .verdict = Verdict::kFail};
 }
 
@@ -93,7 +94,7 @@ inline Record expected_record(Verdict verdict) {
   Record record = failing_record();
   record.case_name = "slab/rest";
   record.variant = "method=paper";
-  for (Check& check : record.checks) {
+  for (Judgement& check : record.checks) {
     if (check.verdict != Verdict::kFail) continue;
     check.verdict = verdict;
     check.band = Band{0.305, 0.32};
@@ -103,14 +104,14 @@ inline Record expected_record(Verdict verdict) {
   return record;
 }
 
-inline Record limit_record() { return expected_record(Verdict::kLimit); }
+inline Record shortfall_record() { return expected_record(Verdict::kShortfall); }
 inline Record refuted_record() { return expected_record(Verdict::kRefuted); }
 
 /// As the others, but outside its band.
 inline Record outside_record(double value) {
   Record record = expected_record(Verdict::kFail);
   record.checks.front().value = value;
-  record.checks.front().error = value - record.checks.front().expected;
+  record.checks.front().error = value - record.checks.front().claim.expected;
   return record;
 }
 
@@ -133,17 +134,26 @@ inline Record not_applicable_record() {
   return record;
 }
 
+/// With what a comparison measures too.
+inline Record compared_record() {
+  Record record = failing_record();
+  record.figures = {{"steps to 1e-9", "1", "static friction is found again soon", 12.0}};
+  record.failures = {{"a body left its place", "gain", {-0.5, 2.3}}};
+  return record;
+}
+
 /// Hostile in each of its texts, NaN and infinite in its numbers.
 inline Record hostile_record() {
   const std::string text = hostile_text();
-  Check check;
-  check.quantity = check.unit = check.claim = check.formula = check.source = check.reason =
-      check.worst = text;
+  Judgement check;
+  check.claim.quantity = check.claim.unit = check.claim.statement = check.claim.formula =
+      check.claim.source = check.claim.reason = check.worst = text;
   check.value = kNan;
-  check.expected = kInf;
+  check.claim.expected = kInf;
   check.error = -kNan;
-  check.scale = -kInf;
-  check.tolerance = kNan;
+  check.claim.scale = -kInf;
+  check.claim.tolerance = kNan;
+  check.of_tolerance = kInf;
   check.digits = kNan;
   Record record;
   record.case_name = "evil/" + text;

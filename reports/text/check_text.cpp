@@ -12,40 +12,66 @@
 namespace stiction {
 namespace {
 
-std::string error_unit(const Check& check) { return check.relative ? "rel" : one_line(check.unit); }
+std::string error_unit(const Judgement& check) {
+  return check.claim.relative ? "rel" : one_line(check.claim.unit);
+}
 
 }  // namespace
 
-std::string error_text(const Check& check) {
+std::string error_text(const Judgement& check) {
   return with_unit(format_error(check.error), error_unit(check));
 }
 
-std::string tolerance_text(const Check& check) {
-  return with_unit(format_error(check.tolerance), error_unit(check));
+std::string tolerance_text(const Judgement& check) {
+  return with_unit(format_error(check.claim.tolerance), error_unit(check));
 }
 
-std::string band_text(const Check& check) {
+std::string share_text(double of_tolerance) {
+  if (of_tolerance == 0.0) return "exact";
+  if (!std::isfinite(of_tolerance)) return "∞";
+  if (of_tolerance > 1e5) return fmt::format("{:.0e} ×", of_tolerance);
+  if (of_tolerance < 1e-4) return "<0.01 %";
+  // Two digits, without an exponent: 320 rather than 3.2e+02.
+  const auto plain = [](double value) {
+    return fmt::format("{:g}", std::stod(fmt::format("{:.2g}", value)));
+  };
+  return of_tolerance > 1.0 ? plain(of_tolerance) + " ×" : plain(100.0 * of_tolerance) + " %";
+}
+
+std::string share_text(const Judgement& check) {
+  return check.verdict == Verdict::kForInformation ? "" : share_text(check.of_tolerance);
+}
+
+std::string failure_text(const Failure& failure) {
+  if (failure.values.empty()) return one_line(failure.reason);
+  return fmt::format("{} at {} = {:g}", one_line(failure.reason), one_line(failure.parameter),
+                     fmt::join(failure.values, ", "));
+}
+
+std::string band_text(const Judgement& check) {
   if (!check.band) return {};
   const auto [low, high] = *check.band;
   const std::string ends = with_unit(fmt::format("[{}, {}]", format_value(low), format_value(high)),
-                                     one_line(check.unit));
+                                     one_line(check.claim.unit));
   const bool inside = check.value >= low && check.value <= high;
   if (inside && check.verdict != Verdict::kFail) return ", as expected in " + ends;
   if (std::isnan(check.value)) return ", no number where it is expected in " + ends;
   // Nearer to the claim than the band's nearest end; a value in the band that fails holds its
   // claim.
-  const double nearest = std::min(std::abs(low - check.expected), std::abs(high - check.expected));
-  const bool better = inside || std::abs(check.value - check.expected) < nearest;
+  const double nearest =
+      std::min(std::abs(low - check.claim.expected), std::abs(high - check.claim.expected));
+  const bool better = inside || std::abs(check.value - check.claim.expected) < nearest;
   return better ? ", better than known " + ends + ": raise the bar"
                 : ", worse than expected " + ends;
 }
 
-std::string check_sentence(const Check& check) {
-  const std::string unit = one_line(check.unit);
+std::string check_sentence(const Judgement& check) {
+  const std::string unit = one_line(check.claim.unit);
   return fmt::format("{}: measured {}, expected {} ({}), error {}, tolerance {}{}",
-                     one_line(check.quantity), with_unit(format_value(check.value), unit),
-                     with_unit(format_value(check.expected), unit), to_string(check.kind),
-                     error_text(check), tolerance_text(check), band_text(check));
+                     one_line(check.claim.quantity), with_unit(format_value(check.value), unit),
+                     with_unit(format_value(check.claim.expected), unit),
+                     to_string(check.claim.kind), error_text(check), tolerance_text(check),
+                     band_text(check));
 }
 
 std::string settings_text(const std::map<std::string, std::string>& settings) {

@@ -23,7 +23,7 @@ TEST(CheckText, RelativeErrorSaysSo) {
 // As band_text() of the page, web/test/model_test.mjs.
 TEST(CheckText, ABandSaysOnWhichSideAValueLies) {
   const auto banded = [](double value, Verdict verdict) {
-    Check check = test::limit_record().checks.front();
+    Judgement check = test::shortfall_record().checks.front();
     check.band = Band{0.31, 0.35};
     check.value = value;
     check.verdict = verdict;
@@ -45,6 +45,23 @@ TEST(CheckText, HostileTextStaysOnOneLine) {
   const std::string text = check_sentence(test::hostile_record().checks.front());
   EXPECT_EQ(text.find_first_of("\n\r\t\x1b"), std::string::npos);
   EXPECT_NE(text.find("measured nan"), std::string::npos);
+}
+
+TEST(CheckText, ShareOfTheTolerance) {
+  EXPECT_EQ(share_text(0.0), "exact");
+  EXPECT_EQ(share_text(0.123), "12 %");
+  EXPECT_EQ(share_text(1.0), "100 %");
+  EXPECT_EQ(share_text(3.44), "3.4 ×");
+  EXPECT_EQ(share_text(320.4), "320 ×");
+  EXPECT_EQ(share_text(2.6e7), "3e+07 ×");
+  EXPECT_EQ(share_text(6.7e-13), "<0.01 %");
+  EXPECT_EQ(share_text(test::kInf), "∞");
+}
+
+TEST(CheckText, AFailureNamesTheValuesAtWhichItBroke) {
+  EXPECT_EQ(failure_text({"a body moved", "", {}}), "a body moved");
+  EXPECT_EQ(failure_text({"a body moved", "gain", {-0.5, 2.3}}),
+            "a body moved at gain = -0.5, 2.3");
 }
 
 TEST(CheckText, Settings) {

@@ -74,14 +74,14 @@ std::string markdown_verdict(Verdict verdict) {
       return "**FAIL**";
     case Verdict::kError:
       return "**ERROR**";
-    case Verdict::kLimit:
-      return "*limit*";
+    case Verdict::kShortfall:
+      return "*expected shortfall*";
     case Verdict::kRefuted:
       return "*refuted*";
     case Verdict::kNotApplicable:
       return "not applicable";
     case Verdict::kPass:
-    case Verdict::kShown:
+    case Verdict::kForInformation:
       break;
   }
   return to_string(verdict);

@@ -15,8 +15,8 @@ void Tally::add(const Record& record) {
     case Verdict::kFail:
       ++fail;
       break;
-    case Verdict::kLimit:
-      ++limit;
+    case Verdict::kShortfall:
+      ++shortfall;
       break;
     case Verdict::kRefuted:
       ++refuted;
@@ -27,8 +27,8 @@ void Tally::add(const Record& record) {
     case Verdict::kNotApplicable:
       ++not_applicable;
       break;
-    case Verdict::kShown:
-      ++shown;
+    case Verdict::kForInformation:
+      ++information;
       break;
   }
   cpu_seconds += record.cost.cpu_seconds;
@@ -44,8 +44,11 @@ Tally tally_of(const std::vector<Record>& records) {
 
 std::string verdicts_text(const Tally& tally) {
   return fmt::format(
-      "{} pass, {} fail, {} limit, {} refuted, {} error, {} not applicable, {} shown", tally.pass,
-      tally.fail, tally.limit, tally.refuted, tally.error, tally.not_applicable, tally.shown);
+      "{} pass, {} fail, {} expected shortfall{}, {} refuted, {} error{}, {} not applicable, {} "
+      "for "
+      "information",
+      tally.pass, tally.fail, tally.shortfall, tally.shortfall == 1 ? "" : "s", tally.refuted,
+      tally.error, tally.error == 1 ? "" : "s", tally.not_applicable, tally.information);
 }
 
 std::string cost_text(const Tally& tally) {

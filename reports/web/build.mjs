@@ -87,7 +87,7 @@ function licences_of(metafiles) {
 }
 
 async function bundle() {
-  const wanted = hash_of(sources_in(source));
+  const wanted = hash_of([...sources_in(source), join(source, "../record/schema.json")]);
   if (is_stamped("bundled", wanted)) return;
   const esbuild = createRequire(join(build, "package.json"))("esbuild");
   const common = {

@@ -123,43 +123,42 @@ void check_push(CaseRun& run, const Places& start, const Places& pushed,
     worst = error;
     worst_at = x;
   }
-  run.check({.quantity = "slip length",
-             .unit = "m",
-             .claim = "the bar slides over the length that carries the push, and rests behind it",
-             .formula = "a = √(2EAU/τ) (with U = τ(a²/2 + ea)/EA, e = half a cell)",
-             .source = "bar on a frictional bed, derived in the file",
-             .kind = ReferenceKind::kAnalytic,
-             .value = furthest,
-             .expected = length + 0.5 * cell,
-             .tolerance = 1.5 * cell + 0.032 * length,
-             .reason =
-                 "a vertex counts once it has moved by 1e-3 U, which is √1e-3 = 3.2 % of a "
-                 "before the end; vertices are a cell apart, and the end is rounded by half"});
+  run.check(
+      {.quantity = "slip length",
+       .unit = "m",
+       .statement = "the bar slides over the length that carries the push, and rests behind it",
+       .formula = "a = √(2EAU/τ) (with U = τ(a²/2 + ea)/EA, e = half a cell)",
+       .source = "bar on a frictional bed, derived in the file",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = length + 0.5 * cell,
+       .tolerance = 1.5 * cell + 0.032 * length,
+       .reason = "a vertex counts once it has moved by 1e-3 U, which is √1e-3 = 3.2 % of a "
+                 "before the end; vertices are a cell apart, and the end is rounded by half"},
+      furthest);
   run.check({.quantity = "displacement profile, largest error",
              .unit = "m",
-             .claim = "every point is where the push puts it",
+             .statement = "every point is where the push puts it",
              .formula = "u(x) = τ(a − x)²/(2EA)",
              .source = "bar on a frictional bed, derived in the file",
              .kind = ReferenceKind::kAnalytic,
-             .value = worst,
              .expected = 0.0,
              .relative = true,
              .scale = kPush,
              .tolerance = kFlexure / length,
-             .reason = "friction below the axis: μh/2 of bar at both ends of the sliding part",
-             .worst = fmt::format("x = {:.4f} m", worst_at)});
+             .reason = "friction below the axis: μh/2 of bar at both ends of the sliding part"},
+            worst, fmt::format("x = {:.4f} m", worst_at));
   run.check({.quantity = "reaction of the bed",
              .unit = "N",
-             .claim = "the push is carried by friction at its limit over the slip length",
+             .statement = "the push is carried by friction at its limit over the slip length",
              .formula = "F = τ a = √(2EAUτ)",
              .source = "bar on a frictional bed, derived in the file",
              .kind = ReferenceKind::kAnalytic,
-             .value = strokes[0].reaction,
              .expected = kTraction * length,
              .relative = true,
              .tolerance = kFlexure / length,
              .reason = "friction below the axis: μh/2 of bar at both ends of the sliding part; "
-                       "inertia (ȧ/c)² = 1e-3 of that is gone after the hold"});
+                       "inertia (ȧ/c)² = 1e-3 of that is gone after the hold"},
+            strokes[0].reaction);
 }
 
 void check_cycle(CaseRun& run, const std::vector<Stroke>& strokes, double cell) {
@@ -168,54 +167,55 @@ void check_cycle(CaseRun& run, const std::vector<Stroke>& strokes, double cell) 
   const double loss = 2.0 / 3.0 * kTraction * kTraction * back * back * back / kStiffness;
   const double friction = -(strokes[1].friction + strokes[2].friction);
   const double work = strokes[1].end_work + strokes[2].end_work;
-  run.check({.quantity = "reaction when the end is back",
-             .unit = "N",
-             .claim = "pulled back to its place, the end is held back: friction has turned over",
-             .formula = "F = τ(a − 2b), b = √(EAU/τ) = a/√2",
-             .source = "bar on a frictional bed, derived in the file",
-             .kind = ReferenceKind::kAnalytic,
-             .value = strokes[1].reaction,
-             .expected = kTraction * (first_length(dead) - 2.0 * back),
-             .relative = true,
-             .scale = kTraction * first_length(dead),
-             .tolerance = kFlexure / back,
-             .reason = "friction below the axis: μh/2 of bar at both ends of the turned part"});
+  run.check(
+      {.quantity = "reaction when the end is back",
+       .unit = "N",
+       .statement = "pulled back to its place, the end is held back: friction has turned over",
+       .formula = "F = τ(a − 2b), b = √(EAU/τ) = a/√2",
+       .source = "bar on a frictional bed, derived in the file",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = kTraction * (first_length(dead) - 2.0 * back),
+       .relative = true,
+       .scale = kTraction * first_length(dead),
+       .tolerance = kFlexure / back,
+       .reason = "friction below the axis: μh/2 of bar at both ends of the turned part"},
+      strokes[1].reaction);
   run.check({.quantity = "reaction after the second push",
              .unit = "N",
-             .claim = "the second push ends where the first did: the loop is closed",
+             .statement = "the second push ends where the first did: the loop is closed",
              .formula = "F(U) = τ a again",
              .source = "Masing's rule: the loop of a bar on a bed",
              .kind = ReferenceKind::kAnalytic,
-             .value = strokes[2].reaction,
              .expected = strokes[0].reaction,
              .relative = true,
              .tolerance = 1e-3,
              .reason = "inertia of the strokes, (ȧ/c)² with ȧ = aU̇/(2U) ≤ 0.8 m/s and c = 22 m/s: "
-                       "1.3e-3 of a part of F, and the hold undoes most of it"});
+                       "1.3e-3 of a part of F, and the hold undoes most of it"},
+            strokes[2].reaction);
   run.check({.quantity = "friction loss of a cycle",
              .unit = "J",
-             .claim = "a cycle between 0 and U loses what partial slip says",
+             .statement = "a cycle between 0 and U loses what partial slip says",
              .formula = "W = 2F_a³/(3EAτ), F_a = τ b half the range of F",
              .source = "bar on a frictional bed: friction per length τ ends where it has carried F",
              .kind = ReferenceKind::kAnalytic,
-             .value = friction,
              .expected = loss,
              .relative = true,
              .tolerance = 3.0 * kFlexure / back,
-             .reason = "W ∝ b³, and b is known to μh/2 at both ends of the turned part"});
+             .reason = "W ∝ b³, and b is known to μh/2 at both ends of the turned part"},
+            friction);
   run.check({.quantity = "friction loss against the work of the end",
              .unit = "J",
-             .claim = "what the end puts in over a cycle is what friction takes out",
+             .statement = "what the end puts in over a cycle is what friction takes out",
              .formula = "∮ F dU = −Σ Δt Σ f · u",
              .source = "energy balance of a closed loop",
              .kind = ReferenceKind::kAnalytic,
-             .value = friction,
              .expected = work,
              .relative = true,
              .tolerance = 3e-3,
              .reason = fmt::format("viscous loss β/T = {:.0e} of the elastic energy with a factor "
                                    "of the ramp's shape, and inertia, 1.3e-3",
-                                   kDamping / kRamp)});
+                                   kDamping / kRamp)},
+            friction);
   run.note(
       fmt::format("reaction {:.5f} N (closed form {:.5f}; of a bar without half a cell on the held "
                   "end {:.5f}), "
@@ -227,7 +227,7 @@ void check_cycle(CaseRun& run, const std::vector<Stroke>& strokes, double cell) 
 
 void run_bar(CaseRun& run) {
   const Problem problem = bar();
-  const std::unique_ptr<Simulation> simulation = run.simulate(problem, {.fineness = kCells});
+  const CaseRun::Running simulation = run.simulate(problem, {.fineness = kCells});
   const double cells = simulation->engine().fineness();
   const Engine& engine = simulation->engine();
   const double dt = engine.time_step();

@@ -33,15 +33,14 @@ void run_bars(CaseRun& run, const std::vector<CrossedBarsSetup>& setups, const A
   }
   run.check({.quantity = "placements that fall through",
              .unit = "1",
-             .claim = "a bar laid across another stays on it",
+             .statement = "a bar laid across another stays on it",
              .formula = "centre moved by less than half the thickness",
              .source = "its centre of mass lies over the crossing",
              .kind = ReferenceKind::kAnalytic,
-             .value = static_cast<double>(fallen),
              .expected = 0.0,
              .tolerance = 0.0,
-             .reason = "a count: bodies do not pass through each other",
-             .worst = fallen_words});
+             .reason = "a count: bodies do not pass through each other"},
+            static_cast<double>(fallen), fallen_words);
   check_rest(
       run, outcomes,
       {.drift = 1e-9 * window,

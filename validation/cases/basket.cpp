@@ -150,38 +150,35 @@ void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double 
   const std::string where = fmt::format("{:.1f} to {:.1f} s", duration - window, duration);
   run.check({.quantity = "farthest way of an object in the window",
              .unit = "m",
-             .claim = "the objects do not visibly move",
+             .statement = "the objects do not visibly move",
              .formula = "‖x(end) − x(begin)‖ = 0",
              .source = "[Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kExternal,
-             .value = fall.moved,
              .expected = 0.0,
              .tolerance = setup.edge / 1000.0,
              .reason = "a thousandth of a cube's edge: less than a pixel where an object fills a "
-                       "screen",
-             .worst = fall.mover});
+                       "screen"},
+            fall.moved, fall.mover);
   run.check({.quantity = "mean kinetic energy at rest ÷ that with ξ = 1",
              .unit = "1",
-             .claim = "at rest the new method leaves a hundredth of the old one's motion",
+             .statement = "at rest the new method leaves a hundredth of the old one's motion",
              .formula = "⟨K⟩/⟨K_old⟩ ≤ 0.01",
              .source = "[Lazarevych2009], sec. 5, Fig. 6(d)",
              .kind = ReferenceKind::kExternal,
-             .value = fall.mean / before.mean,
              .expected = 0.0,
              .tolerance = 0.01,
-             .reason = "the paper's figure, 'around 0.01', taken as a bound",
-             .worst = where});
+             .reason = "the paper's figure, 'around 0.01', taken as a bound"},
+            fall.mean / before.mean, where);
   run.check({.quantity = "late spikes: largest kinetic energy ÷ mean before",
              .unit = "1",
-             .claim = "no object leaves its place once all are at rest",
+             .statement = "no object leaves its place once all are at rest",
              .formula = "max K(second half of the window)/⟨K⟩(first half) ≤ 2",
              .source = "[Lazarevych2009], sec. 5: spikes at t_c and t_d of the old method",
              .kind = ReferenceKind::kAnalytic,
-             .value = fall.late_peak / fall.first_half,
              .expected = 0.0,
              .tolerance = 2.0,
-             .reason = "a vibration's kinetic energy peaks at twice its mean, and it only decays",
-             .worst = where});
+             .reason = "a vibration's kinetic energy peaks at twice its mean, and it only decays"},
+            fall.late_peak / fall.first_half, where);
   run.note(fmt::format(
       "at the end {} contacts between objects, {:.0f} % of the loaded contacts slip, mean slip "
       "(by normal force) {:.1e} m/s; mean kinetic energy {:.2e} J ({:.2e} J with ξ = 1)",
@@ -219,53 +216,51 @@ void run_seeds(CaseRun& run, BasketSetup setup, int seeds, double duration, doub
                      seeds;
   run.note("ratio of energies " + spread_words(ratio, "") + "; farthest way " +
            spread_words(moved, "m"));
-  run.check({.quantity = "share of seeds with a hundredth of the motion",
-             .unit = "1",
-             .claim = "at rest the new method leaves a hundredth of the old one's motion, whatever "
-                      "the seed",
-             .formula = "⟨K⟩/⟨K_old⟩ ≤ 0.01",
-             .source = "[Lazarevych2009], sec. 5, Fig. 6(d)",
-             .kind = ReferenceKind::kExternal,
-             .value = share,
-             .expected = 1.0,
-             .tolerance = 0.1,
-             .reason = "one seed of ten may find a basket in which the old method rests as well: "
-                       "the ratio of two energies of rest says nothing",
-             .worst = fmt::format("seed {}: {:.2g}", ratio.worst_at + 1, ratio.worst)});
+  run.check(
+      {.quantity = "share of seeds with a hundredth of the motion",
+       .unit = "1",
+       .statement = "at rest the new method leaves a hundredth of the old one's motion, whatever "
+                    "the seed",
+       .formula = "⟨K⟩/⟨K_old⟩ ≤ 0.01",
+       .source = "[Lazarevych2009], sec. 5, Fig. 6(d)",
+       .kind = ReferenceKind::kExternal,
+       .expected = 1.0,
+       .tolerance = 0.1,
+       .reason = "one seed of ten may find a basket in which the old method rests as well: "
+                 "the ratio of two energies of rest says nothing"},
+      share, fmt::format("seed {}: {:.2g}", ratio.worst_at + 1, ratio.worst));
   run.check({.quantity = "median of mean kinetic energy at rest ÷ that with ξ = 1",
              .unit = "1",
-             .claim = "… nor is that one seed's luck",
+             .statement = "… nor is that one seed's luck",
              .formula = "median ⟨K⟩/⟨K_old⟩ ≤ 0.01",
              .source = "[Lazarevych2009], sec. 5, Fig. 6(d)",
              .kind = ReferenceKind::kExternal,
-             .value = ratio.median,
              .expected = 0.0,
              .tolerance = 0.01,
-             .reason = "the paper's figure, 'around 0.01', taken as a bound",
-             .worst = fmt::format("seed {}: {:.2g}", ratio.worst_at + 1, ratio.worst)});
+             .reason = "the paper's figure, 'around 0.01', taken as a bound"},
+            ratio.median, fmt::format("seed {}: {:.2g}", ratio.worst_at + 1, ratio.worst));
   run.check({.quantity = "farthest way of an object in the window, worst seed",
              .unit = "m",
-             .claim = "the objects do not visibly move",
+             .statement = "the objects do not visibly move",
              .formula = "‖x(end) − x(begin)‖ = 0",
              .source = "[Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kExternal,
-             .value = moved.worst,
              .expected = 0.0,
              .tolerance = setup.edge / 1000.0,
              .reason = "a thousandth of a cube's edge: less than a pixel where an object fills a "
-                       "screen",
-             .worst = fmt::format("seed {}", moved.worst_at + 1)});
-  run.check({.quantity = "late spikes: largest kinetic energy ÷ mean before, worst seed",
-             .unit = "1",
-             .claim = "no object leaves its place once all are at rest: what still swings decays",
-             .formula = "max K(second half of the window)/⟨K⟩(first half) ≤ 2",
-             .source = "[Lazarevych2009], sec. 5: spikes at t_c and t_d of the old method",
-             .kind = ReferenceKind::kAnalytic,
-             .value = late.worst,
-             .expected = 0.0,
-             .tolerance = 2.0,
-             .reason = "a vibration's kinetic energy peaks at twice its mean, and it only decays",
-             .worst = fmt::format("seed {}", late.worst_at + 1)});
+                       "screen"},
+            moved.worst, fmt::format("seed {}", moved.worst_at + 1));
+  run.check(
+      {.quantity = "late spikes: largest kinetic energy ÷ mean before, worst seed",
+       .unit = "1",
+       .statement = "no object leaves its place once all are at rest: what still swings decays",
+       .formula = "max K(second half of the window)/⟨K⟩(first half) ≤ 2",
+       .source = "[Lazarevych2009], sec. 5: spikes at t_c and t_d of the old method",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 0.0,
+       .tolerance = 2.0,
+       .reason = "a vibration's kinetic energy peaks at twice its mean, and it only decays"},
+      late.worst, fmt::format("seed {}", late.worst_at + 1));
 }
 
 }  // namespace

@@ -136,19 +136,20 @@ void check_rest(CaseRun& run, const PyramidSetup& setup, const Rested& found, do
   const bool whole = !found.slips.empty();
   const auto measured = [&](double value) { return whole ? value : std::nan(""); };
   const double slip = kStaticSlip * window;
-  run.check(zero_check(kSource, "slip downhill at rest", "m",
+  run.check(zero_claim(kSource, "slip downhill at rest", "m",
                        fmt::format("no joint of a pyramid at rest slips down in {} s", window),
-                       measured(whole ? found.downhill() : 0.0), slip,
-                       "the paper's 1e-9 m/s over the window"));
-  run.check(zero_check(kSource, "slip uphill at rest", "m", "… nor up",
-                       measured(whole ? found.uphill() : 0.0), slip,
-                       "the paper's 1e-9 m/s over the window"));
-  run.check(zero_check(kSource, "kinetic energy at rest", "J", "a pyramid at rest has none",
-                       measured(found.kinetic),
+                       slip, "the paper's 1e-9 m/s over the window"),
+            measured(whole ? found.downhill() : 0.0));
+  run.check(zero_claim(kSource, "slip uphill at rest", "m", "… nor up", slip,
+                       "the paper's 1e-9 m/s over the window"),
+            measured(whole ? found.uphill() : 0.0));
+  run.check(zero_claim(kSource, "kinetic energy at rest", "J", "a pyramid at rest has none",
                        0.5 * setup.box_mass * box_count(setup) * kStaticSlip * kStaticSlip,
-                       "½ m v² of all boxes at the paper's 1e-9 m/s"));
-  run.check(zero_check(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
-                       measured(found.fastest), kStaticSlip, "the paper's own figure"));
+                       "½ m v² of all boxes at the paper's 1e-9 m/s"),
+            measured(found.kinetic));
+  run.check(zero_claim(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
+                       kStaticSlip, "the paper's own figure"),
+            measured(found.fastest));
 }
 
 // Without the stabilisation (ξ = 1) the pyramid creeps, and *uphill*: measured the same with the
@@ -164,14 +165,14 @@ void check_creep_without_memory(CaseRun& run, const PyramidSetup& setup, const R
   const double gravity = kStandardGravity * found.dt * sine;  // of one step, m/s
   run.check({.quantity = "slip uphill without memory ÷ that of gravity in each step",
              .unit = "1",
-             .claim = "one sweep without memory gives back at most what gravity adds in a step",
+             .statement = "one sweep without memory gives back at most what gravity adds in a step",
              .formula = "0 ≤ u/(g Δt sin θ) ≤ 1, the fastest joint",
              .source = "derived: friction at ξ = 1 undoes this step's slip, and nothing else",
              .kind = ReferenceKind::kAnalytic,
-             .value = found.slips.empty() ? std::nan("") : found.uphill() / window / gravity,
              .expected = 0.5,
              .tolerance = 0.5,
-             .reason = "the range from none to all of it"});
+             .reason = "the range from none to all of it"},
+            found.slips.empty() ? std::nan("") : found.uphill() / window / gravity);
 }
 
 using WithoutMemory = std::shared_ptr<SharedRun<Rested>>;
@@ -185,27 +186,26 @@ void check_against_no_memory(CaseRun& run, const PyramidSetup& setup, const Rest
   const bool both = !found.slips.empty() && !without.slips.empty();
   run.check({.quantity = "farthest slip of a joint ÷ that with ξ = 1",
              .unit = "1",
-             .claim = "the stabilisation stops the creep that Fig. 5 shows without it",
+             .statement = "the stabilisation stops the creep that Fig. 5 shows without it",
              .formula = "max |slip| ≤ 0.2 max |slip with ξ = 1|",
              .source = kSource,
              .kind = ReferenceKind::kExternal,
-             .value = both ? found.farthest() / without.farthest() : std::nan(""),
              .expected = 0.0,
              .tolerance = 0.2,
-             .reason = "the figure's columns differ at a glance: a fifth"});
+             .reason = "the figure's columns differ at a glance: a fifth"},
+            both ? found.farthest() / without.farthest() : std::nan(""));
 }
 
 void run_figure(CaseRun& run, const PyramidSetup& setup, double window, double finer,
                 const WithoutMemory& shared) {
   PyramidSeries series;
   const Rested found = rest(run, setup, window, finer, &series);
-  Check check = zero_check(
-      kSource, "displacement", "m", "the pyramid does not fall apart: farthest box from its place",
-      found.whole.distance, 0.5 * setup.width,
-      "half a box's width, where a run ends as broken; where it is whole elastic "
-      "sag and shear are most of it, 1 to 1.5 mm, and what slips is judged below");
-  check.worst = fmt::format("box {}", found.whole.box);
-  run.check(check);
+  run.check(
+      zero_claim(kSource, "displacement", "m",
+                 "the pyramid does not fall apart: farthest box from its place", 0.5 * setup.width,
+                 "half a box's width, where a run ends as broken; where it is whole elastic "
+                 "sag and shear are most of it, 1 to 1.5 mm, and what slips is judged below"),
+      found.whole.distance, fmt::format("box {}", found.whole.box));
   check_rest(run, setup, found, window);
   if (is_without_memory(run)) {
     check_creep_without_memory(run, setup, found, window);
@@ -276,18 +276,18 @@ void run_threshold(CaseRun& run, const PyramidSetup& setup, double width) {
       (kStiffer * (0.5 * stiff.width() + rest) + 0.5 * soft.width() + rest) / (kStiffer - 1.0);
   run.check({.quantity = "critical tan θ, rigid limit",
              .unit = "1",
-             .claim = "a pyramid of boxes stands up to the friction angle",
+             .statement = "a pyramid of boxes stands up to the friction angle",
              .formula = "tan θ = μ",
              .source = "exact limit analysis of the rigid pyramid",
              .kind = ReferenceKind::kExactComputed,
-             .value = middle,
              .expected = expected,
              .relative = true,
              .scale = expected,
              .tolerance = (half + exact.upper - exact.lower) / expected,
              .reason = "half the brackets of the bisections and 5e-5 of the criterion of rest, as "
                        "the extrapolation (4 x(4E) − x(E))/3 weighs them, and the bracket of the "
-                       "limit analysis"});
+                       "limit analysis"},
+            middle);
   run.note(fmt::format("limit analysis [{:.7f}, {:.7f}]", exact.lower, exact.upper));
 }
 

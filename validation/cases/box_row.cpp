@@ -59,13 +59,12 @@ void run_shear(CaseRun& run, const ClampSetup& setup) {
                        weight * (0.5 * setup.boxes - j));
   }
   const double rate = setup.box_mass * 1e-9 / simulation->engine().time_step();
-  Check shear{.quantity = "joint shear",
+  Claim shear{.quantity = "joint shear",
               .unit = "N",
-              .claim = "each joint carries its share of the weight: worst joint's error",
+              .statement = "each joint carries its share of the weight: worst joint's error",
               .formula = "V_j = mg(n/2 − j) − NΔh/L",
               .source = "balance of force and couple; Δh of the jaws' pressure centres as measured",
               .kind = ReferenceKind::kAnalytic,
-              .value = worst_shear,
               .expected = 0.0,
               .relative = true,
               .scale = weight,
@@ -73,30 +72,27 @@ void run_shear(CaseRun& run, const ClampSetup& setup) {
               .reason =
                   "the row has sagged: its boxes' weights act up to 1e-3 of its length off "
                   "the places that the formula assumes"};
-  shear.worst = fmt::format("joint {}", worst_joint);
-  run.check(shear);
-  Check balance{.quantity = "weight carried",
+  run.check(shear, worst_shear, fmt::format("joint {}", worst_joint));
+  Claim balance{.quantity = "weight carried",
                 .unit = "N",
-                .claim = "what its two joints carry is a box's weight: worst box's error",
+                .statement = "what its two joints carry is a box's weight: worst box's error",
                 .formula = "V_(j−1) − V_j = mg",
                 .source = "Newton's third law at rest",
                 .kind = ReferenceKind::kAnalytic,
-                .value = worst_balance,
                 .expected = 0.0,
                 .tolerance = rate,
                 .reason = "a box whose speed still changes by the paper's 1e-9 m/s in a step"};
-  balance.worst = fmt::format("box {}", worst_box);
-  run.check(balance);
+  run.check(balance, worst_balance, fmt::format("box {}", worst_box));
   run.check({.quantity = "fastest contact slip",
              .unit = "m/s",
-             .claim = "static contacts end with 1e-9 m/s",
+             .statement = "static contacts end with 1e-9 m/s",
              .formula = "u = 0",
              .source = "[Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kExternal,
-             .value = out() ? std::nan("") : fastest_slip(engine),
              .expected = 0.0,
              .tolerance = 1e-9,
-             .reason = "the paper's own figure"});
+             .reason = "the paper's own figure"},
+            out() ? std::nan("") : fastest_slip(engine));
   run.note(fmt::format("N = {:.3f} N, {:.2f} × the least; shear by joint, N: {}", force,
                        force * 2.0 * setup.friction / (setup.boxes * weight), all));
 }

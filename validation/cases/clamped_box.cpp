@@ -54,30 +54,35 @@ void note_mechanism(CaseRun& run, const ClampSetup& setup, const Engine& engine,
 // Seen from before gravity: what a reader of the figure would see.
 void check_figure(CaseRun& run, const ClampSetup& setup, const Pose& from, const Pose& to) {
   run.check(
-      zero_check(kSource, "displacement", "m", "the clamped box doesn't slip out",
-                 to.height - from.height, 0.01 * setup.width,
+      zero_claim(kSource, "displacement", "m", "the clamped box doesn't slip out",
+                 0.01 * setup.width,
                  "a hundredth of the box's width, about what the figure can show; the elastic "
-                 "sag of box and bars under the weight is part of it"));
-  run.check(zero_check(kSource, "rotation", "°", "the clamped box doesn't turn",
-                       to.angle - from.angle, 1.0,
+                 "sag of box and bars under the weight is part of it"),
+      to.height - from.height);
+  run.check(zero_claim(kSource, "rotation", "°", "the clamped box doesn't turn", 1.0,
                        "about what the figure can show; elastic rotation under the weight is part "
-                       "of it"));
+                       "of it"),
+            to.angle - from.angle);
 }
 
 void check_rest(CaseRun& run, const ClampSetup& setup, const Engine& engine, const Pose& from,
                 double window) {
   const Pose to = pose_of(engine, 0);
   const double slip = kStaticSlip * window;
-  run.check(zero_check(kSource, "drift at rest", "m", "once settled it stays for 5 s",
-                       to.height - from.height, slip, "the paper's 1e-9 m/s over the window"));
-  run.check(zero_check(kSource, "turn at rest", "°", "once settled it doesn't turn for 5 s",
-                       to.angle - from.angle, slip / (0.5 * setup.width) * 180.0 / M_PI,
-                       "the paper's 1e-9 m/s over the window, at half the width"));
-  run.check(zero_check(kSource, "kinetic energy at rest", "J", "a clamped box has none after 7 s",
-                       engine.energies().kinetic, 0.5 * setup.box_mass * kStaticSlip * kStaticSlip,
-                       "½ m v² of the box at the paper's 1e-9 m/s"));
-  run.check(zero_check(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
-                       fastest_slip(engine), kStaticSlip, "the paper's own figure"));
+  run.check(zero_claim(kSource, "drift at rest", "m", "once settled it stays for 5 s", slip,
+                       "the paper's 1e-9 m/s over the window"),
+            to.height - from.height);
+  run.check(zero_claim(kSource, "turn at rest", "°", "once settled it doesn't turn for 5 s",
+                       slip / (0.5 * setup.width) * 180.0 / M_PI,
+                       "the paper's 1e-9 m/s over the window, at half the width"),
+            to.angle - from.angle);
+  run.check(zero_claim(kSource, "kinetic energy at rest", "J", "a clamped box has none after 7 s",
+                       0.5 * setup.box_mass * kStaticSlip * kStaticSlip,
+                       "½ m v² of the box at the paper's 1e-9 m/s"),
+            engine.energies().kinetic);
+  run.check(zero_claim(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
+                       kStaticSlip, "the paper's own figure"),
+            fastest_slip(engine));
 }
 
 void run_figure(CaseRun& run, const ClampSetup& setup) {

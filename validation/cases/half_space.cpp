@@ -29,7 +29,7 @@ double total(const Energies& energies) {
 
 void run_free_fall(CaseRun& run) {
   Problem problem = drop(PointShape{}, kHeight, 0.1);
-  const std::unique_ptr<Simulation> simulation = run.simulate(problem);
+  const CaseRun::Running simulation = run.simulate(problem);
   simulation->advance_to(0.1);
   const auto steps = static_cast<std::int64_t>(simulation->engine().steps_done());
   const reference::PointState expected = reference::discrete_free_fall(
@@ -38,31 +38,31 @@ void run_free_fall(CaseRun& run) {
   const double round_off = 4.0 * static_cast<double>(steps) * 1.1e-16;
   run.check({.quantity = "height after 0.1 s",
              .unit = "m",
-             .claim = "without contact a point mass falls freely",
+             .statement = "without contact a point mass falls freely",
              .formula = "xₙ = h − gΔt² n(n+1)/2",
              .source = "symplectic Euler, reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
-             .value = motion.position.z(),
              .expected = expected.position,
              .relative = true,
              .tolerance = round_off,
-             .reason = "round-off: four roundings a step"});
+             .reason = "round-off: four roundings a step"},
+            motion.position.z());
   run.check({.quantity = "velocity after 0.1 s",
              .unit = "m/s",
-             .claim = "… at the speed it must have",
+             .statement = "… at the speed it must have",
              .formula = "vₙ = −gΔt n",
              .source = "symplectic Euler, reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
-             .value = motion.velocity.z(),
              .expected = expected.velocity,
              .relative = true,
              .tolerance = round_off,
-             .reason = "round-off: four roundings a step"});
+             .reason = "round-off: four roundings a step"},
+            motion.velocity.z());
 }
 
 void run_bounce(CaseRun& run) {
   const Problem problem = drop(PointShape{}, kHeight, 0.3);
-  const std::unique_ptr<Simulation> simulation = run.simulate(problem);
+  const CaseRun::Running simulation = run.simulate(problem);
   const double dt = simulation->engine().time_step();
   double rise = 0.0;
   double lowest = kHeight;
@@ -87,49 +87,49 @@ void run_bounce(CaseRun& run) {
   run.check(
       {.quantity = "fastest rise",
        .unit = "m/s",
-       .claim = "the half-space rule does not rebound: the whole depth is closed within a step",
+       .statement = "the half-space rule does not rebound: the whole depth is closed within a step",
        .formula = "F = m d/Δt² ends the step on the plane",
        .source = "[Lazarevych2009], (3), in the limit of a fixed obstacle",
        .kind = ReferenceKind::kAnalytic,
-       .value = rise,
        .expected = 0.0,
        .tolerance = round_off / dt,
-       .reason = "round-off of a position on the plane, 1e-15 m, over one step"});
+       .reason = "round-off of a position on the plane, 1e-15 m, over one step"},
+      rise);
   run.check({.quantity = "deepest penetration",
              .unit = "m",
-             .claim = "at the end of a step nothing is inside the obstacle",
+             .statement = "at the end of a step nothing is inside the obstacle",
              .formula = "gap ≥ 0",
              .source = "Signorini",
              .kind = ReferenceKind::kAnalytic,
-             .value = std::min(0.0, lowest),
              .expected = 0.0,
              .tolerance = round_off,
-             .reason = "round-off of a position on the plane"});
+             .reason = "round-off of a position on the plane"},
+            std::min(0.0, lowest));
   run.check({.quantity = "largest energy gain in a step",
              .unit = "J",
-             .claim = "contact never creates energy",
+             .statement = "contact never creates energy",
              .formula = "Eₙ₊₁ ≤ Eₙ (free fall loses ½mg²Δt² a step)",
              .source = "normal_force.h",
              .kind = ReferenceKind::kAnalytic,
-             .value = gain,
              .expected = 0.0,
              .tolerance = 1e-15,
-             .reason = "round-off of 1 J"});
+             .reason = "round-off of 1 J"},
+            gain);
   run.check({.quantity = "height at the end",
              .unit = "m",
-             .claim = "it lies on the plane",
+             .statement = "it lies on the plane",
              .formula = "x = 0",
              .source = "Signorini",
              .kind = ReferenceKind::kAnalytic,
-             .value = simulation->engine().body(0).position.z(),
              .expected = 0.0,
              .tolerance = round_off,
-             .reason = "round-off of a position on the plane"});
+             .reason = "round-off of a position on the plane"},
+            simulation->engine().body(0).position.z());
 }
 
 void run_rest(CaseRun& run) {
   InclineSetup setup;
-  const std::unique_ptr<Simulation> simulation = run.simulate(settled_incline_problem(setup));
+  const CaseRun::Running simulation = run.simulate(settled_incline_problem(setup));
   simulation->advance_to(1.0);
   const Engine& engine = simulation->engine();
   double normal_force = 0.0;
@@ -138,46 +138,46 @@ void run_rest(CaseRun& run) {
     normal_force += contact.normal_force;
     deepest = std::min(deepest, contact.gap);
   }
-  run.check({.quantity = "sum of normal forces",
-             .unit = "N",
-             .claim = "a box at rest presses on the plane with its weight",
-             .formula = "ΣN = mg",
-             .source = "equilibrium",
-             .kind = ReferenceKind::kAnalytic,
-             .value = normal_force,
-             .expected = setup.mass * kStandardGravity,
-             .relative = true,
-             .tolerance = 1e-9,
-             .reason =
-                 "normal forces are depth · m/Δt² with depths of gΔt² = 4e-7 m beside "
+  run.check(
+      {.quantity = "sum of normal forces",
+       .unit = "N",
+       .statement = "a box at rest presses on the plane with its weight",
+       .formula = "ΣN = mg",
+       .source = "equilibrium",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = setup.mass * kStandardGravity,
+       .relative = true,
+       .tolerance = 1e-9,
+       .reason = "normal forces are depth · m/Δt² with depths of gΔt² = 4e-7 m beside "
                  "positions rounded to 1.4e-17 m: 4e-11 a contact, and a factor for the elastic "
-                 "forces' round-off"});
+                 "forces' round-off"},
+      normal_force);
   run.check({.quantity = "kinetic energy",
              .unit = "J",
-             .claim = "it is at rest",
+             .statement = "it is at rest",
              .formula = "½Σmv² = 0",
              .source = "equilibrium",
              .kind = ReferenceKind::kAnalytic,
-             .value = engine.energies().kinetic,
              .expected = 0.0,
              .tolerance = 1e-24,
-             .reason = "the goal of the deformable cases: 1.4e-12 m/s for 1 kg"});
+             .reason = "the goal of the deformable cases: 1.4e-12 m/s for 1 kg"},
+            engine.energies().kinetic);
   run.check({.quantity = "deepest penetration",
              .unit = "m",
-             .claim = "nothing is inside the obstacle",
+             .statement = "nothing is inside the obstacle",
              .formula = "gap ≥ 0",
              .source = "Signorini",
              .kind = ReferenceKind::kAnalytic,
-             .value = deepest,
              .expected = 0.0,
              .tolerance = 1e-15,
-             .reason = "round-off of a position on the plane"});
+             .reason = "round-off of a position on the plane"},
+            deepest);
 }
 
 void run_box_drop(CaseRun& run) {
   Problem problem = drop(InclineSetup{}.shape, 0.02, 1.0);
   problem.bodies[0].must_deform = true;
-  const std::unique_ptr<Simulation> simulation = run.simulate(problem);
+  const CaseRun::Running simulation = run.simulate(problem);
   const double dt = simulation->engine().time_step();
   const double start = total(simulation->engine().energies());
   double highest = start;
@@ -193,16 +193,16 @@ void run_box_drop(CaseRun& run) {
   const double kinetic_at_impact = 1.0 * kStandardGravity * 0.02;
   run.check({.quantity = "largest energy above the start",
              .unit = "J",
-             .claim = "a falling, bouncing elastic box never has more energy than at the start",
+             .statement = "a falling, bouncing elastic box never has more energy than at the start",
              .formula = "E(t) ≤ E(0)",
              .source = "energy balance: contact, friction and damping only take",
              .kind = ReferenceKind::kAnalytic,
-             .value = highest - start,
              .expected = 0.0,
              .relative = true,
              .scale = kinetic_at_impact,
              .tolerance = 1e-14,
-             .reason = "round-off; the integrator's own energy error has the sign of a loss"});
+             .reason = "round-off; the integrator's own energy error has the sign of a loss"},
+            highest - start);
 }
 
 }  // namespace

@@ -78,115 +78,115 @@ void check_point_stop(CaseRun& run, const InclineSetup& setup) {
 
   run.check({.quantity = "stopping distance, discrete",
              .unit = "m",
-             .claim = "a sliding point mass follows the exact recurrence of the time step",
+             .statement = "a sliding point mass follows the exact recurrence of the time step",
              .formula = "vₙ₊₁ = vₙ − aΔt, xₙ₊₁ = xₙ + Δt vₙ₊₁, a = g(μ cos θ − sin θ)",
              .source = "reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
-             .value = stop.distance,
              .expected = exact.distance,
              .relative = true,
              .tolerance = round_off,
-             .reason = "round-off: four roundings a step"});
+             .reason = "round-off: four roundings a step"},
+            stop.distance);
   run.check({.quantity = "stopping time, discrete",
              .unit = "s",
-             .claim = "it stops in the step in which the recurrence stops",
+             .statement = "it stops in the step in which the recurrence stops",
              .formula = "N = ⌈v₀/(aΔt)⌉",
              .source = "reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
-             .value = stop.time,
              .expected = exact.time,
              .relative = true,
              .tolerance = round_off + (exact.whole_multiple ? dt / exact.time : 0.0),
-             .reason = "round-off; one step more where v₀ is a whole multiple of aΔt"});
+             .reason = "round-off; one step more where v₀ is a whole multiple of aΔt"},
+            stop.time);
   run.check({.quantity = "stopping distance",
              .unit = "m",
-             .claim = "a sliding body stops after v₀²/(2a)",
+             .statement = "a sliding body stops after v₀²/(2a)",
              .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = stop.distance,
              .expected = distance,
              .relative = true,
              .tolerance = setup.speed * dt / distance,
-             .reason = "symplectic Euler is biased by v₀Δt/2; twice that"});
+             .reason = "symplectic Euler is biased by v₀Δt/2; twice that"},
+            stop.distance);
   run.check({.quantity = "stopping time",
              .unit = "s",
-             .claim = "it stops after v₀/a",
+             .statement = "it stops after v₀/a",
              .formula = "t = v₀/(g(μ cos θ − sin θ))",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = stop.time,
              .expected = time,
              .tolerance = dt,
-             .reason = "a stop is seen at the end of its step"});
+             .reason = "a stop is seen at the end of its step"},
+            stop.time);
 
   Series error{"distance error", "m", "time step", "s", {2.0 * dt, dt, 0.5 * dt, 0.25 * dt}, {}};
   for (const double step : error.x) {
     error.y.push_back(std::abs(
         simulate_stop(run, setup, {.finer = dt / step}, time, nullptr).distance - distance));
   }
-  run.check({.quantity = "order in Δt of the stopping distance",
-             .unit = "1",
-             .claim = "the error is a truncation error of first order",
-             .formula = "error ≈ v₀Δt/2",
-             .source = "symplectic Euler",
-             .kind = ReferenceKind::kAnalytic,
-             .value = observed_order(error.x, error.y),
-             .expected = 1.0,
-             .tolerance = 0.02,
-             .reason =
-                 "the next term, aΔt²/8 at most, is 1e-4 of the first at the largest step; the "
-                 "position of the stop within its step adds as much"});
+  run.check(
+      {.quantity = "order in Δt of the stopping distance",
+       .unit = "1",
+       .statement = "the error is a truncation error of first order",
+       .formula = "error ≈ v₀Δt/2",
+       .source = "symplectic Euler",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 1.0,
+       .tolerance = 0.02,
+       .reason = "the next term, aΔt²/8 at most, is 1e-4 of the first at the largest step; the "
+                 "position of the stop within its step adds as much"},
+      observed_order(error.x, error.y));
   run.add(std::move(error));
 }
 
 void check_box_stop(CaseRun& run, const InclineSetup& setup) {
   const auto [stop, distance, time, exact] = compare_stop(run, setup);
 
-  run.check({.quantity = "stopping distance",
-             .unit = "m",
-             .claim = "a sliding elastic box stops after v₀²/(2a)",
-             .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
-             .source = "Coulomb's law",
-             .kind = ReferenceKind::kAnalytic,
-             .value = stop.distance,
-             .expected = distance,
-             .relative = true,
-             .tolerance = 1e-3,
-             .reason =
-                 "half a step of travel, v₀Δt/2 = aΔt/v₀ · d (4e-4 to 5e-4 of d at the default "
-                 "step), and the elastic box's own length scales below (1e-4)"});
+  run.check(
+      {.quantity = "stopping distance",
+       .unit = "m",
+       .statement = "a sliding elastic box stops after v₀²/(2a)",
+       .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
+       .source = "Coulomb's law",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = distance,
+       .relative = true,
+       .tolerance = 1e-3,
+       .reason = "half a step of travel, v₀Δt/2 = aΔt/v₀ · d (4e-4 to 5e-4 of d at the default "
+                 "step), and the elastic box's own length scales below (1e-4)"},
+      stop.distance);
   // Weight presses the box together by ρgh²/(2E) at its centre, which costs μ times as much of
   // travel; when it stops, its centre leans by mah/(2GA).
   run.check({.quantity = "stopping distance, discrete",
              .unit = "m",
-             .claim = "the centre of mass follows the recurrence of a point mass",
+             .statement = "the centre of mass follows the recurrence of a point mass",
              .formula = "vₙ₊₁ = vₙ − aΔt, xₙ₊₁ = xₙ + Δt vₙ₊₁",
              .source = "momentum balance; reference/motion/incline.h",
              .kind = ReferenceKind::kExactComputed,
-             .value = stop.distance,
              .expected = exact.distance,
              .tolerance = 4e-5,
              .reason = "elastic length scales of the box: μ·ρgh²/(2E) = 1.2e-5 m while it settles "
                        "under its weight, mah/(2GA) = 1.3e-5 m of shear let go when it stops, and "
-                       "half as much again because corners carry more than the mean"});
+                       "half as much again because corners carry more than the mean"},
+            stop.distance);
 
   std::vector<double> travel;
   for (const double finer : {1.0, 2.0, 4.0}) {
     travel.push_back(simulate_stop(run, setup, {.finer = finer}, time, nullptr).distance);
   }
-  run.check({.quantity = "order in Δt of the stopping distance",
-             .unit = "1",
-             .claim = "what depends on the step is of first order",
-             .formula = "p = log₂((d(4h) − d(2h))/(d(2h) − d(h)))",
-             .source = "symplectic Euler",
-             .kind = ReferenceKind::kAnalytic,
-             .value = std::log2((travel[0] - travel[1]) / (travel[1] - travel[2])),
-             .expected = 1.0,
-             .tolerance = 0.1,
-             .reason =
-                 "differences of 5e-5 and 2.5e-5 m, of which the phase of the vibration at the "
-                 "stop moves 1e-6 m"});
+  run.check(
+      {.quantity = "order in Δt of the stopping distance",
+       .unit = "1",
+       .statement = "what depends on the step is of first order",
+       .formula = "p = log₂((d(4h) − d(2h))/(d(2h) − d(h)))",
+       .source = "symplectic Euler",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 1.0,
+       .tolerance = 0.1,
+       .reason = "differences of 5e-5 and 2.5e-5 m, of which the phase of the vibration at the "
+                 "stop moves 1e-6 m"},
+      std::log2((travel[0] - travel[1]) / (travel[1] - travel[2])));
 }
 
 Case stop_case(const std::string& name, const std::string& title, const Shape& shape,

@@ -23,38 +23,39 @@ void run_creep(CaseRun& run, const InclineSetup& setup) {
 
   const double steps = (kTo - kFrom) / incline.time_step();
   const double ulp = std::numeric_limits<double>::epsilon() * 0.1;  // of a coordinate, m
-  run.check({.quantity = "creep",
-             .unit = "m/s",
-             .claim = "a box at rest below the critical slope does not move: mean speed over 10 s",
-             .formula = "v = 0",
-             .source = "Coulomb's law; [Lazarevych2009] reports 1e-9",
-             .kind = ReferenceKind::kAnalytic,
-             .value = drift / (kTo - kFrom),
-             .expected = 0.0,
-             .tolerance = steps * 0.5 * ulp / (kTo - kFrom),
-             .reason = "round-off: half a unit in the last place of a coordinate, every step"});
+  run.check(
+      {.quantity = "creep",
+       .unit = "m/s",
+       .statement = "a box at rest below the critical slope does not move: mean speed over 10 s",
+       .formula = "v = 0",
+       .source = "Coulomb's law; [Lazarevych2009] reports 1e-9",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 0.0,
+       .tolerance = steps * 0.5 * ulp / (kTo - kFrom),
+       .reason = "round-off: half a unit in the last place of a coordinate, every step"},
+      drift / (kTo - kFrom));
   run.check({.quantity = "drift",
              .unit = "m",
-             .claim = "after settling it stays where it is",
+             .statement = "after settling it stays where it is",
              .formula = "x(12 s) − x(2 s) = 0",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = drift,
              .expected = 0.0,
              .tolerance = steps * 0.5 * ulp,
-             .reason = "round-off: half a unit in the last place of a coordinate, every step"});
+             .reason = "round-off: half a unit in the last place of a coordinate, every step"},
+            drift);
   // A stuck contact's slip is what rounding its velocity leaves: f is rounded, and added to v*.
   run.check({.quantity = "fastest contact slip at the end",
              .unit = "m/s",
-             .claim = "contacts that stick do not slip",
+             .statement = "contacts that stick do not slip",
              .formula = "u = 0",
              .source = "[Lazarevych2009], (15)",
              .kind = ReferenceKind::kAnalytic,
-             .value = fastest_slip(incline.engine()),
              .expected = 0.0,
              .tolerance = 1e-15,
              .reason = "round-off of g Δt = 2e-3 m/s: 4e-19, some hundred roundings of the forces "
-                       "behind it, with a factor ten"});
+                       "behind it, with a factor ten"},
+            fastest_slip(incline.engine()));
   run.note(fmt::format("start-up slip while loaded: {:.3e} m", start_up));
 }
 

@@ -39,28 +39,28 @@ void run_peer_box(CaseRun& run, const InclineSetup& level) {
   rest.advance_to(12.0);
   run.check({.quantity = "creep at 90 %",
              .unit = "m/s",
-             .claim = "mean speed from 2 s to 12 s",
+             .statement = "mean speed from 2 s to 12 s",
              .source = "peers: 4e-13 (Bullet FEM explicit) to 0.12 (Jolt soft)",
              .kind = ReferenceKind::kAnalytic,
-             .value = (rest.travel() - from) / 10.0,
              .expected = 0.0,
              .tolerance = 0.5 * kUlp * edge / rest.time_step(),
              .reason = "round-off: half a unit in the last place of a coordinate of 0.2 m in each "
-                       "step, all to one side (the bar: 1e-12)"});
+                       "step, all to one side (the bar: 1e-12)"},
+            (rest.travel() - from) / 10.0);
 
   constexpr double kWidth = 1e-8;  // of tan θ
   const Bracket bracket = incline_threshold(run, level, kWidth);
-  run.check({.quantity = "threshold error",
-             .unit = "°",
-             .claim = "critical angle − atan μ",
-             .source = "peers: −0.028 (IPC, tight) to −10.8 (Bullet FEM implicit)",
-             .kind = ReferenceKind::kAnalytic,
-             .value = (std::atan(bracket.middle()) - std::atan(mu)) * 180.0 / std::numbers::pi,
-             .expected = 0.0,
-             .tolerance = kWidth / (1.0 + mu * mu) * 180.0 / std::numbers::pi,
-             .reason =
-                 "half the bracket, and as much again for vibrations, as in incline/threshold "
-                 "(the bar: 1e-3)"});
+  run.check(
+      {.quantity = "threshold error",
+       .unit = "°",
+       .statement = "critical angle − atan μ",
+       .source = "peers: −0.028 (IPC, tight) to −10.8 (Bullet FEM implicit)",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 0.0,
+       .tolerance = kWidth / (1.0 + mu * mu) * 180.0 / std::numbers::pi,
+       .reason = "half the bracket, and as much again for vibrations, as in incline/threshold "
+                 "(the bar: 1e-3)"},
+      (std::atan(bracket.middle()) - std::atan(mu)) * 180.0 / std::numbers::pi);
 
   InclineSetup above = level;
   above.tan_slope = 1.2 * mu;
@@ -73,16 +73,16 @@ void run_peer_box(CaseRun& run, const InclineSetup& level) {
   const reference::Incline steep{std::atan(above.tan_slope), mu, kStandardGravity};
   run.check({.quantity = "acceleration at 120 %",
              .unit = "m/s²",
-             .claim = "a = g(sin θ − μ cos θ)",
+             .statement = "a = g(sin θ − μ cos θ)",
              .source = "peers: −5e-7 (Bullet FEM explicit) to +69 %",
              .kind = ReferenceKind::kAnalytic,
-             .value = slide.speed() - before,
              .expected = reference::sliding_acceleration(steep),
              .relative = true,
              .tolerance = steps * kUlp * slide.speed() / reference::sliding_acceleration(steep),
              .reason = "round-off: a unit in the last place of a velocity of 2.7 m/s in each step "
                        "of a second; the integrator is exact for a constant acceleration, and the "
-                       "cube's vibration has decayed by e⁻⁴⁰ (the bar: 1e-6)"});
+                       "cube's vibration has decayed by e⁻⁴⁰ (the bar: 1e-6)"},
+            slide.speed() - before);
 
   InclineSetup stop = level;
   stop.speed = 2.0;
@@ -114,26 +114,26 @@ void run_peer_box(CaseRun& run, const InclineSetup& level) {
   run.check(
       {.quantity = "stopping distance, extrapolated in Δt",
        .unit = "m",
-       .claim = "d = v²/(2μg)",
+       .statement = "d = v²/(2μg)",
        .formula = "2 d(Δt/2) − d(Δt)",
        .source = "peers: −0.26 % (MuJoCo flex) to +182 %",
        .kind = ReferenceKind::kAnalytic,
-       .value = 2.0 * fine - coarse,
        .expected = expected,
        .relative = true,
        .tolerance = lengths / expected,
-       .reason = "the elastic cube's own lengths, of 0.41 m: " + of_lengths + " (the bar: 5e-4)"});
+       .reason = "the elastic cube's own lengths, of 0.41 m: " + of_lengths + " (the bar: 5e-4)"},
+      2.0 * fine - coarse);
   run.check({.quantity = "stopping distance at the default step",
              .unit = "m",
-             .claim = "d = v²/(2μg)",
+             .statement = "d = v²/(2μg)",
              .source = "peers: −0.26 % (MuJoCo flex) to +182 %",
              .kind = ReferenceKind::kAnalytic,
-             .value = coarse,
              .expected = expected,
              .relative = true,
              .tolerance = mu * kStandardGravity * dt / stop.speed + lengths / expected,
              .reason = "a step more or less of travel at the start, aΔt/v₀, and the lengths above "
-                       "(the bar: 1e-3)"});
+                       "(the bar: 1e-3)"},
+            coarse);
 }
 
 }  // namespace

@@ -52,14 +52,13 @@ double travel_of_push(CaseRun& run, const InclineSetup& setup) {
   return incline.travel() - before;
 }
 
-Check travel_check(double value, double expected, double tolerance, const std::string& reason) {
+Claim travel_claim(double expected, double tolerance, const std::string& reason) {
   return {.quantity = "travel of the push, rigid limit",
           .unit = "m",
-          .claim = "it slides as far as Coulomb's law says for this load history",
+          .statement = "it slides as far as Coulomb's law says for this load history",
           .formula = "v̇ = g_t(t) − μ gₙ(t) while it slides; stick when |g_t| ≤ μ gₙ at v = 0",
           .source = "GSL odeiv2 with stick and slip events, reference/motion/incline_ode.h",
           .kind = ReferenceKind::kExactComputed,
-          .value = value,
           .expected = expected,
           .tolerance = tolerance,
           .reason = reason};
@@ -76,7 +75,7 @@ void check_travel(CaseRun& run, const InclineSetup& setup, double travel, double
                   double truncation) {
   const std::string of_step = "truncation: the travel of one step at full speed";
   if (std::holds_alternative<PointShape>(setup.shape)) {
-    run.check(travel_check(travel, rigid, truncation, of_step));
+    run.check(travel_claim(rigid, truncation, of_step), travel);
     return;
   }
   constexpr double kRatio = 4.0;
@@ -86,21 +85,22 @@ void check_travel(CaseRun& run, const InclineSetup& setup, double travel, double
   }
   const Extrapolation soft = extrapolate(travels[0], travels[1], travels[2], kRatio);
   const Extrapolation stiff = extrapolate(travels[1], travels[2], travels[3], kRatio);
-  run.check(travel_check(stiff.limit, rigid, truncation + std::abs(stiff.limit - soft.limit),
+  run.check(travel_claim(rigid, truncation + std::abs(stiff.limit - soft.limit),
                          of_step + ", and what the limit moves when E is left out of four "
-                                   "stiffnesses"));
+                                   "stiffnesses"),
+            stiff.limit);
   const double predicted = soft.limit + (travels[2] - soft.limit) * std::pow(kRatio, -soft.order);
   run.check({.quantity = "travel at 64 E, predicted from E, 4 E and 16 E",
              .unit = "m",
-             .claim = "what elasticity adds falls with one power of the stiffness",
+             .statement = "what elasticity adds falls with one power of the stiffness",
              .formula = "d(64E) = d₀ + a (64E)^−p, p fitted",
              .source = "the softer boxes",
              .kind = ReferenceKind::kSelfConverged,
-             .value = travels[3],
              .expected = predicted,
              .tolerance = 4e-5,
              .reason = "what another power may add at E: the lengths by which the box leans and is "
-                       "pressed together, 4e-5 m, as where it stops from sliding"});
+                       "pressed together, 4e-5 m, as where it stops from sliding"},
+            travels[3]);
   run.note(fmt::format(
       "an elastic box travels further than the rigid one, by {:.2e}, {:.2e}, {:.2e}, {:.2e} m at "
       "E, 4 E, 16 E, 64 E: that falls with E to the power of {:.2f} (from the softer three), "
@@ -136,34 +136,34 @@ void run_restick(CaseRun& run, const InclineSetup& setup) {
   const double round_off = steps * 0.5 * std::numeric_limits<double>::epsilon() * 0.1;
   run.check({.quantity = "spring-back",
              .unit = "m",
-             .claim = "a box pushed into sliding and released stays where it stopped",
+             .statement = "a box pushed into sliding and released stays where it stopped",
              .formula = "max x − x = 0",
              .source = "Coulomb's law: friction only resists",
              .kind = ReferenceKind::kAnalytic,
-             .value = back,
              .expected = 0.0,
              .tolerance = round_off,
-             .reason = "round-off: half a unit in the last place of a coordinate, every step"});
+             .reason = "round-off: half a unit in the last place of a coordinate, every step"},
+            back);
   run.check({.quantity = "creep after the push",
              .unit = "m/s",
-             .claim = "friction memory of the first rest does not disturb the second",
+             .statement = "friction memory of the first rest does not disturb the second",
              .formula = "v = 0",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = (incline.travel() - stopped) / 2.0,
              .expected = 0.0,
              .tolerance = round_off / 2.0,
-             .reason = "round-off as above, over 2 s"});
+             .reason = "round-off as above, over 2 s"},
+            (incline.travel() - stopped) / 2.0);
   run.check({.quantity = "energy at rest",
              .unit = "J",
-             .claim = "it comes to rest",
+             .statement = "it comes to rest",
              .formula = "½Σmv² = 0",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = incline.engine().energies().kinetic,
              .expected = 0.0,
              .tolerance = 1e-24,
-             .reason = "the goal of the deformable cases: 1.4e-12 m/s for 1 kg"});
+             .reason = "the goal of the deformable cases: 1.4e-12 m/s for 1 kg"},
+            incline.engine().energies().kinetic);
   const reference::FrictionalMotion motion = reference_motion(setup, problem);
   double fastest = 0.0;
   for (const auto& sample : motion.samples) fastest = std::max(fastest, sample.velocity);

@@ -35,44 +35,44 @@ void run_above(CaseRun& run, const InclineSetup& setup) {
   const Slide result = slide(run, setup);
   run.check({.quantity = "acceleration",
              .unit = "m/s²",
-             .claim = "above the critical slope a box accelerates",
+             .statement = "above the critical slope a box accelerates",
              .formula = "a = g(sin θ − μ cos θ)",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = result.acceleration(),
              .expected = expected,
              .relative = true,
              .tolerance = 1e-9,
              .reason = "a velocity grows by the same amount every step, so there is no truncation "
-                       "error; contact vibrations have decayed below 1e-10 m/s in a 1 s window"});
+                       "error; contact vibrations have decayed below 1e-10 m/s in a 1 s window"},
+            result.acceleration());
 }
 
 void run_critical(CaseRun& run, const InclineSetup& setup) {
   const Slide result = slide(run, setup);
   run.check({.quantity = "speed after 1 s",
              .unit = "m/s",
-             .claim = "at the critical slope a sliding box keeps its speed",
+             .statement = "at the critical slope a sliding box keeps its speed",
              .formula = "v(2 s) = v(1 s)",
              .source = "Coulomb's law; [Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kAnalytic,
-             .value = result.speed_after,
              .expected = result.speed_before,
              .relative = true,
              .tolerance = 1e-10,
-             .reason = "no truncation error; vibrations have decayed below 1e-10 m/s"});
+             .reason = "no truncation error; vibrations have decayed below 1e-10 m/s"},
+            result.speed_after);
   run.check({.quantity = "speed kept from the start",
              .unit = "m/s",
-             .claim = "… and has lost none by landing under its weight",
+             .statement = "… and has lost none by landing under its weight",
              .formula = "v(1 s) = v₀",
              .source = "momentum balance: friction and weight act in the ratio μ",
              .kind = ReferenceKind::kAnalytic,
-             .value = result.speed_before,
              .expected = setup.speed,
              .relative = true,
              .tolerance = 2.2e-7,
              .reason = "while the landing shakes the box for 0.1 s its contacts slip 1 mm/s across "
                        "the slope beside 1 m/s along it: friction, gμ cos θ = 4.4 m/s², loses half "
-                       "the square of that angle, 4.4 · 5e-7 · 0.1 s = 2.2e-7 m/s"});
+                       "the square of that angle, 4.4 · 5e-7 · 0.1 s = 2.2e-7 m/s"},
+            result.speed_before);
 }
 
 }  // namespace

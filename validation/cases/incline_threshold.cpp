@@ -18,26 +18,25 @@ void run_threshold(CaseRun& run, const InclineSetup& setup) {
   const Bracket bracket = incline_threshold(run, setup, kRelativeWidth * mu);
   run.check({.quantity = "critical tan θ",
              .unit = "1",
-             .claim = "a box sticks if and only if tan θ ≤ μ",
+             .statement = "a box sticks if and only if tan θ ≤ μ",
              .formula = "tan θ_c = μ",
              .source = "Coulomb's law; [Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kAnalytic,
-             .value = bracket.middle(),
              .expected = mu,
              .relative = true,
              .tolerance = 1e-8,
              .reason = "half the bracket (5e-9), and as much again for vibrations: 1e-8 of the "
                        "load is 1e-7 m/s² or 3e-8 m/s in the 0.3 s observed, where vibrations have "
-                       "decayed below 1e-11 m/s"});
+                       "decayed below 1e-11 m/s"},
+            bracket.middle());
   // Shown only: the bisection ends at the width that it was asked for, so it can't fail.
-  run.check({.quantity = "bracket width",
-             .unit = "1",
-             .claim = "how far the threshold is resolved",
-             .source = "bisection",
-             .kind = ReferenceKind::kAnalytic,
-             .value = bracket.width(),
-             .reason = "not judged: the bisection ends at the width that it was asked for",
-             .verdict = Verdict::kShown});
+  run.show({.quantity = "bracket width",
+            .unit = "1",
+            .statement = "how far the threshold is resolved",
+            .source = "bisection",
+            .kind = ReferenceKind::kAnalytic,
+            .reason = "not judged: the bisection ends at the width that it was asked for"},
+           bracket.width());
   run.note(
       fmt::format("bracket on tan θ: holds at {:.11g}, slides at {:.11g}; θ_c − atan μ = "
                   "{:+.1e}°; {} runs",

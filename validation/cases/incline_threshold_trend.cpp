@@ -42,15 +42,15 @@ void run_trend(CaseRun& run, const Trend& trend) {
     run.check({.quantity = fmt::format("critical tan θ at {} = {:.3g} {}", trend.parameter, value,
                                        trend.unit),
                .unit = "1",
-               .claim = "the threshold does not depend on time step, mesh or stiffness",
+               .statement = "the threshold does not depend on time step, mesh or stiffness",
                .formula = "tan θ_c = μ",
                .source = "Coulomb's law",
                .kind = ReferenceKind::kAnalytic,
-               .value = bracket.middle(),
                .expected = mu,
                .relative = true,
                .tolerance = kWidth,
-               .reason = "the bracket's width"});
+               .reason = "the bracket's width"},
+              bracket.middle());
   }
   const std::size_t last = slip.y.size() - 1;
   run.note(fmt::format(

@@ -27,8 +27,7 @@ struct Slide {
 
 Slide slide(CaseRun& run, const MembraneSetup& setup, double time = 8e-5) {
   const Problem problem = membrane_problem(setup);
-  const std::unique_ptr<Simulation> simulation =
-      run.simulate(problem, {.fineness = 3, .time = time});
+  const CaseRun::Running simulation = run.simulate(problem, {.fineness = 3, .time = time});
   simulation->record_frames(0.02);
   const Engine& engine = simulation->engine();
   Slide found;
@@ -110,14 +109,14 @@ void check_shape(CaseRun& run, const Comparison& seen) {
   }
   run.check({.quantity = "kinetic energy outside the middle third ÷ inside it",
              .unit = "1",
-             .claim = "the box slides faster in the middle third than before and after it",
+             .statement = "the box slides faster in the middle third than before and after it",
              .formula = "⟨K⟩ outside/⟨K⟩ inside ≤ 1, while it moves",
              .source = "[Lazarevych2009], Fig. 4",
              .kind = ReferenceKind::kExternal,
-             .value = (outside / count_outside) / (inside / count_inside),
              .expected = 0.0,
              .tolerance = 1.0,
-             .reason = "1 would be a constant speed"});
+             .reason = "1 would be a constant speed"},
+            (outside / count_outside) / (inside / count_inside));
 }
 
 // One figure on two meshes of the strip, and on the string.
@@ -158,55 +157,57 @@ void check_against_model(CaseRun& run, const Comparison& coarse, const Compariso
   const Figure mean = mean_places(coarse, fine), peak = peaks(coarse, fine),
                rest = rests(coarse, fine);
   const Extrapolated mean_free = without_mesh(mean, refinement);
-  run.check({.quantity = "mean place of the kinetic energy",
-             .unit = "m",
-             .claim = "the box is fastest about mid-span: it speeds up before and slows down after",
-             .formula = "∫ s K dt/∫ K dt = ℓ/2; h → 0 from two meshes",
-             .source = "[Lazarevych2009], Fig. 4; reference/motion/membrane.h",
-             .kind = ReferenceKind::kAnalytic,
-             .value = mean_free.value,
-             .expected = 0.5 * length,
-             .tolerance = lowest + mean_free.doubt + std::abs(mean.model - 0.5 * length),
-             .reason = "εℓ/6, by which T(1 ± ε) moves the lowest point; the difference between "
-                       "extrapolations of first and second order; and what the turning of the "
-                       "slope and finite slopes shift in the string model itself"});
-  run.check({.quantity = "mean place of the kinetic energy, against the string model",
-             .unit = "m",
-             .claim = "the box is fastest where the string model has it, which starts by itself",
-             .formula = "∫ s K dt/∫ K dt of the full law; h → 0 from two meshes",
-             .source = kModel,
-             .kind = ReferenceKind::kExactComputed,
-             .value = mean_free.value,
-             .expected = mean.model,
-             .tolerance = lowest + mean_free.doubt,
-             .reason = "εℓ/6, by which T(1 ± ε) moves the lowest point; and the difference between "
-                       "extrapolations of first and second order"});
+  run.check(
+      {.quantity = "mean place of the kinetic energy",
+       .unit = "m",
+       .statement = "the box is fastest about mid-span: it speeds up before and slows down after",
+       .formula = "∫ s K dt/∫ K dt = ℓ/2; h → 0 from two meshes",
+       .source = "[Lazarevych2009], Fig. 4; reference/motion/membrane.h",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 0.5 * length,
+       .tolerance = lowest + mean_free.doubt + std::abs(mean.model - 0.5 * length),
+       .reason = "εℓ/6, by which T(1 ± ε) moves the lowest point; the difference between "
+                 "extrapolations of first and second order; and what the turning of the "
+                 "slope and finite slopes shift in the string model itself"},
+      mean_free.value);
+  run.check(
+      {.quantity = "mean place of the kinetic energy, against the string model",
+       .unit = "m",
+       .statement = "the box is fastest where the string model has it, which starts by itself",
+       .formula = "∫ s K dt/∫ K dt of the full law; h → 0 from two meshes",
+       .source = kModel,
+       .kind = ReferenceKind::kExactComputed,
+       .expected = mean.model,
+       .tolerance = lowest + mean_free.doubt,
+       .reason = "εℓ/6, by which T(1 ± ε) moves the lowest point; and the difference between "
+                 "extrapolations of first and second order"},
+      mean_free.value);
   const Extrapolated peak_free = without_mesh(peak, refinement);
   run.check({.quantity = "largest kinetic energy of the box",
              .unit = "J",
-             .claim = "it gains what the sagging strip gives",
+             .statement = "it gains what the sagging strip gives",
              .formula = "max K of the full law; h → 0 from two meshes",
              .source = kModel,
              .kind = ReferenceKind::kExactComputed,
-             .value = peak_free.value,
              .expected = peak.model,
              .relative = true,
              .tolerance = fine.epsilon + 2.0 * lowest / (0.5 * length - fine.model.place[0]) +
                           peak_free.doubt / peak.model,
              .reason = "v² = κ(c − s₀)²: κ to ε, c to εℓ/6; and the difference between "
-                       "extrapolations of first and second order"});
+                       "extrapolations of first and second order"},
+            peak_free.value);
   const Extrapolated rest_free = without_mesh(rest, refinement);
   run.check({.quantity = "place of rest",
              .unit = "m",
-             .claim = "it stops behind mid-span, where the string model stops it",
+             .statement = "it stops behind mid-span, where the string model stops it",
              .formula = "s = c + (c − s₀) in the linear law; h → 0 from two meshes",
              .source = kModel,
              .kind = ReferenceKind::kExactComputed,
-             .value = rest_free.value,
              .expected = rest.model,
              .tolerance = 2.0 * lowest + rest_free.doubt,
              .reason = "twice εℓ/6, since what c is shifted by counts twice; and the difference "
-                       "between extrapolations of first and second order"});
+                       "between extrapolations of first and second order"},
+            rest_free.value);
   run.note(fmt::format(
       "coarse, fine, h → 0 (string): mean place {:.4f}, {:.4f}, {:.4f} ({:.4f}) m; largest energy "
       "{:.3e}, {:.3e}, {:.3e} ({:.3e}) J; rest {:.4f}, {:.4f}, {:.4f} ({:.4f}) m",
@@ -225,15 +226,15 @@ void check_stopped(CaseRun& run, const Comparison& seen, double box_mass) {
   const double fastest = std::sqrt(2.0 * box.peak() / box_mass);
   run.check({.quantity = "speed at the end, of the largest",
              .unit = "1",
-             .claim = "it has stopped and stays",
+             .statement = "it has stopped and stays",
              .formula = "mean of 0.26 s ÷ largest = 0",
              .source = "[Lazarevych2009], Fig. 4",
              .kind = ReferenceKind::kAnalytic,
-             .value = creep / fastest,
              .expected = 0.0,
              .tolerance = 2e-3 / (swing * fastest),
              .reason = "the undamped strip still shakes: 1 mm to either side, over the time of the "
-                       "mean"});
+                       "mean"},
+            creep / fastest);
   run.note(fmt::format(
       "at the end the box moves downhill at {:.1e} m/s, mean of 0.26 s, beside a speed of {:.1e} "
       "m/s in its kinetic energy: the difference is the strip's vibration, which nothing damps",
@@ -304,25 +305,25 @@ void run_convergence(CaseRun& run) {
   }
   run.check({.quantity = "order of the place of rest in a cell's length",
              .unit = "1",
-             .claim = "the place of rest converges with the mesh",
+             .statement = "the place of rest converges with the mesh",
              .formula = "(f₁ − f₂)/(f₂ − f₃) = (h₁ᵖ − h₂ᵖ)/(h₂ᵖ − h₃ᵖ)",
              .source = "Richardson",
              .kind = ReferenceKind::kSelfConverged,
-             .value = observed_order(cells, rest),
              .expected = 1.5,
              .tolerance = 0.5,
              .reason = "first order (bending of single-layered linear tetrahedra, contact at "
-                       "vertices) to second (deflections)"});
+                       "vertices) to second (deflections)"},
+            observed_order(cells, rest));
   run.check({.quantity = "error against the string model, each mesh ÷ the one before",
              .unit = "1",
-             .claim = "each refinement brings the box nearer to the string model",
+             .statement = "each refinement brings the box nearer to the string model",
              .formula = "max |s_k+1 − s|/|s_k − s| < 1",
              .source = kModel,
              .kind = ReferenceKind::kExactComputed,
-             .value = std::max(error[1] / error[0], error[2] / error[1]),
              .expected = 0.0,
              .tolerance = 1.0,
-             .reason = "1 would be no gain"});
+             .reason = "1 would be no gain"},
+            std::max(error[1] / error[0], error[2] / error[1]));
   check_against_model(run, seen[1], seen[2], refinement(kFine, kFinest));
   run.add({"distance from the string model's place of rest", "m", "length of a cell", "ℓ", cells,
            error});

@@ -108,7 +108,7 @@ struct Audit {
 };
 
 Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool keep_series) {
-  const std::unique_ptr<Simulation> simulation = simulate_free(run, problem, extra);
+  const CaseRun::Running simulation = simulate_free(run, problem, extra);
   const Engine& engine = simulation->engine();
   Audit audit;
   audit.linear_scale = momentum_scale(problem);
@@ -166,88 +166,90 @@ void run_momentum(CaseRun& run, const Problem& problem) {
   const Audit found = audit(run, problem, {}, true);
   run.check({.quantity = "linear momentum, largest change",
              .unit = "kg m/s",
-             .claim = "contact forces and their reactions cancel: linear momentum is conserved",
+             .statement = "contact forces and their reactions cancel: linear momentum is conserved",
              .formula = "Σ m v(t) = Σ m v(0)",
              .source = "[Lazarevych2009], appendix A: ΣF = 0 after post-correction",
              .kind = ReferenceKind::kAnalytic,
-             .value = found.linear_error,
              .expected = 0.0,
              .relative = true,
              .scale = found.linear_scale,
              .tolerance = 1e-12,
              .reason = "round-off: 300 steps of some 100 vertices at 1e-16 of a vertex's momentum "
-                       "give 1e-15, and three decades for the strong forces of the impact"});
+                       "give 1e-15, and three decades for the strong forces of the impact"},
+            found.linear_error);
   if (run.configuration().keeps_angular_momentum) {
     run.check({.quantity = "angular momentum, largest change in a step",
                .unit = "kg m²/s",
-               .claim = "with tetrahedral weights the reaction acts where the force does",
+               .statement = "with tetrahedral weights the reaction acts where the force does",
                .formula = "r = xᵢ − Σ hⱼ xⱼ = 0 at the start of the step, so L_{n+1} = L_n",
                .source = "symplectic Euler, derived above",
                .kind = ReferenceKind::kAnalytic,
-               .value = found.defect,
                .expected = 0.0,
                .tolerance = kAngularRoundOff,
-               .reason = "round-off of Σ x × m v: 0.6 kg m²/s · 1.1e-16, ten roundings a term"});
+               .reason = "round-off of Σ x × m v: 0.6 kg m²/s · 1.1e-16, ten roundings a term"},
+              found.defect);
   } else {
-    run.check({.quantity = "angular momentum, defect of a step against the formula",
-               .unit = "kg m²/s",
-               .claim = "what a step adds to the angular momentum is what the contacts' arms say",
-               .formula = "L_{n+1} − L_n = Δt Σ (xᵢ − Σ hⱼ xⱼ) × (fⁿ n + f), positions at t0",
-               .source = "symplectic Euler, derived above",
-               .kind = ReferenceKind::kAnalytic,
-               .value = found.formula_error,
-               .expected = 0.0,
-               .tolerance = kAngularRoundOff,
-               .reason = "round-off of Σ x × m v: 0.6 kg m²/s · 1.1e-16, ten roundings a term"});
+    run.check(
+        {.quantity = "angular momentum, defect of a step against the formula",
+         .unit = "kg m²/s",
+         .statement = "what a step adds to the angular momentum is what the contacts' arms say",
+         .formula = "L_{n+1} − L_n = Δt Σ (xᵢ − Σ hⱼ xⱼ) × (fⁿ n + f), positions at t0",
+         .source = "symplectic Euler, derived above",
+         .kind = ReferenceKind::kAnalytic,
+         .expected = 0.0,
+         .tolerance = kAngularRoundOff,
+         .reason = "round-off of Σ x × m v: 0.6 kg m²/s · 1.1e-16, ten roundings a term"},
+        found.formula_error);
     run.check(
         {.quantity = "angular momentum, defect so far against the formula",
          .unit = "kg m²/s",
-         .claim = "… and so at every time what it has gained",
+         .statement = "… and so at every time what it has gained",
          .formula = "L_n − L_0 = Σ_steps Δt Σ (xᵢ − Σ hⱼ xⱼ) × (fⁿ n + f), relative to Σ_steps |…|",
          .source = "symplectic Euler, derived above",
          .kind = ReferenceKind::kAnalytic,
-         .value = found.unexplained,
          .expected = 0.0,
          .relative = true,
          .scale = found.explained > 0.0 ? found.explained : std::nan(""),
          .tolerance = 1e-9,
-         .reason = "round-off of L, some 1e-15 kg m²/s, beside defects of 1e-5 … 1e-4"});
+         .reason = "round-off of L, some 1e-15 kg m²/s, beside defects of 1e-5 … 1e-4"},
+        found.unexplained);
   }
   run.check({.quantity = "friction work, if above 0",
              .unit = "J",
-             .claim = "friction only takes energy",
+             .statement = "friction only takes energy",
              .formula = "Σ_steps Δt Σ_contacts f · u ≤ 0",
              .source = "Coulomb's law: f points against the slip",
              .kind = ReferenceKind::kAnalytic,
-             .value = above_zero(found.friction_work),
              .expected = 0.0,
              .tolerance = 1e-16,
-             .reason = "an inequality; round-off of 1 J"});
-  run.check({.quantity = "largest friction over normal force",
-             .unit = "1",
-             .claim = "friction reaches Coulomb's cone, where contacts slip, and never leaves it",
-             .formula = "max over steps and contacts of |f|/fⁿ = μ",
-             .source = "Coulomb's law, [Lazarevych2009], (7), (8)",
-             .kind = ReferenceKind::kAnalytic,
-             .value = found.cone,
-             .expected = problem.friction,
-             .relative = true,
-             .tolerance = 1e-12,
-             .reason = "round-off of a vector clamped to μ fⁿ, of its norm and of the quotient, "
-                       "some ten roundings, and three decades for light contacts"});
+             .reason = "an inequality; round-off of 1 J"},
+            above_zero(found.friction_work));
+  run.check(
+      {.quantity = "largest friction over normal force",
+       .unit = "1",
+       .statement = "friction reaches Coulomb's cone, where contacts slip, and never leaves it",
+       .formula = "max over steps and contacts of |f|/fⁿ = μ",
+       .source = "Coulomb's law, [Lazarevych2009], (7), (8)",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = problem.friction,
+       .relative = true,
+       .tolerance = 1e-12,
+       .reason = "round-off of a vector clamped to μ fⁿ, of its norm and of the quotient, "
+                 "some ten roundings, and three decades for light contacts"},
+      found.cone);
   const std::optional<Settings> off = run.settings_without(Without::kPostCorrection);
   if (!off) return note_audit(run, found);
   const Audit bare = audit(run, problem, *off, false);
   run.check({.quantity = "the same without post-correction",
              .unit = "J",
-             .claim = "… and that doesn't hang on the post-correction",
+             .statement = "… and that doesn't hang on the post-correction",
              .formula = "Σ_steps Δt Σ_contacts f · u ≤ 0",
              .source = "Coulomb's law: f points against the slip",
              .kind = ReferenceKind::kAnalytic,
-             .value = above_zero(bare.friction_work),
              .expected = 0.0,
              .tolerance = 1e-16,
-             .reason = "an inequality; round-off of 1 J"});
+             .reason = "an inequality; round-off of 1 J"},
+            above_zero(bare.friction_work));
   note_audit(run, found);
   run.note(fmt::format(
       "without post-correction: linear momentum off by {:.2g} of Σ m|v|, friction work {:.3e} J, "

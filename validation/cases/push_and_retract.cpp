@@ -64,7 +64,7 @@ struct Push {
 
 Push push(CaseRun& run, const SlabSetup& setup, double ratio) {
   const Problem problem = pushed(setup, ratio);
-  const std::unique_ptr<Simulation> simulation = run.simulate(problem, {.fineness = setup.cells});
+  const CaseRun::Running simulation = run.simulate(problem, {.fineness = setup.cells});
   const Engine& engine = simulation->engine();
   const Vec3 along = slab_downhill(setup);
   Push found;
@@ -131,58 +131,60 @@ void run_push(CaseRun& run, double part) {
       "vibration left: the box swings at ω = √(push/A) = {:.0f} rad/s; a C² ramp of T leaves "
       "120/(ωT)³ of A, damped by ½βω² for {:.1f} s: {:.1e} A",
       frequency, kRest, swing);
-  run.check({.quantity = "spring-back behind the start, after the first push",
-             .unit = "m",
-             .claim = "a box that is let go does not end behind the place where it was pushed from",
-             .formula = "x₁ − x₀ ≥ 0, relative to its displacement A under the push",
-             .source = "no friction force of the push outlives it",
-             .kind = ReferenceKind::kAnalytic,
-             .value = std::min(0.0, first),
-             .expected = 0.0,
-             .relative = true,
-             .scale = peak,
-             .tolerance = swing,
-             .reason = swing_reason});
-  run.check({.quantity = "displacement left by the first push",
-             .unit = "m",
-             .claim = "below the friction limit only the micro-slip of an elastic contact may stay",
-             .formula = "|x₁ − x₀|/A ≤ 1 − 2(1 − (1 − q/2)^⅔)/(1 − (1 − q)^⅔), q = push/(μ weight)",
-             .source = "Mindlin's partial slip of a ball on a flat",
-             .kind = ReferenceKind::kAnalytic,
-             .value = first,
-             .expected = 0.0,
-             .relative = true,
-             .scale = peak,
-             .tolerance = mindlin_residual(part),
-             .reason = "what a ball keeps, whose pressure falls to zero at the contact's edge; a "
-                       "flat face under even pressure slips less"});
+  run.check(
+      {.quantity = "spring-back behind the start, after the first push",
+       .unit = "m",
+       .statement = "a box that is let go does not end behind the place where it was pushed from",
+       .formula = "x₁ − x₀ ≥ 0, relative to its displacement A under the push",
+       .source = "no friction force of the push outlives it",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 0.0,
+       .relative = true,
+       .scale = peak,
+       .tolerance = swing,
+       .reason = swing_reason},
+      std::min(0.0, first));
+  run.check(
+      {.quantity = "displacement left by the first push",
+       .unit = "m",
+       .statement = "below the friction limit only the micro-slip of an elastic contact may stay",
+       .formula = "|x₁ − x₀|/A ≤ 1 − 2(1 − (1 − q/2)^⅔)/(1 − (1 − q)^⅔), q = push/(μ weight)",
+       .source = "Mindlin's partial slip of a ball on a flat",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 0.0,
+       .relative = true,
+       .scale = peak,
+       .tolerance = mindlin_residual(part),
+       .reason = "what a ball keeps, whose pressure falls to zero at the contact's edge; a "
+                 "flat face under even pressure slips less"},
+      first);
   run.check({.quantity = "displacement added by the second push",
              .unit = "m",
-             .claim = "a second push to the same load leaves nothing new",
+             .statement = "a second push to the same load leaves nothing new",
              .formula = "x₂ − x₁ = 0, relative to A",
              .source = "Masing: the state after an unloading closes the loop",
              .kind = ReferenceKind::kAnalytic,
-             .value = second,
              .expected = 0.0,
              .relative = true,
              .scale = peak,
              .tolerance = swing,
-             .reason = swing_reason});
+             .reason = swing_reason},
+            second);
   // Box and slab (2 kg, held below: a third of it swings with the box).
   constexpr double kSwinging = 1.0 + 2.0 / 3.0;
   const double still = vibration_left(frequency, kRest + kLastRest) * frequency * peak;
-  run.check({.quantity = "kinetic energy at the end",
-             .unit = "J",
-             .claim = "… and it comes to rest",
-             .formula = "½Σmv² → 0",
-             .source = "damping",
-             .kind = ReferenceKind::kAnalytic,
-             .value = found.kinetic,
-             .expected = 0.0,
-             .tolerance = 0.5 * kSwinging * still * still,
-             .reason =
-                 "½ m (ωa)² of the vibration a that is left after 0.9 s, m the box and a third of "
-                 "the slab"});
+  run.check(
+      {.quantity = "kinetic energy at the end",
+       .unit = "J",
+       .statement = "… and it comes to rest",
+       .formula = "½Σmv² → 0",
+       .source = "damping",
+       .kind = ReferenceKind::kAnalytic,
+       .expected = 0.0,
+       .tolerance = 0.5 * kSwinging * still * still,
+       .reason = "½ m (ωa)² of the vibration a that is left after 0.9 s, m the box and a third of "
+                 "the slab"},
+      found.kinetic);
   run.note(fmt::format(
       "displacement under the push {:.4e} m (second time {:.4e}); left by the first {:.3e}, added "
       "by the second {:.3e}, across the push {:.1e} m",

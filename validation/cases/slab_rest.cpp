@@ -46,47 +46,44 @@ void check_rest(CaseRun& run, const std::vector<SlabSetup>& setups) {
       "left; round-off of velocities of g Δt = 2e-3 m/s leaves some hundred roundings of 4e-19 m/s";
   run.check({.quantity = "share of configurations at rest",
              .unit = "1",
-             .claim = "a box on a deformable slab comes to rest below the critical slope",
+             .statement = "a box on a deformable slab comes to rest below the critical slope",
              .formula = "fastest slip ≤ 1e-12 m/s and kinetic energy ≤ 1e-24 J",
              .source = "Coulomb's law; [Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kAnalytic,
-             .value = at_rest / count,
              .expected = 1.0,
              .tolerance = 0.5 / count,
-             .reason = "a count: half a configuration"});
+             .reason = "a count: half a configuration"},
+            at_rest / count);
   run.check({.quantity = "fastest contact slip",
              .unit = "m/s",
-             .claim = "no contact slips at rest",
+             .statement = "no contact slips at rest",
              .formula = "u = 0",
              .source = "[Lazarevych2009], (15)",
              .kind = ReferenceKind::kAnalytic,
-             .value = outcomes[fastest].last.fastest_slip,
              .expected = 0.0,
              .tolerance = kRestSlip,
-             .reason = decay,
-             .worst = slab_words(setups[fastest])});
+             .reason = decay},
+            outcomes[fastest].last.fastest_slip, slab_words(setups[fastest]));
   run.check({.quantity = "mean contact slip",
              .unit = "m/s",
-             .claim = "… nor do they on average, in the worst configuration",
+             .statement = "… nor do they on average, in the worst configuration",
              .formula = "mean |u| = 0",
              .source = "[Lazarevych2009], (15)",
              .kind = ReferenceKind::kAnalytic,
-             .value = outcomes[mean].last.mean_slip,
              .expected = 0.0,
              .tolerance = kRestSlip,
-             .reason = decay,
-             .worst = slab_words(setups[mean])});
+             .reason = decay},
+            outcomes[mean].last.mean_slip, slab_words(setups[mean]));
   run.check({.quantity = "kinetic energy",
              .unit = "J",
-             .claim = "nothing moves at rest, along the normal as little as along the slab",
+             .statement = "nothing moves at rest, along the normal as little as along the slab",
              .formula = "E = 0",
              .source = "static equilibrium",
              .kind = ReferenceKind::kAnalytic,
-             .value = outcomes[energetic].last.kinetic,
              .expected = 0.0,
              .tolerance = kRestEnergy,
-             .reason = "½ m v² of 1 kg at 1e-12 m/s, twice; " + decay,
-             .worst = slab_words(setups[energetic])});
+             .reason = "½ m v² of 1 kg at 1e-12 m/s, twice; " + decay},
+            outcomes[energetic].last.kinetic, slab_words(setups[energetic]));
   std::string note = fmt::format("{:.0f} of {:.0f} at rest", at_rest, count);
   if (at_rest < count) {
     note += fmt::format("; the others stalled: their kinetic energy fell by less than half in {} s",
@@ -113,25 +110,25 @@ void check_drift(CaseRun& run, const SlabSetup& setup) {
   history.add_to(run);
   run.check({.quantity = "drift over 10 s",
              .unit = "m",
-             .claim = "a box at rest on a deformable slab stays where it is",
+             .statement = "a box at rest on a deformable slab stays where it is",
              .formula = "x(14 s) − x(4 s) = 0",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = drift.norm(),
              .expected = 0.0,
              .tolerance = 1e-12,
              .reason = "vibration left at 4 s, below 1e-13 m, and half a unit in the last place of "
-                       "a coordinate of 0.1 m, 7e-18 m, in each of 50 000 steps: 3.5e-13 m"});
+                       "a coordinate of 0.1 m, 7e-18 m, in each of 50 000 steps: 3.5e-13 m"},
+            drift.norm());
   run.check({.quantity = "creep",
              .unit = "m/s",
-             .claim = "… its mean speed downhill over 10 s",
+             .statement = "… its mean speed downhill over 10 s",
              .formula = "v = 0",
              .source = "Coulomb's law; [Lazarevych2009] reports 1e-9",
              .kind = ReferenceKind::kAnalytic,
-             .value = drift.dot(slab_downhill(setup)) / (kTo - kFrom),
              .expected = 0.0,
              .tolerance = 1e-13,
-             .reason = "a tenth of the drift allowed"});
+             .reason = "a tenth of the drift allowed"},
+            drift.dot(slab_downhill(setup)) / (kTo - kFrom));
 }
 
 }  // namespace

@@ -31,15 +31,15 @@ SlabSetup stiffer(SlabSetup setup, double factor) {
 void check_creep(CaseRun& run, const std::string& of, double creep) {
   run.check({.quantity = "fastest creep of " + of,
              .unit = "m/s",
-             .claim = "a box that holds is at rest",
+             .statement = "a box that holds is at rest",
              .formula = "mean speed over 0.4 s = 0, on every slope tried below the critical one",
              .source = "Coulomb's law; [Lazarevych2009] calls 1e-9 m/s static",
              .kind = ReferenceKind::kAnalytic,
-             .value = creep,
              .expected = 0.0,
              .tolerance = kStaticSlip,
              .reason = "the paper's own figure, at which a run ends; a run that never gets there "
-                       "goes on until its speed no longer falls"});
+                       "goes on until its speed no longer falls"},
+            creep);
 }
 
 // The verdicts next to the threshold once more, with half the time step and, for the slope that
@@ -58,14 +58,14 @@ void check_doubled(CaseRun& run, const SlabSetup& flat, const Bracket& bracket) 
   const double creep = (longer.travel().dot(slab_downhill(below)) - place) / resting.until;
   run.check({.quantity = "verdicts that half the step or twice the time turns",
              .unit = "1",
-             .claim = "what holds goes on holding, and does so at half the time step",
+             .statement = "what holds goes on holding, and does so at half the time step",
              .formula = "two brackets below: at rest; two brackets above: slides",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = static_cast<double>(!resting.holds) + static_cast<double>(sliding.holds),
              .expected = 0.0,
              .tolerance = 0.5,
-             .reason = "a count: half a verdict"});
+             .reason = "a count: half a verdict"},
+            static_cast<double>(!resting.holds) + static_cast<double>(sliding.holds));
   check_creep(run, "the slope that holds, at half the step and from then to twice the time",
               std::max(std::abs(creep), std::abs(resting.creep)));
 }
@@ -73,17 +73,17 @@ void check_doubled(CaseRun& run, const SlabSetup& flat, const Bracket& bracket) 
 void check_critical(CaseRun& run, double value, double expected, double tolerance) {
   run.check({.quantity = "critical slope, rigid limit",
              .unit = "°",
-             .claim = "a box on a deformable slab comes to rest if and only if tan θ ≤ μ",
+             .statement = "a box on a deformable slab comes to rest if and only if tan θ ≤ μ",
              .formula = "θ_c = atan μ, (4 θ_c(4E) − θ_c(E))/3",
              .source = "Coulomb's law; [Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kAnalytic,
-             .value = value,
              .expected = expected,
              .tolerance = tolerance,
              .reason = "half the brackets (1e-3° where what holds is at rest), as the "
                        "extrapolation weighs them, and "
                        "a tenth of the tilt left at 4 E, twice what 3 mm of way on a slab's cell "
-                       "of 67 mm change"});
+                       "of 67 mm change"},
+            value);
 }
 
 // The load leans on the box's lower edge, whose vertices press deeper into the slab than those of

@@ -46,19 +46,6 @@ std::vector<Settings> readings_of(const std::string& rule) {
 
 }  // namespace
 
-Check measured(const std::string& quantity, const std::string& unit, const std::string& better,
-               double value) {
-  return {.quantity = quantity,
-          .unit = unit,
-          .claim = better,
-          .source = "measured in this comparison",
-          .kind = ReferenceKind::kAnalytic,
-          .value = value,
-          .expected = 0.0,
-          .reason = "none: rules are set side by side, not judged",
-          .verdict = Verdict::kShown};
-}
-
 std::vector<Settings> all_rules() {
   std::vector<Settings> rules;
   for (const std::string& rule : friction_rule_names()) {

@@ -16,11 +16,6 @@ namespace stiction {
 /// All comparisons of the build, sorted by name.
 std::vector<Case> comparison_catalog();
 
-/// A measured figure, which is reported and judged by nobody. `better` says in one sentence what a
-/// small value means. Not finite: it did not get there.
-Check measured(const std::string& quantity, const std::string& unit, const std::string& better,
-               double value);
-
 // Quantities that the findings look up again.
 inline constexpr const char* kStartSlip = "slip at first";
 inline constexpr const char* kStepsTo6 = "steps to 1e-6";

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/text/check_text.h"
 #include "validation/comparison/comparison.h"
 
 namespace stiction {
@@ -50,8 +51,8 @@ std::string drawn(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string heading(const Check& check) {
-  return check.unit == "1" ? check.quantity : check.quantity + ", " + check.unit;
+std::string heading(const Figure& figure) {
+  return figure.unit == "1" ? figure.quantity : figure.quantity + ", " + figure.unit;
 }
 
 }  // namespace
@@ -63,8 +64,8 @@ double friction_nanoseconds(const Record& record) {
 }
 
 double figure(const Record& record, const std::string& quantity) {
-  for (const Check& check : record.checks) {
-    if (check.quantity == quantity) return check.value;
+  for (const Figure& one : record.figures) {
+    if (one.quantity == quantity) return one.value;
   }
   return std::nan("");
 }
@@ -73,9 +74,7 @@ std::string comparison_table(const std::vector<const Record*>& records) {
   Row head{"rule", "contacts"};
   // An errored record has no figures; the heading is that of the first that has.
   for (const Record* record : records) {
-    for (const Check& check : record->checks) {
-      if (check.verdict == Verdict::kShown) head.push_back(heading(check));
-    }
+    for (const Figure& figure : record->figures) head.push_back(heading(figure));
     if (head.size() > 2) break;
   }
   head.push_back("friction, ns");
@@ -83,17 +82,13 @@ std::string comparison_table(const std::vector<const Record*>& records) {
   std::string failures;
   for (const Record* record : records) {
     Row row{rule_words(record->settings), contacts_words(record->settings)};
-    for (const Check& check : record->checks) {
-      if (check.verdict == Verdict::kShown) row.push_back(number(check.value));
-    }
+    for (const Figure& figure : record->figures) row.push_back(number(figure.value));
     row.resize(head.size() - 1, "–");
     row.push_back(number(std::round(friction_nanoseconds(*record))));
     rows.push_back(row);
-    for (const std::string& note : record->notes) {
-      if (note.rfind("failed: ", 0) == 0) {
-        failures += fmt::format("{}{}, {} contacts: {}", failures.empty() ? "Failed: " : "; ",
-                                row[0], row[1], note.substr(8));
-      }
+    for (const Failure& failure : record->failures) {
+      failures += fmt::format("{}{}, {} contacts: {}", failures.empty() ? "Failed: " : "; ", row[0],
+                              row[1], failure_text(failure));
     }
   }
   return drawn(rows) + (failures.empty() ? "" : "\n" + failures + "\n");

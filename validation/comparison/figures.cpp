@@ -31,9 +31,7 @@ double Figures::of(const std::string& case_name, const RuleOnContacts& who,
 bool Figures::failed(const std::string& case_name, const RuleOnContacts& who) const {
   const Record* record = find(case_name, who);
   if (record == nullptr) return false;
-  return record->verdict == Verdict::kError ||
-         std::any_of(record->notes.begin(), record->notes.end(),
-                     [](const std::string& note) { return note.rfind("failed: ", 0) == 0; });
+  return record->verdict == Verdict::kError || !record->failures.empty();
 }
 
 std::vector<std::string> Figures::cases(const std::string& prefix) const {

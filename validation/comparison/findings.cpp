@@ -237,11 +237,11 @@ Record findings(const std::vector<Record>& records) {
   const CreepDivided divided = creep_divided(figures);
   if (!std::isnan(divided.by_both)) {
     const char* better = "of the fixed point on the paper's contacts, median of the scenes";
-    found.checks = {measured("creep ÷ by the rule alone", "1", better, divided.by_rule),
-                    measured("creep ÷ by contacts alone", "1", better, divided.by_contacts),
-                    measured("creep ÷ by both", "1", better, divided.by_both)};
+    found.figures = {{"creep ÷ by the rule alone", "1", better, divided.by_rule},
+                     {"creep ÷ by contacts alone", "1", better, divided.by_contacts},
+                     {"creep ÷ by both", "1", better, divided.by_both}};
   }
-  found.verdict = combined_verdict(found.checks);
+  found.verdict = verdict_of(found);
   for (const auto part :
        {fixed_point_against_secant, rules_that_beat_both, rules_within_fifty_steps, frozen_steps,
         rule_or_contacts, loads_of_the_cone, what_stops_the_vector, from_sliding, poses_at_rest,

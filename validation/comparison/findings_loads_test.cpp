@@ -16,28 +16,28 @@ using testing::HasSubstr;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Record record(const std::string& name, const std::string& method, const std::string& rule,
-              std::vector<Check> checks) {
+              std::vector<Figure> figures) {
   Record one;
   one.case_name = name;
   one.settings = {{"method", method}, {"rule", rule}};
-  one.checks = std::move(checks);
+  one.figures = std::move(figures);
   return one;
 }
 
 Record lost(const std::string& load, const std::string& rule, double mean, double fastest) {
-  return record("load/lost/cells=2/r=" + load, "paper", rule,
-                {measured(kStartSlip, "m/s", "", 1e-4), measured(kStepsTo9, "1", "", mean),
-                 measured(kFastestTo9, "1", "", fastest)});
+  return record(
+      "load/lost/cells=2/r=" + load, "paper", rule,
+      {{kStartSlip, "m/s", "", 1e-4}, {kStepsTo9, "1", "", mean}, {kFastestTo9, "1", "", fastest}});
 }
 
 Record falls(const std::string& rule, double mean, double fastest) {
   return record("falling-box/r=0.35", "paper", rule,
-                {measured(kFrom3, "1", "", mean), measured(kFastestFrom3, "1", "", fastest)});
+                {{kFrom3, "1", "", mean}, {kFastestFrom3, "1", "", fastest}});
 }
 
 Record poses(const std::string& slope, double at_rest) {
   return record("poses/slope=" + slope, "quiet", "stored-vector",
-                {measured(kPosesAtRest, "1", "", at_rest), measured(kPoses, "1", "", 16)});
+                {{kPosesAtRest, "1", "", at_rest}, {kPoses, "1", "", 16}});
 }
 
 TEST(LoadFindings, SayAtWhichLoadsARuleRests) {
@@ -73,7 +73,7 @@ TEST(LoadFindings, SayWhetherThePapersStepsAreReached) {
 TEST(LoadFindings, SayWhatTellsRestingVectorsFromCreepingOnes) {
   const auto run = [](const std::string& load, double creep, double sliding) {
     return record("load/lost/cells=2/r=" + load, "paper", "bias-vector",
-                  {measured(kCreep, "m/s", "", creep), measured(kSliding, "1", "", sliding)});
+                  {{kCreep, "m/s", "", creep}, {kSliding, "1", "", sliding}});
   };
   std::vector<Record> records = {run("0.35", 1e-12, 0), run("0.73", 1e-6, 2), run("0.9", 1e-5, 5)};
   EXPECT_THAT(what_stops_the_vector(Figures(records)),

@@ -23,8 +23,10 @@ Record record(const std::string& name, const std::string& rule, double steps, do
   one.case_name = name;
   one.engine = "stiction";
   one.settings = {{"method", "quiet"}, {"rule", rule}};
-  one.checks = {measured(kStepsTo6, "1", "", steps), measured(kStepsTo9, "1", "", steps),
-                measured(kCreep, "m/s", "", creep), measured(kSlipped, "m", "", creep)};
+  one.figures = {{kStepsTo6, "1", "", steps},
+                 {kStepsTo9, "1", "", steps},
+                 {kCreep, "m/s", "", creep},
+                 {kSlipped, "m", "", creep}};
   return one;
 }
 
@@ -32,7 +34,7 @@ Record cost(const std::string& rule, double ratio) {
   Record one;
   one.case_name = "cost/plate";
   one.settings = {{"method", "quiet"}, {"rule", rule}};
-  one.checks = {measured(kFrictionRatio, "1", "", ratio)};
+  one.figures = {{kFrictionRatio, "1", "", ratio}};
   return one;
 }
 
@@ -72,7 +74,7 @@ TEST(Findings, SaySoWhenTheCostWasNotMeasured) {
 
 TEST(Findings, DoNotNameARuleThatLosesOneScene) {
   std::vector<Record> records = two_scenes(0.9);
-  records.back().checks[0].value = 85;  // steps; the secant needs 80
+  records.back().figures[0].value = 85;  // steps; the secant needs 80
   EXPECT_THAT(findings(records).notes, Contains(HasSubstr("No rule at up to")));
 }
 
@@ -82,14 +84,14 @@ TEST(Findings, CompareFixedPointAndSecantByTheirCreep) {
                                       HasSubstr("fixed point 90 steps, secant 80 steps"),
                                       HasSubstr("comparable: confirmed"))));
   std::vector<Record> records = two_scenes(1.0);
-  records[4].checks[2].value = 1e-3;
+  records[4].figures[2].value = 1e-3;
   EXPECT_THAT(findings(records).notes, Contains(HasSubstr("comparable: not confirmed")));
 }
 
 TEST(Findings, CountFailuresAndLeaveThemOutOfTheBest) {
   std::vector<Record> records = {record("hard/noise", "none", kNever, 1e-5),
                                  record("hard/noise", "secant", kNever, 1e-9)};
-  records[1].notes = {"failed: a body moved by 9 mm"};
+  records[1].failures = {{"a body moved by 9 mm", "", {}}};
   EXPECT_THAT(findings(records).notes,
               Contains(testing::AllOf(HasSubstr("least slipped on quiet contacts by none"),
                                       HasSubstr("1 of 2 fail"))));

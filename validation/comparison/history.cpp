@@ -138,37 +138,35 @@ RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings&
 void check_same_hash(CaseRun& run, bool same) {
   run.check({.quantity = "state hash of the timed run ≠ that of the logged one",
              .unit = "1",
-             .claim = "what is timed is what is looked at",
+             .statement = "what is timed is what is looked at",
              .source = "the same steps from the same state",
              .kind = ReferenceKind::kExactComputed,
-             .value = same ? 0.0 : 1.0,
              .expected = 0.0,
              .tolerance = 0.0,
-             .reason = "yes or no"});
+             .reason = "yes or no"},
+            same ? 0.0 : 1.0);
 }
 
 void report_history(CaseRun& run, const RuleHistory& history) {
   check_same_hash(run, history.same_hash);
   const bool held = history.failure.empty();
-  run.check(measured(kStartSlip, "m/s", "that friction has to take away", history.start.mean));
-  run.check(
-      measured(kStepsTo6, "1", "static friction is found again soon", history.steps_to(1e-6)));
-  run.check(
-      measured(kStepsTo9, "1", "static friction is found again soon", history.steps_to(1e-9)));
-  run.check(measured(kFastestTo9, "1", "… by the fastest of the contacts too",
-                     history.steps_to(1e-9, &ContactSlips::fastest)));
-  run.check(measured(kCreep, "m/s", "what is held does not creep", history.creep()));
-  run.check(measured(kSlipped, "m", "little is lost before friction is found: sum over the steps",
-                     held ? history.path() : kInfinity));
-  run.check(measured("kinetic energy", "J", "what is held comes to rest: at the end",
-                     history.kinetic.empty() ? kInfinity : history.kinetic.back()));
-  run.check(measured("moved", "m", "what is held stays: farthest body, from the settled state",
-                     history.moved));
-  run.check(measured(kSliding, "1", "contacts of which the rule says so at the end",
-                     history.slips.empty() ? std::nan("") : history.slips.back().sliding));
-  run.check(measured("memory", "B", "kept of a contact from step to step",
-                     static_cast<double>(friction_memory_bytes(run.settings().at("rule")))));
-  if (!held) run.note("failed: " + history.failure);
+  run.add(Figure{kStartSlip, "m/s", "that friction has to take away", history.start.mean});
+  run.add(Figure{kStepsTo6, "1", "static friction is found again soon", history.steps_to(1e-6)});
+  run.add(Figure{kStepsTo9, "1", "static friction is found again soon", history.steps_to(1e-9)});
+  run.add(Figure{kFastestTo9, "1", "… by the fastest of the contacts too",
+                 history.steps_to(1e-9, &ContactSlips::fastest)});
+  run.add(Figure{kCreep, "m/s", "what is held does not creep", history.creep()});
+  run.add(Figure{kSlipped, "m", "little is lost before friction is found: sum over the steps",
+                 held ? history.path() : kInfinity});
+  run.add(Figure{"kinetic energy", "J", "what is held comes to rest: at the end",
+                 history.kinetic.empty() ? kInfinity : history.kinetic.back()});
+  run.add(Figure{"moved", "m", "what is held stays: farthest body, from the settled state",
+                 history.moved});
+  run.add(Figure{kSliding, "1", "contacts of which the rule says so at the end",
+                 history.slips.empty() ? std::nan("") : history.slips.back().sliding});
+  run.add(Figure{"memory", "B", "kept of a contact from step to step",
+                 static_cast<double>(friction_memory_bytes(run.settings().at("rule")))});
+  if (!held) run.add(Failure{history.failure});
   const Turnover& turnover = history.turnover;
   run.note(fmt::format(
       "Of {:.0f} contacts that carry a load, {} changed their facet and {} lost "
@@ -186,10 +184,10 @@ void report_history(CaseRun& run, const RuleHistory& history) {
 }
 
 void report_from_sliding(CaseRun& run, const RuleHistory& history) {
-  run.check(measured(kFrom3, "1", "static friction is found within the paper's 8 to 16 steps",
-                     history.steps_from(1e-3, 1e-9, &ContactSlips::mean)));
-  run.check(measured(kFastestFrom3, "1", "… by the fastest of the contacts too",
-                     history.steps_from(1e-3, 1e-9, &ContactSlips::fastest)));
+  run.add(Figure{kFrom3, "1", "static friction is found within the paper's 8 to 16 steps",
+                 history.steps_from(1e-3, 1e-9, &ContactSlips::mean)});
+  run.add(Figure{kFastestFrom3, "1", "… by the fastest of the contacts too",
+                 history.steps_from(1e-3, 1e-9, &ContactSlips::fastest)});
 }
 
 }  // namespace stiction

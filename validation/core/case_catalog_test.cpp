@@ -78,7 +78,7 @@ TEST(CaseCatalog, HasExpectationsThatSayWhereAndWhy) {
       const std::string name = std::string(row.cases) + "  " + row.variant + "  " + row.quantity;
       EXPECT_LE(row.band.low, row.band.high) << name;
       EXPECT_TRUE(std::isfinite(row.band.low)) << name;
-      EXPECT_TRUE(row.verdict == Verdict::kLimit || row.verdict == Verdict::kRefuted) << name;
+      EXPECT_TRUE(row.verdict == Verdict::kShortfall || row.verdict == Verdict::kRefuted) << name;
       EXPECT_GE(std::string(row.cause.text).size(), 40u) << name << ": a cause is measured";
       EXPECT_GE(std::string(row.width.text).size(), 20u) << name << ": a width has a rule";
     }
@@ -94,12 +94,13 @@ TEST_P(QuickCase, HasChecksWithClaimSourceAndReason) {
   EXPECT_EQ(record.error, "");
   EXPECT_FALSE(record.checks.empty());
   EXPECT_EQ(record.state_hash.size(), 16u);
-  for (const Check& check : record.checks) {
-    EXPECT_FALSE(check.claim.empty()) << check.quantity;
-    EXPECT_FALSE(check.source.empty()) << check.quantity;
-    EXPECT_FALSE(check.unit.empty()) << check.quantity;
-    EXPECT_GE(check.reason.size(), 10u) << check.quantity << ": a reason is a derivation";
-    EXPECT_GE(check.tolerance, 0.0) << check.quantity;
+  for (const Judgement& check : record.checks) {
+    EXPECT_FALSE(check.claim.statement.empty()) << check.claim.quantity;
+    EXPECT_FALSE(check.claim.source.empty()) << check.claim.quantity;
+    EXPECT_FALSE(check.claim.unit.empty()) << check.claim.quantity;
+    EXPECT_GE(check.claim.reason.size(), 10u)
+        << check.claim.quantity << ": a reason is a derivation";
+    EXPECT_GE(check.claim.tolerance, 0.0) << check.claim.quantity;
   }
   for (const Series& series : record.series) {
     EXPECT_EQ(series.x.size(), series.y.size()) << series.name;

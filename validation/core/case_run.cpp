@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "validation/judge/verdict.h"
-#include "validation/observe/passage_watch.h"
 
 namespace stiction {
 
@@ -33,59 +32,6 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-Simulation::Simulation(CaseRun& run, const EngineKind& kind, const Settings& settings,
-                       const Problem& problem, const Accuracy& accuracy)
-    : run_(run),
-      engine_(kind.make(settings)),
-      watch_(std::make_unique<PassageWatch>(problem)),
-      contrast_(kind.configuration && kind.configuration(settings).contrast) {
-  engine_->load(problem, accuracy);
-  if (run_.keeps_frames_) recorder_.emplace(problem);
-  run_.started(*engine_);
-}
-
-Simulation::~Simulation() {
-  std::vector<std::string> found;
-  try {
-    if (engine_->steps_done() > 0) watch_->look(*engine_, true);
-    found = watch_->found();
-  } catch (const std::exception& error) {  // nothing may leave a destructor
-    found = {fmt::format("whether bodies pass through each other is not known: {}", error.what())};
-  }
-  run_.passed(found, contrast_);
-  run_.ended(*engine_);
-  if (recorder_ && recorder_->has_frames()) run_.recording_ = std::move(*recorder_).recording();
-}
-
-double Simulation::time() const {
-  return static_cast<double>(engine_->steps_done()) * engine_->time_step();
-}
-
-void Simulation::advance_to(double time) {
-  const auto target = static_cast<std::uint64_t>(std::llround(time / engine_->time_step()));
-  if (target > engine_->steps_done()) advance(target - engine_->steps_done());
-}
-
-void Simulation::advance(std::uint64_t steps) {
-  const std::uint64_t target = engine_->steps_done() + steps;
-  const auto advance_until = [this](std::uint64_t step) {
-    if (step > engine_->steps_done()) engine_->advance(step - engine_->steps_done());
-  };
-  const auto frame = [this] { return recorder_ ? recorder_->due_step() : Recorder::kNever; };
-  while (std::min(frame(), watch_->due_step()) <= target) {
-    advance_until(std::min(frame(), watch_->due_step()));
-    if (frame() <= engine_->steps_done()) recorder_->take(*engine_);
-    if (watch_->due_step() <= engine_->steps_done()) watch_->look(*engine_);
-  }
-  advance_until(target);
-}
-
-void Simulation::record_frames(double interval) {
-  if (!recorder_ || run_.recorded_) return;
-  run_.recorded_ = true;
-  recorder_->start(*engine_, interval);
-}
-
 CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale,
                  bool keeps_frames)
     : engine_(std::move(engine)),
@@ -104,15 +50,19 @@ CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double
   expectations_ = expectations_of(engine_.expectations, which.name, record_.variant);
 }
 
-std::unique_ptr<Simulation> CaseRun::simulate(const Problem& problem, const Accuracy& accuracy) {
+CaseRun::Running CaseRun::simulate(const Problem& problem, const Accuracy& accuracy) {
   return simulate_with({}, problem, accuracy);
 }
 
-std::unique_ptr<Simulation> CaseRun::simulate_with(const Settings& over, const Problem& problem,
-                                                   const Accuracy& accuracy) {
+CaseRun::Running CaseRun::simulate_with(const Settings& over, const Problem& problem,
+                                        const Accuracy& accuracy) {
   const std::string lacking = missing(engine_.manifest, problem);
   if (!lacking.empty()) throw NotApplicable("the engine has no " + lacking);
-  return std::make_unique<Simulation>(*this, engine_, merged(settings_, over), problem, accuracy);
+  Running running(new Simulation(engine_, merged(settings_, over), problem, accuracy,
+                                 keeps_frames_ ? &may_record_ : nullptr),
+                  {this});
+  started(running->engine());
+  return running;
 }
 
 void CaseRun::need(bool Manifest::*feature, const std::string& words) const {
@@ -123,24 +73,29 @@ std::optional<Settings> CaseRun::settings_without(Without what) const {
   return engine_.without ? engine_.without(what) : std::nullopt;
 }
 
-void CaseRun::check(Check check) {
-  quantities_.insert(check.quantity);
-  if (const Expectation* known = find_expectation(expectations_, check.quantity)) {
-    expect(check, *known);
-    judge(check, tolerance_scale_, known->verdict);
-  } else {
-    if (configuration_.contrast) check.verdict = Verdict::kShown;
-    judge(check, tolerance_scale_);
+void CaseRun::check(Claim claim, double value, std::string worst) {
+  const Expectation* known = find_expectation(expectations_, claim.quantity);
+  if (known == nullptr && configuration_.contrast) {
+    return show(std::move(claim), value, std::move(worst));
   }
-  record_.checks.push_back(std::move(check));
+  quantities_.insert(claim.quantity);
+  Judgement found = judge(std::move(claim), value, tolerance_scale_,
+                          known ? std::optional(known_shortfall(*known)) : std::nullopt);
+  found.worst = std::move(worst);
+  record_.checks.push_back(std::move(found));
+}
+
+void CaseRun::show(Claim claim, double value, std::string worst) {
+  quantities_.insert(claim.quantity);
+  Judgement found = for_information(std::move(claim), value);
+  found.worst = std::move(worst);
+  record_.checks.push_back(std::move(found));
 }
 
 void CaseRun::demand_expected_checks() {
   for (const Expectation& row : expectations_) {
     if (quantities_.count(row.quantity) > 0) continue;
-    Check unmet = unmet_check(row);
-    judge(unmet, tolerance_scale_);
-    record_.checks.push_back(std::move(unmet));
+    record_.checks.push_back(judge(unmet_claim(row), 0.0));
   }
 }
 
@@ -173,10 +128,16 @@ void CaseRun::include(const Record& part, bool pays) {
   if (pays) bill(part.cost);
 }
 
-void CaseRun::ended(const Engine& engine) {
-  bill(engine.cost());
-  const std::uint64_t hash = engine.state_hash();
-  hash_.add(&hash, sizeof hash);
+void CaseRun::TakeOver::operator()(Simulation* simulation) const {
+  const std::unique_ptr<Simulation> owned(simulation);
+  run->ended(owned->outcome());
+}
+
+void CaseRun::ended(Simulated outcome) {
+  passed(outcome.passages, outcome.passages_noted);
+  bill(outcome.cost);
+  hash_.add(&outcome.state_hash, sizeof outcome.state_hash);
+  if (outcome.recording) recording_ = std::move(outcome.recording);
 }
 
 void CaseRun::bill(const Cost& cost) {
@@ -207,7 +168,7 @@ Record CaseRun::record() const {
     record.cost.ns_per_contact_update = 1e9 * contact_seconds_ / timed_contacts_;
   }
   if (record.cost.steps > 0) record.state_hash = fmt::format("{:016x}", hash_.value());
-  record.verdict = combined_verdict(record.checks);
+  record.verdict = verdict_of(record);
   if (!passages_.empty()) {
     record.verdict = Verdict::kError;
     record.error = joined(passages_);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/record/frames.h"
+#include "reports/recording/frames.h"
 #include "validation/engine/engine.h"
 
 namespace stiction {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/record/frames.h"
 #include "reports/record/record.h"
+#include "reports/recording/frames.h"
 #include "validation/core/case.h"
 
 namespace stiction {

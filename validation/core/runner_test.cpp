@@ -79,15 +79,13 @@ Job job_of(std::function<void(CaseRun&)> run) {
   return {one, find_engine("stiction"), {}};
 }
 
-Check check_of(double value) {
-  return {.quantity = "number", .value = value, .expected = 0.0, .tolerance = 1.0};
-}
+const Claim kNumber{.quantity = "number", .expected = 0.0, .tolerance = 1.0};
 
 TEST(RunJob, MakesARecordOfWhatTheCaseFound) {
   const Record record = run_job(job_of([](CaseRun& run) {
-                                  run.check(check_of(0.5));
+                                  run.check(kNumber, 0.5);
                                   run.note("seen");
-                                  run.add({"series", "m", "time", "s", {0.0}, {1.0}});
+                                  run.add(Series{"series", "m", "time", "s", {0.0}, {1.0}});
                                 }),
                                 1.0);
   EXPECT_EQ(record.case_name, "test/job");
@@ -102,14 +100,14 @@ TEST(RunJob, MakesARecordOfWhatTheCaseFound) {
 }
 
 TEST(RunJob, PassesTheToleranceScaleOn) {
-  const Job job = job_of([](CaseRun& run) { run.check(check_of(0.5)); });
+  const Job job = job_of([](CaseRun& run) { run.check(kNumber, 0.5); });
   EXPECT_EQ(run_job(job, 0.0).verdict, Verdict::kFail);
   EXPECT_EQ(run_job(job, 0.6).verdict, Verdict::kPass);
 }
 
 TEST(RunJob, TurnsWhatGoesWrongIntoTheRecordsErrorAndKeepsTheChecksSoFar) {
   const Record record = run_job(job_of([](CaseRun& run) {
-                                  run.check(check_of(0.5));
+                                  run.check(kNumber, 0.5);
                                   throw std::runtime_error("it broke");
                                 }),
                                 1.0);
@@ -126,7 +124,7 @@ TEST(RunJob, BillsEverySimulationAndRecordsTheResolvedSettings) {
                 for (int k = 0; k < 2; ++k) {
                   run.simulate_with({{"dt", "1e-3"}}, incline_problem(setup))->advance_to(0.1);
                 }
-                run.check(check_of(0.0));
+                run.check(kNumber, 0.0);
               }),
               1.0);
   EXPECT_EQ(record.cost.steps, 200u);
@@ -145,7 +143,7 @@ std::vector<Job> sliding_jobs() {
       setup.tan_slope = 0.1 * k;
       const auto simulation = run.simulate_with({{"cells", "1"}}, incline_problem(setup));
       simulation->advance_to(0.05);
-      run.check(check_of(simulation->engine().body(0).position.norm()));
+      run.check(kNumber, simulation->engine().body(0).position.norm());
     }));
     jobs.back().which.name = "test/" + std::to_string(k);
   }
@@ -189,7 +187,7 @@ TEST(RunJobs, StopsWhenARecordCannotBeKeptAndPassesTheReasonOn) {
                                   for (int ms = 0; started < threads && ms < 1000; ++ms) {
                                     std::this_thread::sleep_for(std::chrono::milliseconds(1));
                                   }
-                                  run.check(check_of(0.0));
+                                  run.check(kNumber, 0.0);
                                 }));
     int records = 0;
     const auto keep = [&](std::size_t, const Record&) {

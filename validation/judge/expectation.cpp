@@ -34,18 +34,16 @@ const Expectation* find_expectation(const Expectations& of_run, const std::strin
   return found;
 }
 
-void expect(Check& check, const Expectation& expectation) {
-  check.band = expectation.band;
-  check.cause = fmt::format("{} (band: {})", expectation.cause.text, expectation.width.text);
+KnownShortfall known_shortfall(const Expectation& row) {
+  return {row.band, row.verdict, fmt::format("{} (band: {})", row.cause.text, row.width.text)};
 }
 
-Check unmet_check(const Expectation& expectation) {
-  return {.quantity = fmt::format("checks of '{}'", expectation.quantity),
+Claim unmet_claim(const Expectation& row) {
+  return {.quantity = fmt::format("checks of '{}'", row.quantity),
           .unit = "1",
-          .claim = "what is expected of a case is what one of its checks measures",
+          .statement = "what is expected of a case is what one of its checks measures",
           .source = "the engine's table of expectations",
           .kind = ReferenceKind::kExactComputed,
-          .value = 0.0,
           .expected = 1.0,
           .tolerance = 0.0,
           .reason = "a count: the case no longer measures this, so that the row has to go"};

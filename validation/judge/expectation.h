@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/record/record.h"
+#include "validation/judge/verdict.h"
 
 namespace stiction {
 
@@ -18,7 +18,7 @@ struct Words {
 /// A shortfall that is expected of an engine: where a value lies that does not meet its claim, why,
 /// and why the band is as wide as it is. Data beside an engine, never in a case.
 ///
-/// Inside the band a check that misses its claim has the row's verdict, `limit` or `refuted`; one
+/// Inside the band a check that misses its claim has the row's verdict, expected shortfall or refuted; one
 /// outside fails on either side, and so does one that meets the claim: then the row has to go.
 /// Rows hold for the catalog's own variants at tolerance scale 1 only. What a user's `--set` or
 /// `--tolerance-scale` makes of a case nobody has measured, so it passes or fails plainly.
@@ -27,7 +27,7 @@ struct Expectation {
   const char* variant;   ///< settings of the catalog's variant, e.g. "method=paper rule=secant"
   const char* quantity;  ///< of the check
   Band band;             ///< of the value, in the check's unit, two significant digits
-  Verdict verdict;       ///< kLimit, or kRefuted for a claim of the paper
+  Verdict verdict;       ///< kShortfall, or kRefuted for a claim of the paper
   Words cause;           ///< what was measured to be the cause, and where
   Words width;           ///< the rule by which the band's ends were chosen
 };
@@ -45,10 +45,11 @@ Expectations expectations_of(const Expectations& all, const std::string& case_na
 /// (std::logic_error).
 const Expectation* find_expectation(const Expectations& of_run, const std::string& quantity);
 
-/// Puts band and cause into a check.
-void expect(Check& check, const Expectation& expectation);
+/// What a row says of its check's value.
+KnownShortfall known_shortfall(const Expectation& row);
 
-/// The check that fails because an expectation describes no check of its case any more.
-Check unmet_check(const Expectation& expectation);
+/// The claim that fails, with the value 0, because an expectation describes no check of its case
+/// any more.
+Claim unmet_claim(const Expectation& row);
 
 }  // namespace stiction

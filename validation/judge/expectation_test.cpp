@@ -21,9 +21,9 @@ constexpr Words kWidth{"kWidth", "a width"};
 
 Expectations some_rows() {
   return {
-      {"a/*", "method=paper", "slip", {1e-6, 9e-6}, Verdict::kLimit, kCause, kWidth},
+      {"a/*", "method=paper", "slip", {1e-6, 9e-6}, Verdict::kShortfall, kCause, kWidth},
       {"a/one", "method=paper", "drift", {1e-3, 2e-3}, Verdict::kRefuted, kCause, kWidth},
-      {"a/one", "method=old", "drift", {1.0, INFINITY}, Verdict::kLimit, kCause, kWidth},
+      {"a/one", "method=old", "drift", {1.0, INFINITY}, Verdict::kShortfall, kCause, kWidth},
   };
 }
 
@@ -67,9 +67,9 @@ Job job_of(const Measured& measured, Settings settings = {{"method", "paper"}}) 
            .title = "a test",
            .variants = {{{"method", "old"}}, {{"method", "paper"}}},
            .run = [measured](CaseRun& run) {
-             run.check({.quantity = "slip", .value = measured.slip, .tolerance = 1e-9});
+             run.check({.quantity = "slip", .tolerance = 1e-9}, measured.slip);
              if (!std::isnan(measured.drift)) {
-               run.check({.quantity = "drift", .value = measured.drift, .tolerance = 1e-9});
+               run.check({.quantity = "drift", .tolerance = 1e-9}, measured.drift);
              }
            }};
   EngineKind engine = find_engine("stiction");
@@ -80,9 +80,9 @@ Job job_of(const Measured& measured, Settings settings = {{"method", "paper"}}) 
 TEST(RunJob, JudgesByTheEnginesTable) {
   const Record record = run_job(job_of({}), 1.0);
   EXPECT_EQ(record.variant, "method=paper");
-  EXPECT_EQ(record.checks[0].verdict, Verdict::kLimit);
+  EXPECT_EQ(record.checks[0].verdict, Verdict::kShortfall);
   EXPECT_EQ(record.checks[1].verdict, Verdict::kRefuted);
-  EXPECT_EQ(record.verdict, Verdict::kLimit);
+  EXPECT_EQ(record.verdict, Verdict::kShortfall);
   EXPECT_EQ(record.checks[1].cause, "a cause (band: a width)");
 }
 
@@ -104,14 +104,14 @@ TEST(RunJob, FailsBetterThanKnown) {
 TEST(RunJob, FailsAnExpectationThatMeetsNoCheck) {
   const Record record = run_job(job_of({.drift = NAN}), 1.0);
   EXPECT_EQ(record.verdict, Verdict::kFail);
-  EXPECT_EQ(record.checks.back().quantity, "checks of 'drift'");
+  EXPECT_EQ(record.checks.back().claim.quantity, "checks of 'drift'");
   EXPECT_EQ(record.checks.back().verdict, Verdict::kFail);
 }
 
 TEST(RunJob, JudgesOfTheOldMethodOnlyWhatIsExpectedOfIt) {
   const Record record = run_job(job_of({.drift = 5.0}, {{"method", "old"}}), 1.0);
-  EXPECT_EQ(record.checks[0].verdict, Verdict::kShown);
-  EXPECT_EQ(record.checks[1].verdict, Verdict::kLimit) << "it breaks, as it must";
+  EXPECT_EQ(record.checks[0].verdict, Verdict::kForInformation);
+  EXPECT_EQ(record.checks[1].verdict, Verdict::kShortfall) << "it breaks, as it must";
   EXPECT_EQ(run_job(job_of({.drift = 0.0}, {{"method", "old"}}), 1.0).verdict, Verdict::kFail)
       << "it doesn't break, where it must";
 }
@@ -119,7 +119,7 @@ TEST(RunJob, JudgesOfTheOldMethodOnlyWhatIsExpectedOfIt) {
 TEST(RunJob, ExpectsNothingOfSettingsOrATolerancThatAreTheUsersOwn) {
   const Record record = run_job(job_of({}, {{"method", "paper"}, {"dt", "1e-4"}}), 1.0);
   EXPECT_EQ(record.variant, "");
-  for (const Check& check : record.checks) {
+  for (const Judgement& check : record.checks) {
     EXPECT_EQ(check.verdict, Verdict::kFail);
     EXPECT_FALSE(check.band.has_value());
   }

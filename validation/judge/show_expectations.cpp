@@ -23,7 +23,7 @@ struct Measured {
   double claim = 0.0;
 };
 
-bool holds(const Check& check) { return std::abs(check.error) <= check.tolerance; }
+bool holds(const Judgement& check) { return check.of_tolerance <= 1.0; }
 
 // Two significant digits, rounded away from the band's inside.
 double rounded(double value, bool up) {
@@ -52,7 +52,7 @@ std::string row_text(const std::string& cases, const std::string& variant,
                      const std::string& cause, const std::string& width) {
   return fmt::format("    {{\"{}\", \"{}\", \"{}\", {{{}, {}}}, {}, {}, {}}},", cases, variant,
                      quantity, number(band.low), number(band.high),
-                     verdict == Verdict::kRefuted ? "kRefuted" : "kLimit", cause, width);
+                     verdict == Verdict::kRefuted ? "kRefuted" : "kShortfall", cause, width);
 }
 
 std::string row_text(const Expectation& row) {
@@ -83,11 +83,11 @@ Measured measure(const std::vector<const Record*>& records, const Expectation& r
   measured.met = true;
   for (const Record* record : records) {
     bool met = false;
-    for (const Check& check : record->checks) {
-      if (check.quantity != row.quantity) continue;
+    for (const Judgement& check : record->checks) {
+      if (check.claim.quantity != row.quantity) continue;
       met = true;
       measured.values.push_back(check.value);
-      measured.claim = check.expected;
+      measured.claim = check.claim.expected;
       measured.low = std::min(measured.low, check.value);
       measured.high = std::max(measured.high, check.value);
       measured.holds = measured.holds || holds(check);
@@ -130,13 +130,14 @@ std::string show_expectations(const std::vector<Record>& records, const EngineKi
     if (record.variant.empty()) continue;
     const Expectations of_run =
         expectations_of(engine.expectations, record.case_name, record.variant);
-    for (const Check& check : record.checks) {
-      if (check.verdict == Verdict::kShown || check.verdict == Verdict::kNotApplicable) continue;
-      if (holds(check) || find_expectation(of_run, check.quantity)) continue;
+    for (const Judgement& check : record.checks) {
+      if (check.verdict == Verdict::kForInformation || check.verdict == Verdict::kNotApplicable)
+        continue;
+      if (holds(check) || find_expectation(of_run, check.claim.quantity)) continue;
       failures += fmt::format("{}  // fails without an expectation: {:.6g}\n",
-                              row_text(record.case_name, record.variant, check.quantity,
-                                       about(check.value, check.value, check.expected),
-                                       Verdict::kLimit, "kUnknown", "kFactorThree"),
+                              row_text(record.case_name, record.variant, check.claim.quantity,
+                                       about(check.value, check.value, check.claim.expected),
+                                       Verdict::kShortfall, "kUnknown", "kFactorThree"),
                               check.value);
     }
   }

@@ -16,21 +16,17 @@ constexpr Words kWidth{"kWidth", "a width"};
 EngineKind engine_with_rows() {
   EngineKind engine = find_engine("stiction");
   engine.expectations = {
-      {"a/one", "method=paper", "slip", {1e-6, 9e-6}, Verdict::kLimit, kCause, kWidth},
+      {"a/one", "method=paper", "slip", {1e-6, 9e-6}, Verdict::kShortfall, kCause, kWidth},
       {"a/one", "method=paper", "drift", {1e-3, 2e-3}, Verdict::kRefuted, kCause, kWidth},
-      {"b/*", "method=paper", "slip", {1e-6, 9e-6}, Verdict::kLimit, kCause, kWidth}};
+      {"b/*", "method=paper", "slip", {1e-6, 9e-6}, Verdict::kShortfall, kCause, kWidth}};
   return engine;
 }
 
-Check check_of(const std::string& quantity, double value) {
-  return {.quantity = quantity,
-          .value = value,
-          .error = value,
-          .tolerance = 1e-9,
-          .verdict = Verdict::kFail};
+Judgement check_of(const std::string& quantity, double value) {
+  return judge({.quantity = quantity, .tolerance = 1e-9}, value);
 }
 
-Record record_of(const std::vector<Check>& checks) {
+Record record_of(const std::vector<Judgement>& checks) {
   Record record;
   record.case_name = "a/one";
   record.engine = "stiction";
@@ -39,21 +35,22 @@ Record record_of(const std::vector<Check>& checks) {
   return record;
 }
 
-std::string shown(const std::vector<Check>& checks) {
+std::string shown(const std::vector<Judgement>& checks) {
   return show_expectations({record_of(checks)}, engine_with_rows());
 }
 
 TEST(ShowExpectations, LeavesARowThatHoldsItsValue) {
   const std::string text = shown({check_of("slip", 3e-6), check_of("drift", 1.5e-3)});
-  EXPECT_THAT(text, HasSubstr(R"(    {"a/one", "method=paper", "slip", {1e-06, 9e-06}, kLimit, )"
-                              "kCause, kWidth},  // inside: 3e-06\n"));
+  EXPECT_THAT(text,
+              HasSubstr(R"(    {"a/one", "method=paper", "slip", {1e-06, 9e-06}, kShortfall, )"
+                        "kCause, kWidth},  // inside: 3e-06\n"));
   EXPECT_THAT(text, HasSubstr("kRefuted, kCause, kWidth},  // inside: 0.0015\n"));
   EXPECT_THAT(text, HasSubstr("// 1 rows are of cases that did not run"));
 }
 
 TEST(ShowExpectations, ProposesABandThatHoldsTheValue) {
   const std::string text = shown({check_of("slip", 1e-3), check_of("drift", 1.5e-3)});
-  EXPECT_THAT(text, HasSubstr(R"("slip", {0.00033, 0.003}, kLimit, kCause, kFactorThree},  // )"
+  EXPECT_THAT(text, HasSubstr(R"("slip", {0.00033, 0.003}, kShortfall, kCause, kFactorThree},  // )"
                               "OUTSIDE [1e-06, 9e-06]: 0.001"));
   EXPECT_THAT(shown({check_of("slip", -1e-3)}), HasSubstr("{-0.003, -0.00033}"));
 }
@@ -68,10 +65,10 @@ TEST(ShowExpectations, NamesFailuresWithoutARow) {
   const std::string text =
       shown({check_of("slip", 3e-6), check_of("drift", 1.5e-3), check_of("energy", 2.0)});
   EXPECT_THAT(text,
-              HasSubstr(R"({"a/one", "method=paper", "energy", {0.66, 6}, kLimit, kUnknown)"));
+              HasSubstr(R"({"a/one", "method=paper", "energy", {0.66, 6}, kShortfall, kUnknown)"));
   EXPECT_THAT(text, HasSubstr("// fails without an expectation: 2\n"));
-  Check old = check_of("energy", 2.0);
-  old.verdict = Verdict::kShown;
+  Judgement old = check_of("energy", 2.0);
+  old.verdict = Verdict::kForInformation;
   EXPECT_THAT(shown({old}), Not(HasSubstr("energy")));
 }
 

@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "reports/record/record.h"
+#include <optional>
+#include <string>
+
+#include "reports/record/judgement.h"
 
 namespace stiction {
 
-/// Correct digits of a value: −log10(|error| / |scale|), between 0 and 16; 16 when there is no
-/// error, 0 when the value is no number.
-double correct_digits(double error, double scale);
+/// What is known beforehand of a value that does not meet its claim.
+struct KnownShortfall {
+  Band band{};
+  Verdict verdict = Verdict::kShortfall;  ///< kShortfall or kRefuted
+  std::string cause{};
+};
 
-/// Fills in a check's error, digits and verdict. |error| ≤ tolerance holds. A check without a band
-/// passes or fails. One with a band is expected not to hold: inside the band its verdict is
-/// `in_band` (`kLimit` or `kRefuted`), outside on either side it fails, and it fails when it holds:
-/// then the band hides nothing and has to go. NaN is in no band. A check whose verdict is `kShown`
-/// or `kNotApplicable` keeps it.
-void judge(Check& check, double tolerance_scale, Verdict in_band = Verdict::kLimit);
+/// What is found of a claim. |error| ≤ tolerance · tolerance_scale holds. Without a known shortfall
+/// it passes or fails. With one it is expected not to hold: inside the band its verdict is that of
+/// the shortfall, outside on either side it fails, and it fails when it holds: then the band hides
+/// nothing and has to go. NaN is in no band. A relative claim has a scale; anything else is a fault
+/// of its case (std::logic_error).
+Judgement judge(Claim claim, double value, double tolerance_scale = 1.0,
+                const std::optional<KnownShortfall>& known = {});
+
+/// The same numbers, judged by nobody: the verdict is kForInformation.
+Judgement for_information(Claim claim, double value);
 
 }  // namespace stiction

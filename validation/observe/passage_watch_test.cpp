@@ -134,7 +134,7 @@ Record record_of(const Settings& settings, void (*prepare)(CaseRun&)) {
   one.run = [prepare](CaseRun& run) {
     prepare(run);
     run.simulate(cube_through_sheet())->advance(100);
-    run.check({.quantity = "nothing", .unit = "1", .tolerance = 1.0});
+    run.check({.quantity = "nothing", .unit = "1", .tolerance = 1.0}, 0.0);
   };
   return run_job({one, ghosts(), settings}, 1.0);
 }

@@ -124,7 +124,7 @@ class RestRun {
 
   const RestScene& scene_;
   double given_up_;
-  std::unique_ptr<Simulation> simulation_;
+  CaseRun::Running simulation_;
   std::vector<Vec3> start_, settled_;
   std::vector<std::pair<double, double>> seen_;  // time and kinetic energy since settled
   std::string broken_;
@@ -171,54 +171,51 @@ void check_rest(CaseRun& run, const std::vector<RestOutcome>& outcomes, const Re
     const auto first = std::find_if_not(outcomes.begin(), outcomes.end(), at_rest);
     run.check({.quantity = "share at rest",
                .unit = "1",
-               .claim = bounds.claim,
+               .statement = bounds.claim,
                .formula = "drift, slip and growth of energy within the bounds below",
                .source = bounds.source,
                .kind = ReferenceKind::kAnalytic,
-               .value = resting / count,
                .expected = 1.0,
                .tolerance = 0.5 / count,
-               .reason = "a count: half a run",
-               .worst = first == outcomes.end() ? "" : "first that does not: " + first->words});
+               .reason = "a count: half a run"},
+              resting / count,
+              first == outcomes.end() ? "" : "first that does not: " + first->words);
     run.note(fmt::format("{:.0f} of {:.0f} at rest; drift {}; slip {}", resting, count,
                          spread_words(drift, "m"), spread_words(slip, "m/s")));
   }
   const RestOutcome& farthest = outcomes[drift.worst_at];
   run.check({.quantity = "drift at rest",
              .unit = "m",
-             .claim = bounds.claim + ": nothing moves",
+             .statement = bounds.claim + ": nothing moves",
              .formula = "x(end of the window) − x(its begin) = 0",
              .source = bounds.source,
              .kind = ReferenceKind::kAnalytic,
-             .value = drift.worst,
              .expected = 0.0,
              .tolerance = bounds.drift,
-             .reason = bounds.drift_reason,
-             .worst = farthest.words + ", " + farthest.drifter});
+             .reason = bounds.drift_reason},
+            drift.worst, farthest.words + ", " + farthest.drifter);
   run.check({.quantity = "fastest contact slip",
              .unit = "m/s",
-             .claim = bounds.claim + ": no contact slips",
+             .statement = bounds.claim + ": no contact slips",
              .formula = "u = 0",
              .source = bounds.source,
              .kind = ReferenceKind::kAnalytic,
-             .value = slip.worst,
              .expected = 0.0,
              .tolerance = bounds.slip,
-             .reason = bounds.slip_reason,
-             .worst = outcomes[slip.worst_at].words});
+             .reason = bounds.slip_reason},
+            slip.worst, outcomes[slip.worst_at].words);
   const RestOutcome& growing = outcomes[growth.worst_at];
   run.check({.quantity = "growth of kinetic energy",
              .unit = "1",
-             .claim = bounds.claim + ": it gains no energy",
+             .statement = bounds.claim + ": it gains no energy",
              .formula = "max(0, ⟨K⟩(second half)/⟨K⟩(first half) − 1) = 0",
              .source = "static equilibrium: nothing does work on what rests",
              .kind = ReferenceKind::kAnalytic,
-             .value = std::max(0.0, growing.growth),
              .expected = 0.0,
              .tolerance = growing.growth_allowed,
              .reason = "an undamped vibration's mean over n samples scatters so: 3/√1000; what "
-                       "moves at less than 1e-12 m/s counts as zero",
-             .worst = growing.words});
+                       "moves at less than 1e-12 m/s counts as zero"},
+            std::max(0.0, growing.growth), growing.words);
   for (const RestOutcome& outcome : outcomes) {
     if (!outcome.broken.empty()) run.note(outcome.words + ": " + outcome.broken);
   }

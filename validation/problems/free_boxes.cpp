@@ -23,9 +23,8 @@ Problem free_problem(const char* name, const std::vector<ProblemBody>& bodies, d
           .duration = duration};
 }
 
-std::unique_ptr<Simulation> simulate_free(CaseRun& run, const Problem& problem,
-                                          const Settings& over) {
-  std::unique_ptr<Simulation> simulation = run.simulate_with(over, problem, {.fineness = 4});
+CaseRun::Running simulate_free(CaseRun& run, const Problem& problem, const Settings& over) {
+  CaseRun::Running simulation = run.simulate_with(over, problem, {.fineness = 4});
   simulation->record_frames(1e-3);
   return simulation;
 }

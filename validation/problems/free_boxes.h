@@ -19,8 +19,7 @@ ProblemBody free_cube(const char* name, const Vec3& position, const Vec3& veloci
 Problem free_problem(const char* name, const std::vector<ProblemBody>& bodies, double duration);
 
 /// With 4 cells along a box unless the run's settings say otherwise, recorded every millisecond.
-std::unique_ptr<Simulation> simulate_free(CaseRun& run, const Problem& problem,
-                                          const Settings& over = {});
+CaseRun::Running simulate_free(CaseRun& run, const Problem& problem, const Settings& over = {});
 
 /// Σ m|v| at the start, kg m/s: what an error of the linear momentum is relative to.
 double momentum_scale(const Problem& problem);

@@ -62,7 +62,7 @@ class SlabRun {
   Engine& engine() { return simulation_->engine(); }
 
  private:
-  std::unique_ptr<Simulation> simulation_;
+  CaseRun::Running simulation_;
   Vec3 downhill_;
   Vec3 start_;
 };

@@ -71,7 +71,7 @@ double BallPyramidRun::top_weight() const {
 
 double BallPyramidRun::broken_at() const { return kSunk * setup_.radius; }
 
-std::unique_ptr<Simulation> BallPyramidRun::simulate(double friction) {
+CaseRun::Running BallPyramidRun::simulate(double friction) {
   BallPyramidSetup setup = setup_;
   setup.friction = friction;
   run_.need(&Manifest::snapshots, "snapshots");

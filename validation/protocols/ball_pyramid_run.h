@@ -60,7 +60,7 @@ class BallPyramidRun {
   double broken_at() const;  ///< the top ball has sunk so far, m
 
  private:
-  std::unique_ptr<Simulation> simulate(double friction);
+  CaseRun::Running simulate(double friction);
   double top_weight() const;  // N
 
   CaseRun& run_;

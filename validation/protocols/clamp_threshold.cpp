@@ -73,14 +73,14 @@ void check_rest(CaseRun& run, ClampSetup setup, const ClampThreshold& soft) {
   if (!std::isnan(soft.squeeze)) longer = probe_clamp(run, setup, {}, true);
   run.check({.quantity = "creep of the clamp that holds, after twice the time",
              .unit = "m/s",
-             .claim = "a clamp that holds its box holds it at rest",
+             .statement = "a clamp that holds its box holds it at rest",
              .formula = "mean speed of the fall over 0.3 s = 0",
              .source = "Coulomb's law; [Lazarevych2009] calls 1e-9 m/s static",
              .kind = ReferenceKind::kAnalytic,
-             .value = longer.holds ? longer.creep : std::nan(""),
              .expected = 0.0,
              .tolerance = kStaticSlip,
-             .reason = "the paper's own figure"});
+             .reason = "the paper's own figure"},
+            longer.holds ? longer.creep : std::nan(""));
 }
 
 void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold& soft,
@@ -88,14 +88,14 @@ void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold
   const ClampThreshold fine = search_about(run, setup, soft.squeeze, width, rigid, {.finer = 2.0});
   run.check({.quantity = "critical clamp force at half the step ÷ at the whole one",
              .unit = "1",
-             .claim = "how hard a clamp must press does not depend on the time step",
+             .statement = "how hard a clamp must press does not depend on the time step",
              .formula = "N(Δt/2)/N(Δt) = 1",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kSelfConverged,
-             .value = fine.middle() / soft.middle(),
              .expected = 1.0,
              .tolerance = (fine.half() + soft.half()) / rigid + 2.0 * kRest,
-             .reason = "half of either bracket, and 8e-5 of the criterion of rest each"});
+             .reason = "half of either bracket, and 8e-5 of the criterion of rest each"},
+            fine.middle() / soft.middle());
 }
 
 }  // namespace
@@ -132,11 +132,10 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
   run.check(
       {.quantity = "critical clamp force, rigid limit",
        .unit = "N",
-       .claim = "a clamp holds iff its friction can carry weight and couple",
+       .statement = "a clamp holds iff its friction can carry weight and couple",
        .formula = "least N with an equilibrium in the cones of all contact points",
        .source = "exact limit analysis of the rigid geometry, validation/protocols/clamp_limit.h",
        .kind = ReferenceKind::kExactComputed,
-       .value = fine,
        .expected = rigid,
        .relative = true,
        .scale = rigid,
@@ -144,7 +143,8 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
        .reason = "half the brackets of the bisections and 8e-5 of the criterion of rest, as "
                  "the extrapolation (4 N(16E) − N(4E))/3 weighs them; a fifteenth of its "
                  "distance from that of E and 4 E, for the order 1/E²; half the analysis' "
-                 "bracket"});
+                 "bracket"},
+      fine);
   const Extrapolation free = extrapolate(a.middle(), b.middle(), c.middle(), kStiffer);
   run.note(
       fmt::format("limit analysis [{:.6f}, {:.6f}] N; extrapolated {:.4f} N from E and 4 E, "

@@ -28,7 +28,7 @@ class InclineRun {
   const Engine& engine() const { return simulation_->engine(); }
 
  private:
-  std::unique_ptr<Simulation> simulation_;
+  CaseRun::Running simulation_;
   InclineFrame frame_;
   double start_;
 };

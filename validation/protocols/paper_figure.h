@@ -11,16 +11,15 @@ namespace stiction {
 inline constexpr double kStaticSlip = 1e-9;
 
 /// Something that does not happen in a figure of the paper; `source` names the figure.
-inline Check zero_check(const std::string& source, const std::string& quantity,
-                        const std::string& unit, const std::string& claim, double value,
-                        double tolerance, const std::string& reason) {
+inline Claim zero_claim(const std::string& source, const std::string& quantity,
+                        const std::string& unit, const std::string& statement, double tolerance,
+                        const std::string& reason) {
   return {.quantity = quantity,
           .unit = unit,
-          .claim = claim,
+          .statement = statement,
           .formula = quantity + " = 0",
           .source = source,
           .kind = ReferenceKind::kExternal,
-          .value = value,
           .expected = 0.0,
           .tolerance = tolerance,
           .reason = reason};

@@ -21,7 +21,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct UserCheck {
-  Check check;
+  Claim claim;
   const Observable* observable;
   std::size_t body;
   Vec3 direction = Vec3::Zero();
@@ -249,18 +249,23 @@ void read_check(TomlTable table, UserProblem& user) {
       one.direction = unit_vector(table, "direction");
     }
   }
-  one.check.quantity = table.text("quantity", name);
-  one.check.unit = one.observable->unit;
-  one.check.claim = table.text("claim", one.observable->meaning);
-  one.check.source = table.text("source", "the problem's author");
-  one.check.kind = ReferenceKind::kExternal;
-  one.check.expected = table.number("expected");
-  one.check.relative = table.flag("relative", false);
-  one.check.tolerance = table.number("tolerance");
-  one.check.reason = table.text("reason");
-  if (!(one.check.tolerance >= 0.0)) table.refuse("tolerance", "'tolerance' must not be negative");
-  if (one.check.relative && one.check.expected == 0.0) {
-    table.refuse("relative", "an error relative to an expected value of 0 has no meaning");
+  one.claim.quantity = table.text("quantity", name);
+  one.claim.unit = one.observable->unit;
+  one.claim.statement = table.text("claim", one.observable->meaning);
+  one.claim.source = table.text("source", "the problem's author");
+  one.claim.kind = ReferenceKind::kExternal;
+  one.claim.expected = table.number("expected");
+  one.claim.relative = table.flag("relative", false);
+  if (table.has("scale")) one.claim.scale = table.number("scale");
+  one.claim.tolerance = table.number("tolerance");
+  one.claim.reason = table.text("reason");
+  if (!(one.claim.tolerance >= 0.0)) table.refuse("tolerance", "'tolerance' must not be negative");
+  if (one.claim.scale && !(*one.claim.scale > 0.0 && std::isfinite(*one.claim.scale))) {
+    table.refuse("scale", "'scale' must be positive: what digits count from");
+  }
+  if (one.claim.relative && !scale_of(one.claim)) {
+    table.refuse("relative",
+                 "an error relative to an expected value of 0 has no meaning without a 'scale'");
   }
   user.checks.push_back(one);
   table.finish();
@@ -297,7 +302,7 @@ void run_user_problem(CaseRun& run, const UserProblem& user) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
 
-  const std::unique_ptr<Simulation> simulation = run.simulate(user.problem);
+  const CaseRun::Running simulation = run.simulate(user.problem);
   Series kinetic{"kinetic energy", "J", "time", "s", {}, {}};
   Series slip{"fastest contact slip", "m/s", "time", "s", {}, {}};
   std::vector<std::pair<Sample, Sample>> seen(user.checks.size());
@@ -316,9 +321,7 @@ void run_user_problem(CaseRun& run, const UserProblem& user) {
   }
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const UserCheck& one = user.checks[k];
-    Check check = one.check;
-    check.value = one.observable->measure(seen[k].first, seen[k].second, one.direction);
-    run.check(check);
+    run.check(one.claim, one.observable->measure(seen[k].first, seen[k].second, one.direction));
   }
   run.add(std::move(kinetic));
   run.add(std::move(slip));

@@ -90,9 +90,9 @@ TEST_F(UserProblem, RunsLikeABuiltInCase) {
   EXPECT_EQ(record.error, "");
   EXPECT_EQ(record.verdict, Verdict::kPass);
   ASSERT_EQ(record.checks.size(), 1u);
-  EXPECT_EQ(record.checks[0].reason, "it sticks");
-  EXPECT_EQ(record.checks[0].unit, "m/s");
-  EXPECT_EQ(record.checks[0].kind, ReferenceKind::kExternal);
+  EXPECT_EQ(record.checks[0].claim.reason, "it sticks");
+  EXPECT_EQ(record.checks[0].claim.unit, "m/s");
+  EXPECT_EQ(record.checks[0].claim.kind, ReferenceKind::kExternal);
   EXPECT_EQ(record.series.size(), 2u);
   EXPECT_EQ(record.cost.steps, 100u);
 }
@@ -146,7 +146,7 @@ reason = "round-off of gΔt² = 1e-5 m"
   const Record record = run(read_user_problem(write(text)));
   EXPECT_EQ(record.error, "");
   ASSERT_EQ(record.checks.size(), 3u);
-  EXPECT_THAT(record.checks, Each(Field(&Check::verdict, Verdict::kPass)));
+  EXPECT_THAT(record.checks, Each(Field(&Judgement::verdict, Verdict::kPass)));
 }
 
 TEST_F(UserProblem, WithGravityThatGrowsReadsItsKeyframes) {
@@ -161,7 +161,7 @@ TEST_F(UserProblem, ExampleOfTheRepositoryPasses) {
   const Record record = run(read_user_problem(example));
   EXPECT_EQ(record.error, "");
   EXPECT_EQ(record.verdict, Verdict::kPass);
-  EXPECT_THAT(record.checks, Each(Field(&Check::verdict, Verdict::kPass)));
+  EXPECT_THAT(record.checks, Each(Field(&Judgement::verdict, Verdict::kPass)));
 }
 
 TEST_F(UserProblem, ThatCannotBeReadIsRefused) {
@@ -238,7 +238,7 @@ const Mistake kMistakes[] = {
     {"ANegativeTolerance", "tolerance = 1e-12", "tolerance = -1", 22,
      "'tolerance' must not be negative"},
     {"RelativeToZero", "tolerance = 1e-12", "tolerance = 1e-12\nrelative = true", 23,
-     "an error relative to an expected value of 0 has no meaning"},
+     "an error relative to an expected value of 0 has no meaning without a 'scale'"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, UserProblemRefuses, testing::ValuesIn(kMistakes),

@@ -35,7 +35,8 @@ const char* word(Change change) {
 }
 
 std::string value_text(const Metric& metric, double value) {
-  static constexpr const char* kVerdicts[] = {"holds", "limit", "fails", "broke off"};
+  static constexpr const char* kVerdicts[] = {"holds", "falls short as expected", "fails",
+                                              "broke off"};
   switch (metric.kind) {
     case Kind::kTime:
     case Kind::kOther:

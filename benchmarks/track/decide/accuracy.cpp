@@ -22,7 +22,7 @@ namespace {
 
 double rank_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::kLimit:
+    case Verdict::kShortfall:
     case Verdict::kRefuted:
       return 1.0;
     case Verdict::kFail:
@@ -34,28 +34,37 @@ double rank_of(Verdict verdict) {
   }
 }
 
-double clipped_digits(const Check& check, const Cost& cost) {
+// Digits of a check, or, where zero is expected and nothing says of what size, how many powers of
+// ten its error is below its tolerance.
+double digits_of(const Judgement& check, const Cost& cost) {
+  constexpr double kNegligible = 3.0;  // a thousandth of a tolerance decides nothing
+  if (!check.digits) {
+    return std::isfinite(check.of_tolerance)
+               ? std::min(-std::log10(check.of_tolerance), kNegligible)
+               : 0.0;
+  }
   const auto steps = static_cast<double>(std::max<std::uint64_t>(1, cost.steps));
   const double floor = -std::log10(steps * std::numeric_limits<double>::epsilon());
   // NaN has no digits.
-  return std::isfinite(check.digits) ? std::min(check.digits, floor) : 0.0;
+  return std::isfinite(*check.digits) ? std::min(*check.digits, floor) : 0.0;
 }
 
 // "steps until …", "steps to …": fewer are better, unlike other quantities.
-bool counts_steps(const Check& check) { return check.quantity.rfind("steps", 0) == 0; }
+bool counts_steps(const Judgement& check) { return check.claim.quantity.rfind("steps", 0) == 0; }
 
-void add_check(const Check& check, const Cost& cost, const std::string& subject,
+void add_check(const Judgement& check, const Cost& cost, const std::string& subject,
                Measurements& measured) {
-  if (check.verdict == Verdict::kShown || check.verdict == Verdict::kNotApplicable) return;
-  measured.add({subject, "verdict: " + check.quantity, "1", Kind::kVerdict},
+  if (check.verdict == Verdict::kForInformation || check.verdict == Verdict::kNotApplicable) return;
+  measured.add({subject, "verdict: " + check.claim.quantity, "1", Kind::kVerdict},
                rank_of(check.verdict));
   // A value in its band is what it was.
-  if (check.verdict == Verdict::kLimit || check.verdict == Verdict::kRefuted) return;
+  if (check.verdict == Verdict::kShortfall || check.verdict == Verdict::kRefuted) return;
   if (counts_steps(check)) {
-    measured.add({subject, check.quantity, "1", Kind::kCount}, check.value);
+    measured.add({subject, check.claim.quantity, "1", Kind::kCount}, check.value);
   } else {
-    measured.add({subject, "digits: " + check.quantity, "1", Kind::kDigits},
-                 clipped_digits(check, cost));
+    const char* what = check.digits ? "digits: " : "digits within tolerance: ";
+    measured.add({subject, what + check.claim.quantity, "1", Kind::kDigits},
+                 digits_of(check, cost));
   }
 }
 
@@ -143,7 +152,7 @@ Accuracy accuracy_of(const std::vector<Record>& records) {
                                 rank_of(record->verdict));
       accuracy.measurements.add({subject, "contact updates", "1", Kind::kCount},
                                 static_cast<double>(record->cost.contact_updates));
-      for (const Check& check : record->checks) {
+      for (const Judgement& check : record->checks) {
         add_check(check, record->cost, subject, accuracy.measurements);
       }
       accuracy.state_hash[subject] = record->state_hash;

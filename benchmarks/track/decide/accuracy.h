@@ -32,6 +32,9 @@ Accuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Pr
 ///  * verdict            of the record, and of each check ("verdict: creep")
 ///  * digits: <quantity> of checks that must hold; those shown, or known to be short of the claim,
 ///                       may move: their limit cycles depend on the last bit
+///  * digits within tolerance: <quantity>
+///                       the same where zero is expected of a quantity without a scale: how many
+///                       powers of ten the error is below its tolerance, at most 3
 ///  * contact updates    of the case
 ///  * <quantity>         where a check counts steps, e.g. to convergence
 /// Digits are clipped at the round-off floor −log₁₀(steps · 2.2e-16): so much error n additions

@@ -8,7 +8,7 @@
 namespace stiction::track {
 namespace {
 
-Record record_of(const std::string& rule, std::vector<Check> checks) {
+Record record_of(const std::string& rule, std::vector<Judgement> checks) {
   Record record;
   record.case_name = "slab/creep";
   record.settings = {{"dt", "0.001"}, {"rule", rule}};
@@ -22,9 +22,10 @@ Record record_of(const std::string& rule, std::vector<Check> checks) {
   return record;
 }
 
-Check check_of(const std::string& quantity, double digits, Verdict verdict, double value = 0.0) {
-  Check check;
-  check.quantity = quantity;
+Judgement check_of(const std::string& quantity, double digits, Verdict verdict,
+                   double value = 0.0) {
+  Judgement check;
+  check.claim.quantity = quantity;
   check.digits = digits;
   check.verdict = verdict;
   check.value = value;
@@ -52,10 +53,10 @@ TEST(Accuracy, NamesNoMoreSettingsThanNeeded) {
 }
 
 TEST(Accuracy, TakesDigitsOfChecksThatMustHold) {
-  const Accuracy all = accuracy_of(
-      {record_of("none", {check_of("a", 5, Verdict::kPass), check_of("b", 4, Verdict::kFail),
-                          check_of("c", 3, Verdict::kLimit), check_of("d", 2, Verdict::kShown),
-                          check_of("e", 2, Verdict::kRefuted)})});
+  const Accuracy all = accuracy_of({record_of(
+      "none", {check_of("a", 5, Verdict::kPass), check_of("b", 4, Verdict::kFail),
+               check_of("c", 3, Verdict::kShortfall), check_of("d", 2, Verdict::kForInformation),
+               check_of("e", 2, Verdict::kRefuted)})});
   const Measurements& found = all.measurements;
   ASSERT_NE(found.find("slab/creep#digits: a"), nullptr);
   EXPECT_EQ(found.find("slab/creep#digits: a")->samples, std::vector<double>{5.0});

@@ -13,8 +13,8 @@ enum class Kind {
   kTime,     ///< sampled, noisy, lower is better
   kCount,    ///< deterministic work (instructions, contact updates, allocations), lower is better
   kDigits,   ///< deterministic accuracy in digits, higher is better
-  kVerdict,  ///< deterministic; 0 holds or decides nothing, 1 limit or refuted, 2 fails, 3 broke
-             ///< off
+  kVerdict,  ///< deterministic; 0 holds or decides nothing, 1 falls short as expected or refuted,
+             ///< 2 fails, 3 broke off
   kOther,    ///< imported from another program; compared as a time
 };
 

@@ -5,7 +5,6 @@ import {
   failed_in_part,
   failure_of,
   figure_of,
-  is_figure,
 } from "../model/figure.js";
 import { group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
@@ -44,7 +43,7 @@ export function compared_of(entries, runs) {
   const cases = [...group_by(told, ({ record }) => record.case)].map(case_line);
   return {
     rules: new Set(variants.map(({ words }) => words)).size,
-    figures: entries.reduce((sum, { record }) => sum + record.checks.filter(is_figure).length, 0),
+    figures: entries.reduce((sum, { record }) => sum + record.figures.length, 0),
     failed: cases.reduce((sum, { failed }) => sum + failed, 0),
     cases,
     scores: comparison_scores(entries, runs),

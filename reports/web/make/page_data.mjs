@@ -8,7 +8,7 @@ import { is_findings } from "../model/finding.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
 import { overview_rows } from "../model/overview.js";
-import { worst_check, VERDICTS } from "../model/verdict.js";
+import { fewest_digits, worst_check, VERDICTS } from "../model/verdict.js";
 import { attributes_of, variant_key, variant_labels } from "../model/variant.js";
 import { comparison_plots } from "../plots/comparison_plot.js";
 import { margin_plot } from "../plots/margin_plot.js";
@@ -43,6 +43,7 @@ function row_of(texts, { record, run, part }) {
   const check = worst_check(record.checks, margin);
   const text = (value) => texts.add(value);
   const number = (value) => short_number(to_number(value));
+  const optional = (value) => (value === null ? null : number(value));
   return [
     run,
     part,
@@ -58,6 +59,7 @@ function row_of(texts, { record, run, part }) {
     record.checks.length,
     text(record.frames ?? ""),
     text(record.verdict === "error" ? record.error : ""),
+    optional(fewest_digits(record)),
     check
       ? [
           text(check.quantity),
@@ -67,10 +69,10 @@ function row_of(texts, { record, run, part }) {
           number(check.error),
           check.relative ? 1 : 0,
           number(check.tolerance),
-          number(check.digits),
+          number(check.of_tolerance),
+          check.digits === undefined ? null : number(check.digits),
           text(check.verdict),
-          check.expected_low === undefined ? null : number(check.expected_low),
-          check.expected_high === undefined ? null : number(check.expected_high),
+          check.band ? check.band.map(number) : null,
         ]
       : 0,
   ];

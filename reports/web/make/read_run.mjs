@@ -2,7 +2,7 @@
 import { existsSync, realpathSync, statSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { clean } from "./clean_text.mjs";
-import { fault_of } from "./check_record.mjs";
+import { checked } from "./check_record.mjs";
 import { read_lines } from "./read_lines.mjs";
 
 const MOST_WARNINGS = 8;
@@ -34,8 +34,7 @@ export function read_run(path) {
     let record;
     let fault;
     try {
-      record = clean(JSON.parse(line), line);
-      fault = fault_of(record);
+      ({ record, fault } = checked(clean(JSON.parse(line), line)));
     } catch {
       fault = "not JSON";
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Phrases about a check that several outputs share.
-import { format_error, format_pair, format_value, to_number, with_unit } from "./number.js";
+import { format_error, format_pair, general, format_value, to_number, with_unit } from "./number.js";
 
 const error_unit = (check) => (check.relative ? "rel" : check.unit);
 
@@ -23,13 +23,8 @@ export const expected_text = (check) => with_unit(pair(check)[1], check.unit);
  * than known […]: raise the bar"; empty without a band. As band_text() in reports/text/check_text.h.
  */
 export function band_text(check) {
-  if (check.expected_low === null || check.expected_low === undefined) return "";
-  const [low, high, value, claim] = [
-    check.expected_low,
-    check.expected_high,
-    check.value,
-    check.expected,
-  ].map(to_number);
+  if (!check.band) return "";
+  const [low, high, value, claim] = [...check.band, check.value, check.expected].map(to_number);
   const ends = with_unit(`[${format_value(low)}, ${format_value(high)}]`, check.unit);
   const inside = value >= low && value <= high;
   if (inside && check.verdict !== "fail") return `as expected in ${ends}`;
@@ -40,21 +35,17 @@ export function band_text(check) {
     : `worse than expected ${ends}`;
 }
 
-/** |error| ÷ tolerance: the check holds up to 1. A broken error counts as infinite. */
-export function margin(check) {
-  const error = Math.abs(to_number(check.error));
-  const tolerance = to_number(check.tolerance);
-  if (Number.isNaN(error) || Number.isNaN(tolerance)) return Infinity;
-  if (error === 0) return 0;
-  return tolerance > 0 ? error / tolerance : Infinity;
-}
+/** |error| ÷ tolerance, as the record has it: the check holds up to 1. */
+export const margin = (check) => to_number(check.of_tolerance);
 
-/** The margin in short: "12 %", "320 ×". */
+/** The margin in short, as share_text() in reports/text/check_text.h: "12 %", "320 ×". */
 export function short_margin(value) {
   if (value === 0) return "exact";
   if (!Number.isFinite(value)) return "∞";
-  if (value <= 1) return `${format_error(value * 100)} %`;
-  return `${value < 1e5 ? String(Number(value.toPrecision(2))) : format_error(value)} ×`;
+  if (value > 1e5) return `${general(value, 1)} ×`;
+  if (value < 1e-4) return "<0.01 %";
+  const plain = (number) => format_value(Number(number.toPrecision(2)));
+  return value > 1 ? `${plain(value)} ×` : `${plain(value * 100)} %`;
 }
 
 /** The margin in words: "12 % of its tolerance", "320 × its tolerance". */

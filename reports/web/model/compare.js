@@ -11,14 +11,24 @@ export const DIGITS_NOISE = 0.1;
 
 const decided = (check) => is_decided(check.verdict);
 
+// An error below a thousandth of its tolerance decides nothing.
+const NEGLIGIBLE = 3;
+
+// Digits of a check; where zero is expected of a quantity without a scale, how many powers of ten its
+// error is below its tolerance. As digits_of() in benchmarks/track/decide/accuracy.cpp.
+const precision = (check) =>
+  check.digits === undefined
+    ? Math.max(-Infinity, Math.min(NEGLIGIBLE, -Math.log10(to_number(check.of_tolerance))))
+    : to_number(check.digits);
+
 // The check whose digits changed most: {change, quantity}.
 function digits_change(before, after) {
   const earlier = new Map(
-    before.checks.filter(decided).map((check) => [check.quantity, to_number(check.digits)]),
+    before.checks.filter(decided).map((check) => [check.quantity, precision(check)]),
   );
   let most = { change: 0, quantity: "" };
   for (const check of after.checks.filter(decided)) {
-    const change = to_number(check.digits) - earlier.get(check.quantity);
+    const change = precision(check) - earlier.get(check.quantity);
     if (Math.abs(change) > Math.abs(most.change)) most = { change, quantity: check.quantity };
   }
   return most;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the frames files that reports/record/frames.h describes. All sizes are checked against the bytes that
+// Reads the frames files that reports/recording/frames.h describes. All sizes are checked against the bytes that
 // are there before anything is allocated: a file may be cut off or made by someone else.
 
 const MAGIC = "STFR";

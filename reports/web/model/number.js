@@ -8,7 +8,7 @@ export function to_number(value) {
 }
 
 // printf's %.<digits>g.
-function general(value, digits) {
+export function general(value, digits) {
   if (Number.isNaN(value)) return "nan";
   if (!Number.isFinite(value)) return value > 0 ? "inf" : "-inf";
   if (value === 0) return "0";

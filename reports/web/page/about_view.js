@@ -44,7 +44,7 @@ export async function show_about(element, _, { index }) {
     h(
       "p",
       {},
-      "A check holds when |error| ≤ tolerance. A known limit does not hold, but its value lies in a band that was stated beforehand with its measured cause; refuted says the same of a claim of the paper, which was tested and found not to hold. Outside its band, on either side, a check fails. The bars show |error| ÷ tolerance on a logarithmic scale with the limit marked. Digits are −log₁₀ of the relative error, at most 16. Times are CPU seconds of the engine's steps. Unless a unit stands beside it, a number is dimensionless; all units are SI.",
+      "A check holds when |error| ≤ tolerance. An expected shortfall does not hold, but its value lies in a band that was stated beforehand with its measured cause; refuted says the same of a claim of the paper, which was tested and found not to hold. Outside its band, on either side, a check fails. The bars show |error| ÷ tolerance on a logarithmic scale with the limit marked. Digits are −log₁₀ of the error over the size of the quantity, at most 16; where zero is expected and nothing says of what size there are none. Times are CPU seconds of the engine's steps. Unless a unit stands beside it, a number is dimensionless; all units are SI.",
     ),
     h(
       "p",

@@ -61,7 +61,7 @@ export function case_columns(runs) {
       label: "Digits",
       class: "c-digits number",
       sortable: true,
-      cell: of_check((check) => format_digits(check.digits)),
+      cell: of_check(({ digits }) => (digits === null ? "–" : format_digits(digits))),
     },
     {
       key: "seconds",

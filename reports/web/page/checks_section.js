@@ -28,7 +28,11 @@ const COLUMNS = [
   { name: "Expected", kind: "value", text: (check) => pair_of(check)[1], shared: "expected" },
   { name: "Error", kind: "error", text: (check) => format_error(to_number(check.error)) },
   { name: "Tolerance", kind: "error", text: tolerance_of, shared: "tolerance" },
-  { name: "Digits", kind: "", text: (check) => format_digits(to_number(check.digits)) },
+  {
+    name: "Digits",
+    kind: "",
+    text: ({ digits }) => (digits === undefined ? "–" : format_digits(to_number(digits))),
+  },
 ];
 
 const is_shared = (group, field) =>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case of a comparison: the figures side by side, the pictures in pairs, then what had to hold.
-import { failed_in_part, failure_of, is_figure } from "../model/figure.js";
+import { failed_in_part, failure_of, failure_text } from "../model/figure.js";
 import { is_bad } from "../model/verdict.js";
 import { checks_section } from "./checks_section.js";
 import { h } from "./dom.js";
@@ -8,12 +8,7 @@ import { figures_table } from "./figures_table.js";
 
 // Closed while it holds for every variant: then one line says all.
 function judged_part(entries) {
-  const judged = entries
-    .map((entry) => {
-      const checks = entry.record.checks.filter((check) => !is_figure(check));
-      return { ...entry, record: { ...entry.record, checks } };
-    })
-    .filter(({ record }) => record.checks.length > 0);
+  const judged = entries.filter(({ record }) => record.checks.length > 0);
   if (judged.length === 0) return null;
   const bad = judged.filter(({ record }) => record.checks.some(({ verdict }) => is_bad(verdict)));
   return h(
@@ -32,9 +27,9 @@ function judged_part(entries) {
 
 function notes_part(entries) {
   const notes = entries.flatMap(({ record, label }) =>
-    record.notes
-      .filter((note) => note !== `failed: ${failure_of(record)}`)
-      .map((note) => h("li", {}, h("strong", {}, `${label}: `), note)),
+    [...record.failures.filter(({ values }) => values.length > 0).map(failure_text), ...record.notes].map(
+      (note) => h("li", {}, h("strong", {}, `${label}: `), note),
+    ),
   );
   return notes.length > 0 && h("div", { class: "notes" }, h("h2", {}, "Notes"), h("ul", {}, notes));
 }
@@ -53,7 +48,7 @@ export function compared_mark(records) {
   const in_part = records.filter(failed_in_part).length;
   return h(
     "span",
-    { class: `verdict verdict-${failed + in_part > 0 ? "fail" : "shown"}` },
+    { class: `verdict verdict-${failed + in_part > 0 ? "fail" : "for-information"}` },
     failed === records.length
       ? `✕ all ${failed} fail`
       : `${records.length} side by side, ${fail_words(failed, in_part)}`,

@@ -8,10 +8,10 @@ import { h, replace } from "./dom.js";
 const NO_AMOUNT = /^(best|contacts|diagonal dominance)\b/;
 
 const columns_of = (records) =>
-  compared_quantities(records).map(({ quantity, unit, claim }) => ({
+  compared_quantities(records).map(({ quantity, unit, meaning }) => ({
     name: quantity,
     unit: unit === "1" ? "" : unit,
-    claim,
+    meaning,
     of: (record) => figure_of(record, quantity),
   }));
 
@@ -80,10 +80,10 @@ export function figures_table(entries) {
   const places = columns.map((_, i) => i);
   const ranges = columns.map(({ name }, place) => range_of(rows, place, name));
   const body = h("tbody");
-  const heads = columns.map(({ name, unit, claim }, place) =>
+  const heads = columns.map(({ name, unit, meaning }, place) =>
     h(
       "th",
-      { scope: "col", class: "number", title: claim },
+      { scope: "col", class: "number", title: meaning },
       h(
         "button",
         { type: "button", onclick: () => sort(place) },

@@ -37,7 +37,7 @@ export const SORT_KEYS = {
   verdict: (row) => rank(row.verdict),
   case: (row) => row.index,
   margin: (row) => by_number(row.check ? row.check.margin : -1),
-  digits: (row) => by_number(row.check ? row.check.digits : -1),
+  digits: (row) => by_number(row.check?.digits ?? Infinity),
   seconds: (row) => by_number(row.seconds),
   ns: (row) => by_number(row.ns),
 };

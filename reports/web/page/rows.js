@@ -8,8 +8,19 @@ import { variant_labels } from "../model/variant.js";
 
 function check_of(values, texts) {
   if (!values) return null;
-  const [quantity, unit, value, expected, error, relative, tolerance, digits, verdict, low, high] =
-    values;
+  const [
+    quantity,
+    unit,
+    value,
+    expected,
+    error,
+    relative,
+    tolerance,
+    of_tolerance,
+    digits,
+    verdict,
+    band,
+  ] = values;
   const check = {
     quantity: texts[quantity],
     unit: texts[unit],
@@ -18,10 +29,10 @@ function check_of(values, texts) {
     error,
     relative: relative === 1,
     tolerance,
-    digits: to_number(digits),
+    of_tolerance,
+    digits: digits === null ? null : to_number(digits),
     verdict: texts[verdict],
-    expected_low: low,
-    expected_high: high,
+    band,
   };
   return { ...check, margin: margin(check) };
 }
@@ -73,6 +84,7 @@ export function rows_of({ rows, texts, compared }) {
       checks,
       frames,
       error,
+      fewest,
       check,
     ] = row;
     return {
@@ -93,6 +105,7 @@ export function rows_of({ rows, texts, compared }) {
       checks,
       frames: texts[frames],
       error: texts[error],
+      fewest: fewest === null ? null : to_number(fewest),
       check: check_of(check, texts),
     };
   });

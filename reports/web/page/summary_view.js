@@ -27,13 +27,13 @@ const has_history = ({ families }) =>
 
 function headline(tally, index) {
   if (tally["not-applicable"] === tally.records && has_history(index))
-    return ["shown", "Measured over runs, and judged by nobody."];
-  if (tally.bad === 0 && tally.pass === 0) return ["shown", "Nothing was decided."];
-  if (tally.bad === 0 && tally.limit + tally.refuted > 0) {
+    return ["for-information", "Measured over runs, and judged by nobody."];
+  if (tally.bad === 0 && tally.pass === 0) return ["for-information", "Nothing was decided."];
+  if (tally.bad === 0 && tally["expected-shortfall"] + tally.refuted > 0) {
     const parts = [
       `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}`,
-      tally.limit > 0 &&
-        `${format_count(tally.limit)} fall${tally.limit === 1 ? "s" : ""} short as known`,
+      tally["expected-shortfall"] > 0 &&
+        `${format_count(tally["expected-shortfall"])} fall${tally["expected-shortfall"] === 1 ? "s" : ""} short as known`,
       tally.refuted > 0 &&
         `${format_count(tally.refuted)} refute${tally.refuted === 1 ? "s" : ""} a claim of the paper`,
     ];
@@ -185,7 +185,7 @@ export function summary_view({ index, rows, comparison }) {
   const tally = tally_of(current);
   const [verdict, sentence] =
     index.compared && tally.bad === 0
-      ? ["shown", compared_headline(index.compared)]
+      ? ["for-information", compared_headline(index.compared)]
       : headline(tally, index);
   const families = new Set(current.map((row) => row.case)).size;
   return h(

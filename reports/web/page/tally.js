@@ -6,10 +6,10 @@ export function tally_of(rows) {
   const tally = {
     pass: 0,
     fail: 0,
-    limit: 0,
+    "expected-shortfall": 0,
     refuted: 0,
     error: 0,
-    shown: 0,
+    "for-information": 0,
     "not-applicable": 0,
     records: rows.length,
     seconds: 0,
@@ -25,10 +25,10 @@ export function tally_of(rows) {
     tally.steps += row.steps;
     tally.updates += row.updates;
     if (row.ns > 0) ns.push(row.ns);
+    if (row.fewest !== null) tally.fewest = Math.min(tally.fewest, row.fewest);
     if (is_expected(row.verdict)) continue; // stated beforehand to be beyond
     if (row.check && (!tally.closest || row.check.margin > tally.closest.check.margin))
       tally.closest = row;
-    if (row.check) tally.fewest = Math.min(tally.fewest, row.check.digits);
   }
   tally.bad = rows.filter((row) => is_bad(row.verdict)).length;
   tally.median_ns = ns.length > 0 ? ns.sort((a, b) => a - b)[ns.length >> 1] : 0;

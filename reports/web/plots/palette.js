@@ -103,10 +103,10 @@ const SALTIRE =
 const VERDICT_MARKS = [
   ["pass", "$pass", "circle"],
   ["fail", "$fail", "triangle-up"],
-  ["limit", "$limit", "triangle-down"],
+  ["expected-shortfall", "$limit", "triangle-down"],
   ["refuted", "$refuted", SALTIRE],
   ["error", "$error", "diamond"],
-  ["shown", "$shown", "square"],
+  ["for-information", "$shown", "square"],
   ["not-applicable", "$na", "stroke"],
 ];
 export const VERDICT_DOMAIN = VERDICT_MARKS.map(([verdict]) => verdict);

@@ -24,7 +24,7 @@ function place_in_family(case_name) {
 
 /** Whether `records`, those of a family, are such a comparison. */
 export function is_rule_work(records) {
-  const measured = records.filter(({ checks }) => checks.length > 0);
+  const measured = records.filter(({ figures }) => figures.length > 0);
   return (
     measured.length > 0 &&
     new Set(records.map((record) => record.case)).size > 1 &&

@@ -3,7 +3,7 @@
 import { group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
 import { variant_key } from "../model/variant.js";
-import { is_decided } from "../model/verdict.js";
+import { fewest_digits } from "../model/verdict.js";
 import { quantity_axis, rounded } from "./axes.js";
 import { numbered, tip, tip_number } from "./names.js";
 
@@ -18,12 +18,6 @@ function shared_records(by_run) {
     ),
   );
 }
-
-const digits_of = (record) =>
-  record.checks
-    .filter(({ verdict }) => is_decided(verdict))
-    .map((check) => to_number(check.digits))
-    .filter(Number.isFinite);
 
 /** Plots of a family's cost and digits; none below two runs. `runs`: [{name, date}], record.run its index. */
 export function trend_plots(records, runs) {
@@ -62,7 +56,7 @@ export function trend_plots(records, runs) {
     list.reduce((sum, record) => sum + to_number(record.cost.cpu_seconds), 0),
   );
   const digits = of_run((list) =>
-    list.flatMap(digits_of).reduce((a, b) => Math.min(a, b), Infinity),
+    list.reduce((least, record) => Math.min(least, fewest_digits(record) ?? Infinity), Infinity),
   );
   return [
     plot("CPU time, run by run", "CPU time", "s", seconds),

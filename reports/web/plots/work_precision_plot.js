@@ -13,12 +13,12 @@ const MOST_POINTS = 1500;
 const TELLING = 2;
 const SUM_SIZES = [330, 190, 110, 80, 60, 50, 40]; // px²; later ones lie on earlier ones
 
-// The relative error of a record's least precise check that decides, or that is shown where none does
+// The relative error of a record's least precise check with a scale that decides, or that is shown where none does
 // (the old method); null when there is none.
 function error_of(record) {
-  const wanted = record.verdict === "shown" ? ["shown"] : ["pass", "fail", "limit", "refuted"];
+  const wanted = record.verdict === "for-information" ? ["for-information"] : ["pass", "fail", "expected-shortfall", "refuted"];
   const digits = record.checks
-    .filter(({ verdict }) => wanted.includes(verdict))
+    .filter(({ verdict, digits: own }) => own !== undefined && wanted.includes(verdict))
     .map((check) => to_number(check.digits))
     .filter(Number.isFinite);
   return digits.length > 0 ? 10 ** -Math.min(...digits) : null;

@@ -2,23 +2,14 @@
 // A small comparison, as `./stiction compare` writes it.
 import { check, record } from "./records.mjs";
 
-export const figure = (quantity, unit, value) =>
-  check({
-    quantity,
-    unit,
-    claim: "little is better",
-    formula: "",
-    source: "measured in this comparison",
-    value,
-    expected: 0,
-    error: value,
-    relative: false,
-    scale: 1,
-    tolerance: 0,
-    reason: "none: rules are set side by side, not judged",
-    digits: 0,
-    verdict: "shown",
-  });
+export const figure = (quantity, unit, value) => ({
+  quantity,
+  unit,
+  meaning: "little is better",
+  value,
+});
+
+const failures_of = (failed, reason) => (failed ? [{ reason, parameter: "", values: [] }] : []);
 
 const hash_check = () =>
   check({
@@ -28,7 +19,10 @@ const hash_check = () =>
     value: 0,
     expected: 0,
     error: 0,
+    scale: undefined,
     tolerance: 0,
+    of_tolerance: 0,
+    digits: undefined,
   });
 
 export const RULES = ["aitken-vector", "conjugate-vector", "fixed-point", "none", "secant"];
@@ -56,12 +50,12 @@ function history(scene, fails) {
       case: `rules/${scene}`,
       title: `a scene called ${scene}`,
       settings,
-      checks: [
-        hash_check(),
+      checks: [hash_check()],
+      figures: [
         figure("steps to 1e-6", "1", creep < 1e-6 && !failed ? 10 + i : "inf"),
         figure("final creep", "m/s", creep),
       ],
-      notes: failed ? ["failed: a body moved by 7.6 mm"] : [],
+      failures: failures_of(failed, "a body moved by 7.6 mm"),
       series: [
         {
           name: "mean contact slip",
@@ -81,8 +75,10 @@ const sweep = () =>
     record({
       case: "gain/slab",
       settings: { method: "paper", rule, memory: "keep" },
-      checks: [hash_check(), figure("least final creep", "m/s", 1e-5 * (i + 1))],
-      notes: i === 1 ? ["failed: gain = -0.5, 2.5"] : [],
+      checks: [hash_check()],
+      figures: [figure("least final creep", "m/s", 1e-5 * (i + 1))],
+      failures:
+        i === 1 ? [{ reason: "it broke", parameter: "gain", values: [-0.5, 2.5] }] : [],
       series: [
         {
           name: "final creep",
@@ -106,11 +102,12 @@ const work = () =>
         return record({
           case: `work/slab/cells=${cells}/dt=${dt}`,
           settings: { ...settings, dt },
-          checks: [
+          checks: [],
+          figures: [
             figure("slipped ÷ free slide", "1", failed ? "inf" : 10 ** -(2 + 2 * i + on)),
             figure("CPU time", "s", seconds),
           ],
-          notes: failed ? ["failed: the box slid off"] : [],
+          failures: failures_of(failed, "the box slid off"),
           cost: { ...record().cost, cpu_seconds: seconds },
         });
       }),

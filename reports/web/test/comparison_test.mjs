@@ -6,10 +6,10 @@ import {
   chief_quantity,
   failed_values,
   failure_of,
+  failure_text,
   figure_of,
   figure_text,
   is_comparison,
-  is_figure,
 } from "../model/figure.js";
 import { by_topic, parted } from "../model/finding.js";
 import { rule_words, rules_on_contacts } from "../model/rule.js";
@@ -29,11 +29,8 @@ const entries_of = (wanted) =>
 const layers_with = (plot, field) =>
   plot.spec.layer.filter(({ data }) => data.values.some((value) => field in value));
 
-test("a figure is shown and has no tolerance; other shown checks are none", () => {
-  assert.ok(is_figure(figure("slipped", "m", 1)));
-  assert.ok(!is_figure(check({ verdict: "shown" })));
-  assert.ok(!is_figure(check({ verdict: "shown", tolerance: 0, reason: "yes or no" })));
-  assert.ok(!is_comparison([record(), record({ checks: [check({ verdict: "shown" })] })]));
+test("records with figures are those of a comparison", () => {
+  assert.ok(!is_comparison([record(), record({ checks: [check({ verdict: "for-information" })] })]));
   assert.ok(is_comparison(compared_records()));
 });
 
@@ -42,27 +39,26 @@ test("figures in words: what was never reached, what was not measured", () => {
   assert.equal(figure_text(NaN), "–");
   assert.equal(figure_text(2638), "2638");
   assert.equal(figure_text(4.6412e-19), "4.64e-19");
-  assert.equal(figure_of(record({ checks: [figure("slipped", "m", "inf")] }), "slipped"), Infinity);
+  assert.equal(figure_of(record({ figures: [figure("slipped", "m", "inf")] }), "slipped"), Infinity);
   assert.ok(Number.isNaN(figure_of(record(), "stopping distance")));
 });
 
 test("a case is told by its first figure with a unit, beside measured work by the other", () => {
-  const of = (...checks) => chief_quantity([record({ checks })]).quantity;
+  const of = (...figures) => chief_quantity([record({ figures })]).quantity;
   assert.equal(of(figure("steps", "1", 3), figure("creep", "m/s", 1)), "creep");
   assert.equal(of(figure("steps", "1", 3)), "steps");
   assert.equal(of(figure("share", "1", 3), figure("CPU time", "s", 1)), "share");
 });
 
-test("a record fails by its note; values of a parameter that fail are not the record's", () => {
-  const noted = (...notes) => record({ notes });
-  assert.equal(
-    failure_of(noted("GSL: fine", "failed: a body moved by 7.6 mm")),
-    "a body moved by 7.6 mm",
-  );
-  assert.equal(failure_of(noted("it failed: no")), "");
-  assert.equal(failure_of(noted("failed: gain = -0.5, 2.3")), "");
-  assert.deepEqual(failed_values(noted("failed: gain = -0.5, 2.3"), "gain"), [-0.5, 2.3]);
-  assert.deepEqual(failed_values(noted("failed: gain = 1e-05"), "alpha"), []);
+test("a record fails as a whole; values of a parameter that fail are not the record's", () => {
+  const whole = { reason: "a body moved by 7.6 mm", parameter: "", values: [] };
+  const part = { reason: "it broke", parameter: "gain", values: [-0.5, 2.3] };
+  const failing = (...failures) => record({ failures });
+  assert.equal(failure_of(failing(part, whole)), "a body moved by 7.6 mm");
+  assert.equal(failure_of(failing(part)), "");
+  assert.equal(failure_text(part), "it broke at gain = -0.5, 2.3");
+  assert.deepEqual(failed_values(failing(part), "gain"), [-0.5, 2.3]);
+  assert.deepEqual(failed_values(failing(part), "alpha"), []);
   assert.equal(failure_of(record({ verdict: "error", error: "timed out" })), "timed out");
 });
 
@@ -193,6 +189,7 @@ test("what broke off before it was timed is drawn too", () => {
     verdict: "error",
     error: "timed out",
     checks: [],
+    figures: [],
     cost: { ...record().cost, cpu_seconds: 0 },
   };
   const [overall] = family_plots("work/slab", entries, RUNS);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// data/sliding-box.bin is written by reports/record/frames.cpp; frames_test.cpp holds it to the byte.
+// data/sliding-box.bin is written by reports/recording/frames.cpp; frames_test.cpp holds it to the byte.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

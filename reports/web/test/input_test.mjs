@@ -11,7 +11,16 @@ import {
 } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
-import { check, HOSTILE, lines_of, make_run, record, varied_records } from "./records.mjs";
+import {
+  check,
+  HOSTILE,
+  lines_of,
+  make_run,
+  old_check,
+  old_record,
+  record,
+  varied_records,
+} from "./records.mjs";
 import { make_page, report } from "./report.mjs";
 
 const good = lines_of([record(), record({ case: "other" })]);
@@ -54,7 +63,7 @@ test("nothing to show is refused in words", () => {
 });
 
 test("a newer schema is named", () => {
-  refused([make_run(lines_of([record({ schema_version: 4 })]))], /schema version 4 is newer/);
+  refused([make_run(lines_of([record({ schema_version: 5 })]))], /schema version 5 is newer/);
 });
 
 test("a run that was cut off is shown with a warning", () => {
@@ -204,7 +213,9 @@ test("the policy forbids everything but the page's own scripts and style", () =>
 });
 
 test("half a band is named", () => {
-  const half = record({ schema_version: 3, checks: [check({ expected_low: 0.1 })] });
-  const { err } = report(make_run(lines_of([record(), half])));
-  assert.match(err, /line 2: checks\[0\]: has one end of a band only/);
+  const half = record({ checks: [check({ band: [0.1] })] });
+  const old_half = old_record({ checks: [old_check({ expected_low: 0.1 })] });
+  const { err } = report(make_run(lines_of([record(), half, old_half])));
+  assert.match(err, /line 2: checks\[0\]\.band: expected 2 numbers/);
+  assert.match(err, /line 3: checks\[0\]\.band\[1\]: expected a number/);
 });

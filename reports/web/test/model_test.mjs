@@ -16,7 +16,7 @@ import {
 } from "../model/number.js";
 import { rules_on_contacts } from "../model/rule.js";
 import { variant_labels } from "../model/variant.js";
-import { worst_check } from "../model/verdict.js";
+import { fewest_digits, worst_check } from "../model/verdict.js";
 import { filtered, sorted } from "../page/filter.js";
 import { instant, place_at, view_of } from "../page/playback.js";
 import { hash_of, parse_hash } from "../page/route.js";
@@ -64,22 +64,27 @@ test("a measured value has the digits that tell it from the expected one", () =>
 });
 
 test("margins", () => {
-  assert.equal(margin(check({ error: -5e-4, tolerance: 1e-3 })), 0.5);
-  assert.equal(margin(check({ error: 0, tolerance: 0 })), 0);
-  assert.equal(margin(check({ error: 1e-20, tolerance: 0 })), Infinity);
-  assert.equal(margin(check({ error: "nan" })), Infinity);
+  assert.equal(margin(check({ of_tolerance: 0.5 })), 0.5);
+  assert.equal(margin(check({ of_tolerance: "inf" })), Infinity);
   assert.equal(margin_text(0.5), "50 % of its tolerance");
-  assert.equal(short_margin(2000), "2000 ×");
-  assert.equal(short_margin(6.7e-13), "6.7e-11 %");
+  // As in reports/text/check_text_test.cpp.
+  assert.equal(short_margin(0), "exact");
+  assert.equal(short_margin(0.123), "12 %");
+  assert.equal(short_margin(1), "100 %");
+  assert.equal(short_margin(3.44), "3.4 ×");
+  assert.equal(short_margin(320.4), "320 ×");
+  assert.equal(short_margin(2.6e7), "3e+07 ×");
+  assert.equal(short_margin(Infinity), "∞");
+  assert.equal(short_margin(6.7e-13), "<0.01 %");
 });
 
 // The expected texts are those of reports/text/check_text_test.cpp.
 test("a band says on which side of it a value lies", () => {
   const banded = (value, verdict) =>
     band_text(
-      check({ value, expected: 0.3, expected_low: 0.31, expected_high: 0.35, verdict }),
+      check({ value, expected: 0.3, band: [0.31, 0.35], verdict }),
     );
-  assert.equal(banded(0.32, "limit"), "as expected in [0.31, 0.35] m");
+  assert.equal(banded(0.32, "expected-shortfall"), "as expected in [0.31, 0.35] m");
   assert.equal(banded(3e5, "fail"), "worse than expected [0.31, 0.35] m");
   assert.equal(banded(0.28, "fail"), "worse than expected [0.31, 0.35] m");
   assert.equal(banded(0.3001, "fail"), "better than known [0.31, 0.35] m: raise the bar");
@@ -88,10 +93,10 @@ test("a band says on which side of it a value lies", () => {
   assert.equal(band_text(check()), "");
 });
 
-test("the worst check decides as in record.h", () => {
-  const near = check({ quantity: "near", error: 9e-4, verdict: "pass" });
-  const bad = check({ quantity: "bad", error: 1e-9, verdict: "fail" });
-  const shown = check({ quantity: "shown", error: 1e9, verdict: "shown" });
+test("the worst check decides as in judgement.h", () => {
+  const near = check({ quantity: "near", of_tolerance: 0.9, verdict: "pass" });
+  const bad = check({ quantity: "bad", of_tolerance: 1.1, verdict: "fail" });
+  const shown = check({ quantity: "shown", of_tolerance: 1e12, verdict: "for-information" });
   assert.equal(worst_check([check(), near, shown], margin), near);
   assert.equal(worst_check([near, bad], margin), bad);
   assert.equal(worst_check([shown], margin), undefined);
@@ -170,6 +175,22 @@ test("two runs are compared by case, engine and settings", () => {
   assert.equal(changes[2].cost_ratio, 2);
   assert.equal(changes[2].digits_change, -1);
   assert.equal(changes[4].hash_equal, false);
+});
+
+test("where nothing says of what size zero is, tolerances are compared", () => {
+  const of = (of_tolerance) =>
+    record({ checks: [check({ expected: 0, scale: undefined, digits: undefined, of_tolerance })] });
+  const [{ digits_change }] = compare([of(1e-2)], [of(1e-1)]);
+  assert.ok(Math.abs(digits_change + 1) < 1e-12);
+  assert.equal(compare([of(1e-9)], [of(1e-4)])[0].class, "same", "far below what decides");
+  assert.equal(compare([of(0)], [of(1e-4)])[0].class, "same");
+});
+
+test("a record's digits are the fewest of its checks that pass or fail", () => {
+  const of = (...checks) => fewest_digits(record({ checks }));
+  const zero = check({ expected: 0, digits: undefined });
+  assert.equal(of(check({ digits: 4 }), zero, check({ digits: 1, verdict: "refuted" })), 4);
+  assert.equal(of(zero), null);
 });
 
 test("a power law is fitted", () => {

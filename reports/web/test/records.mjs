@@ -20,18 +20,31 @@ export function check(change = {}) {
     error: 3.3e-4,
     relative: true,
     scale: 0.3,
+    of_tolerance: 0.33,
     tolerance: 1e-3,
     reason: "half a step of travel",
     digits: 3.5,
     worst: "",
+    cause: "",
     verdict: "pass",
     ...change,
   };
 }
 
+/** A check and a record as schema version 3 wrote them. */
+export function old_check(change = {}) {
+  const { of_tolerance, ...old } = check(change);
+  return old;
+}
+
+export function old_record(change = {}) {
+  const { figures, failures, ...old } = record({ schema_version: 3, ...change });
+  return old;
+}
+
 export function record(change = {}) {
   return {
-    schema_version: 1,
+    schema_version: 4,
     case: "incline/stop/mu=0.3",
     title: "a box stops",
     engine: "stiction",
@@ -39,6 +52,8 @@ export function record(change = {}) {
     verdict: "pass",
     error: "",
     checks: [check()],
+    figures: [],
+    failures: [],
     notes: [],
     cost: {
       cpu_seconds: 0.25,
@@ -113,6 +128,7 @@ export function varied_records() {
           expected: mu,
           error: -1e-9,
           scale: mu,
+          of_tolerance: 0.1,
           tolerance: 1e-8,
           digits: 9,
         }),
@@ -134,8 +150,10 @@ export function varied_records() {
         expected: 0,
         error: 2e-3,
         relative: false,
+        scale: undefined,
         tolerance: 1e-6,
-        digits: 2.7,
+        of_tolerance: 2000,
+        digits: undefined,
         verdict: "fail",
         worst: "corner 3",
       }),
@@ -150,13 +168,13 @@ export function varied_records() {
   });
   const shown = record({
     case: "membrane/ball",
-    verdict: "shown",
-    checks: [check({ verdict: "shown" })],
+    verdict: "for-information",
+    checks: [check({ verdict: "for-information" })],
   });
   const skipped = record({ case: "basket/balls", verdict: "not-applicable", checks: [] });
   const odd = record({
     case: "drop/odd",
-    checks: [check({ value: "nan", error: "inf", digits: 0, verdict: "fail" })],
+    checks: [check({ value: "nan", error: "inf", of_tolerance: "inf", digits: 0, verdict: "fail" })],
     verdict: "fail",
   });
   return [...stop, ...thresholds, failing, broken, shown, skipped, odd];

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { draw_plots, start_browser } from "./browser.mjs";
-import { check, lines_of, make_run, record } from "./records.mjs";
+import { check, lines_of, make_run, old_check, old_record, record } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
 let browser;
@@ -98,12 +98,11 @@ test("warnings stand on top, licences in the page", async () => {
 
 test("what falls short as expected is told as such, with band and cause, and is no failure", async () => {
   const cause = "penalty contacts close the depth in steps";
-  const band = { expected_low: 0.3, expected_high: 0.35 };
+  const band = { band: [0.3, 0.35] };
   const short = record({
-    schema_version: 3,
     case: "limit/known",
-    verdict: "limit",
-    checks: [check({ verdict: "limit", cause, ...band, error: 0.1 })],
+    verdict: "expected-shortfall",
+    checks: [check({ verdict: "expected-shortfall", cause, ...band, of_tolerance: 100 })],
     meshes: [
       {
         bodies: "box and 2 more",
@@ -122,11 +121,11 @@ test("what falls short as expected is told as such, with band and cause, and is 
     verdict: "refuted",
     checks: [check({ verdict: "refuted", cause: "a scalar acts along the slip only", ...band })],
   });
-  const old = record({
+  const old = old_record({
     schema_version: 2,
     case: "limit/old",
     verdict: "limit",
-    checks: [check({ verdict: "limit", limit: "as version 2 said", error: 0.1 })],
+    checks: [old_check({ verdict: "limit", limit: "as version 2 said", error: 0.1 })],
   });
   const page = await browser.open(make_page(make_run(lines_of([short, refuted, old, record()]))));
   assert.equal(
@@ -134,20 +133,20 @@ test("what falls short as expected is told as such, with band and cause, and is 
     "1 holds, 2 fall short as known, 1 refutes a claim of the paper.",
   );
   assert.equal(await page.locator(".failures").count(), 0);
-  assert.match(await page.locator(".facts").innerText(), /2 known limits, 1 refuted, 1 holds/);
+  assert.match(await page.locator(".facts").innerText(), /2 expected shortfalls, 1 refuted, 1 holds/);
   await page.locator(".tally.verdict-refuted").click();
   await page.locator(".c-case a").click();
   await page.locator(".claim.verdict-refuted").waitFor();
   assert.match(await page.locator("main").innerText(), /a scalar acts along the slip only/);
   await page.goBack();
   await page.goBack();
-  await page.locator(".tally.verdict-limit").click();
+  await page.locator(".tally.verdict-expected-shortfall").click();
   await page.locator(".c-case a", { hasText: "old" }).click();
-  await page.locator(".claim.verdict-limit").waitFor();
+  await page.locator(".claim.verdict-expected-shortfall").waitFor();
   assert.match(await page.locator("main").innerText(), /as version 2 said/);
   await page.goBack();
   await page.locator(".c-case a", { hasText: "known" }).click();
-  await page.locator(".claim.verdict-limit").waitFor();
+  await page.locator(".claim.verdict-expected-shortfall").waitFor();
   const text = await page.locator("main").innerText();
   assert.ok(text.includes(cause));
   assert.match(text, /as expected in \[0\.3, 0\.35\] m/);

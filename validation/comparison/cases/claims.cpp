@@ -14,13 +14,13 @@ namespace stiction {
 
 namespace {
 
-struct Claim {
+struct PaperClaim {
   std::string name, title;
   std::vector<std::string> cases;  // of the catalog of validate
 };
 
-const std::vector<Claim>& claims() {
-  static const std::vector<Claim> all = {
+const std::vector<PaperClaim>& claims() {
+  static const std::vector<PaperClaim> all = {
       {"rigid-plane",
        "a box on a rigid plane stops, keeps its speed or speeds up as Coulomb's law has it",
        {"incline/threshold/mu=0.3/azimuth=30/yaw=0", "incline/below/stop/box",
@@ -49,7 +49,7 @@ std::vector<Case> meant(const std::string& name, const EngineKind& engine) {
   return found;
 }
 
-void run_claim(CaseRun& run, const Claim& claim) {
+void run_claim(CaseRun& run, const PaperClaim& claim) {
   run.passages_are_noted();
   int met = 0, count = 0;
   for (const std::string& name : claim.cases) {
@@ -58,19 +58,18 @@ void run_claim(CaseRun& run, const Claim& claim) {
       one.run(part);
       const Record record = part.record();
       run.include(record, true);
-      for (Check check : record.checks) {
-        if (check.verdict == Verdict::kShown) continue;
+      for (const Judgement& check : record.checks) {
+        if (check.verdict == Verdict::kForInformation) continue;
         met += check.verdict == Verdict::kPass;
         ++count;
-        check.verdict = Verdict::kShown;
-        run.check(std::move(check));
+        run.show(check.claim, check.value);
       }
     }
   }
-  run.check(measured("checks of the claim that hold", "1", "more is better", met));
-  run.check(measured("checks of the claim", "1", "that were made", count));
-  run.check(measured("share of the claim that holds", "1", "1: all of it",
-                     static_cast<double>(met) / std::max(count, 1)));
+  run.add(Figure{"checks of the claim that hold", "1", "more is better", static_cast<double>(met)});
+  run.add(Figure{"checks of the claim", "1", "that were made", static_cast<double>(count)});
+  run.add(Figure{"share of the claim that holds", "1", "1: all of it",
+                 static_cast<double>(met) / std::max(count, 1)});
 }
 
 }  // namespace
@@ -83,7 +82,7 @@ std::vector<Case> comparisons_claims() {
     }
   }
   std::vector<Case> cases;
-  for (const Claim& claim : claims()) {
+  for (const PaperClaim& claim : claims()) {
     cases.push_back({.name = "claims/" + claim.name,
                      .title = claim.title,
                      .set = CaseSet::kFull,

@@ -47,17 +47,17 @@ void run_cost(CaseRun& run, const ComparisonScene& scene) {
     return std::pair(reference::median(times), reference::median(ratios));
   };
   const auto [time, ratio] = compare();
-  run.check(measured(kFrictionTime, "ns", "median of 15 rounds, memory just lost", time));
-  run.check(measured(kFrictionRatio, "1", "median of the ratios", ratio));
+  run.add(Figure{kFrictionTime, "ns", "median of 15 rounds, memory just lost", time});
+  run.add(Figure{kFrictionRatio, "1", "median of the ratios", ratio});
   // Only a rule that comes to rest, and there does less, has a cost at rest of its own.
   const std::string rule = run.settings().at("rule");
   if (run.settings().at("method") == "quiet" && rule.find("-vector") != std::string::npos &&
       rule != "bias-vector") {
     own->engine().advance(kToRest);
-    run.check(measured("… at rest", "1", "median of the ratios", compare().second));
+    run.add(Figure{"… at rest", "1", "median of the ratios", compare().second});
   }
-  run.check(measured("contacts", "1", "that were timed",
-                     static_cast<double>(own->engine().contacts().size())));
+  run.add(Figure{"contacts", "1", "that were timed",
+                 static_cast<double>(own->engine().contacts().size())});
 }
 
 }  // namespace

@@ -65,21 +65,20 @@ void run_frozen(CaseRun& run, const ComparisonScene& scene) {
       Eigen::MatrixXd::Identity(n, n) + kGain * after.free.cwiseInverse().asDiagonal() * jacobian;
   const double radius = reference::spectral_radius(map);
 
-  run.check(measured("contacts", "1", "unknowns of (15)", static_cast<double>(n)));
-  run.check(
-      measured(kLearnedSlip, "m/s", "what the fixed point had left, rms", rms(before.along, n)));
-  run.check(measured(kRootSlip, "m/s", "what GSL leaves of it, largest", root.residual));
-  run.check(
-      measured(kAcrossSlip, "m/s", "what no scalar a contact acts on, rms", rms(after.across, n)));
-  run.check(measured("least slip, N scalars", "m/s", "least squares over ξ of both components, rms",
-                     rms(both(scalar.x), n)));
-  run.check(measured(kBiasSlip, "m/s", "least squares over a bias in the tangent plane, rms",
-                     rms(with_bias(vector.x), n)));
-  run.check(measured(kDominance, "1", "above 1 the paper's assumption holds",
-                     reference::diagonal_dominance(jacobian)));
-  run.check(measured(kPredictedRate, "1", "spectral radius of the fixed point at g = 0.7", radius));
-  run.check(measured(kObservedRate, "1", "factor of the slip in an iteration of it",
-                     observed_rate(frozen, learned)));
+  run.add(Figure{"contacts", "1", "unknowns of (15)", static_cast<double>(n)});
+  run.add(Figure{kLearnedSlip, "m/s", "what the fixed point had left, rms", rms(before.along, n)});
+  run.add(Figure{kRootSlip, "m/s", "what GSL leaves of it, largest", root.residual});
+  run.add(
+      Figure{kAcrossSlip, "m/s", "what no scalar a contact acts on, rms", rms(after.across, n)});
+  run.add(Figure{"least slip, N scalars", "m/s", "least squares over ξ of both components, rms",
+                 rms(both(scalar.x), n)});
+  run.add(Figure{kBiasSlip, "m/s", "least squares over a bias in the tangent plane, rms",
+                 rms(with_bias(vector.x), n)});
+  run.add(Figure{kDominance, "1", "above 1 the paper's assumption holds",
+                 reference::diagonal_dominance(jacobian)});
+  run.add(Figure{kPredictedRate, "1", "spectral radius of the fixed point at g = 0.7", radius});
+  run.add(Figure{kObservedRate, "1", "factor of the slip in an iteration of it",
+                 observed_rate(frozen, learned)});
   run.note(
       fmt::format("GSL: hybrids {} after {} iterations, ξ from {:.3g} to {:.3g}; least squares "
                   "over N {} after {}, over 2N {} after {}",

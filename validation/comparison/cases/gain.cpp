@@ -46,7 +46,7 @@ void run_sweep(CaseRun& run, ComparisonScene scene, const Sweep& sweep) {
   scene.steps = kSteps;
   Series creep{"final creep", "m/s", sweep.setting, sweep.unit, {}, {}};
   double best = std::numeric_limits<double>::infinity(), best_at = std::nan("");
-  std::string failed;
+  std::vector<double> failed;
   const RuleHistory usual = run_rule(run, scene);
   bool same_hash = usual.same_hash;
   for (const double value : sweep.values) {
@@ -57,7 +57,7 @@ void run_sweep(CaseRun& run, ComparisonScene scene, const Sweep& sweep) {
         run_rule(run, scene, {{setting, is_zero ? "0" : fmt::format("{:.12g}", value)}});
     same_hash = same_hash && history.same_hash;
     if (!history.failure.empty()) {
-      failed += fmt::format("{}{:g}", failed.empty() ? "" : ", ", value);
+      failed.push_back(value);
       continue;
     }
     creep.x.push_back(value);
@@ -68,13 +68,13 @@ void run_sweep(CaseRun& run, ComparisonScene scene, const Sweep& sweep) {
     }
   }
   check_same_hash(run, same_hash);
-  run.check(measured("least final creep", "m/s", "what is held does not creep", best));
-  run.check(measured("best " + sweep.setting, sweep.unit, "where that is", best_at));
-  run.check(measured("final creep at the default gain", "m/s", "what is held does not creep",
-                     usual.creep()));
-  run.check(measured("failures", "1", "no value throws the box off",
-                     static_cast<double>(sweep.values.size() - creep.x.size())));
-  if (!failed.empty()) run.note("failed: " + sweep.setting + " = " + failed);
+  run.add(Figure{"least final creep", "m/s", "what is held does not creep", best});
+  run.add(Figure{"best " + sweep.setting, sweep.unit, "where that is", best_at});
+  run.add(Figure{"final creep at the default gain", "m/s", "what is held does not creep",
+                 usual.creep()});
+  run.add(Figure{"failures", "1", "no value throws the box off",
+                 static_cast<double>(sweep.values.size() - creep.x.size())});
+  if (!failed.empty()) run.add(Failure{"a body left its place", sweep.setting, failed});
   run.add(std::move(creep));
 }
 

@@ -31,10 +31,10 @@ void run_poses(CaseRun& run, double slope) {
     }
   }
   std::sort(slips.begin(), slips.end());
-  run.check(measured(kPosesAtRest, "1", "a box on a slab comes to rest", at_rest));
-  run.check(measured(kPoses, "1", "that were tried", kCount));
-  run.check(measured("fastest slip, median pose", "m/s", "at the end", slips[slips.size() / 2]));
-  run.check(measured("… worst pose", "m/s", "at the end", slips.back()));
+  run.add(Figure{kPosesAtRest, "1", "a box on a slab comes to rest", static_cast<double>(at_rest)});
+  run.add(Figure{kPoses, "1", "that were tried", kCount});
+  run.add(Figure{"fastest slip, median pose", "m/s", "at the end", slips[slips.size() / 2]});
+  run.add(Figure{"… worst pose", "m/s", "at the end", slips.back()});
   if (!moving.empty()) run.note("The first that did not come to rest: " + moving);
 }
 

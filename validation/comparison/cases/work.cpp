@@ -19,13 +19,12 @@ void run_work(CaseRun& run, ComparisonScene scene, double slope) {
   const double free_slide = 0.5 * kStandardGravity * std::sin(slope) * kWindow * kWindow;
   const RuleHistory history = run_rule(run, scene);
   check_same_hash(run, history.same_hash);
-  Check check = measured(kSlippedShare, "1", "little is lost before friction is found",
-                         history.failure.empty() ? history.path() / free_slide
-                                                 : std::numeric_limits<double>::infinity());
-  run.check(check);
-  run.check(measured(kCpuTime, "s", "little work", run.record().cost.cpu_seconds));
-  run.check(measured(kCreep, "m/s", "what is held does not creep", history.creep()));
-  if (!history.failure.empty()) run.note("failed: " + history.failure);
+  run.add(Figure{kSlippedShare, "1", "little is lost before friction is found",
+                 history.failure.empty() ? history.path() / free_slide
+                                         : std::numeric_limits<double>::infinity()});
+  run.add(Figure{kCpuTime, "s", "little work", run.record().cost.cpu_seconds});
+  run.add(Figure{kCreep, "m/s", "what is held does not creep", history.creep()});
+  if (!history.failure.empty()) run.add(Failure{history.failure});
 }
 
 std::vector<Settings> work_variants() {

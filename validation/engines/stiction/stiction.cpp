@@ -13,6 +13,7 @@
 #include "validation/engine/engine.h"
 #include "validation/engine/settings.h"
 #include "validation/engines/stiction/configurations.h"
+#include "validation/engines/stiction/solver_view.h"
 #include "validation/engines/stiction/step_cost.h"
 #include "validation/engines/stiction/stiction_expectations.h"
 #include "validation/engines/stiction/stiction_method.h"
@@ -166,6 +167,8 @@ class StictionEngine final : public Engine {
   Cost cost() const override { return cost_.total(workspace_.contact_updates); }
 
   std::uint64_t state_hash() const override { return hash_of(state_); }
+  SolverView view() const { return {scene_, options_, workspace_}; }
+
   Snapshot save() const override { return std::make_shared<const State>(state_); }
   void restore(const Snapshot& snapshot) override {
     state_ = *static_cast<const State*>(snapshot.get());
@@ -294,6 +297,12 @@ std::map<std::string, std::string> settings_help() {
 }
 
 }  // namespace
+
+SolverView solver_view(const Engine& engine) {
+  const auto* const own = dynamic_cast<const StictionEngine*>(&engine);
+  demand(own != nullptr, "a study of the solver runs on the engine 'stiction'");
+  return own->view();
+}
 
 EngineKind engine_stiction() {
   return {

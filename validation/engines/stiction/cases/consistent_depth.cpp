@@ -96,50 +96,48 @@ std::string words(const std::string& name, const ConsistentComparison& seen) {
       seen.depth_error, seen.depth_excess, seen.direction_error, seen.direction_excess);
 }
 
-Check count_check(const std::string& quantity, const std::string& claim, int count) {
+Claim count_claim(const std::string& quantity, const std::string& statement) {
   return {.quantity = quantity,
           .unit = "1",
-          .claim = claim,
+          .statement = statement,
           .formula = "count = 0",
           .source = kSource,
           .kind = ReferenceKind::kExactComputed,
-          .value = static_cast<double>(count),
           .expected = 0.0,
           .tolerance = 0.0,
           .reason = "a count"};
 }
 
-Check error_check(const std::string& quantity, const std::string& claim, double excess,
-                  double error, const std::string& unit) {
+Claim error_claim(const std::string& quantity, const std::string& statement) {
   return {.quantity = quantity,
           .unit = "1",
-          .claim = claim,
+          .statement = statement,
           .formula = "|error|/bound ≤ 1",
           .source = kSource,
           .kind = ReferenceKind::kExactComputed,
-          .value = excess,
           .expected = 0.0,
           .tolerance = 1.0,
           .reason =
               "the bound is 3.3e-13 (thirty roundings over a volume a hundred times below a "
               "cube's) of the size, times the derivatives of the means: a weight is the more "
-              "wrong the nearer the crossing and the flatter the edge",
-          .worst = fmt::format("largest error {:.1e} {}", error, unit)};
+              "wrong the nearer the crossing and the flatter the edge"};
 }
 
 void check_all(CaseRun& run, const std::string& of, const ConsistentComparison& seen,
                const std::string& other_level = "of another level") {
-  run.check(count_check(of + ": vertices in one answer only",
-                        "what touches is what is exactly in or on the other body", seen.lost));
-  run.check(count_check(of + ": vertices " + other_level,
-                        "what has an edge that leaves, and in how many steps depths reach the rest",
-                        seen.other_level));
-  run.check(error_check(of + ": error of depth over its bound",
-                        "d is the weighted mean over the edges that leave, or over neighbours",
-                        seen.depth_excess, seen.depth_error, "m"));
-  run.check(error_check(of + ": error of direction over its bound",
-                        "n is the direction of the weighted sum of normals", seen.direction_excess,
-                        seen.direction_error, "rad"));
+  run.check(count_claim(of + ": vertices in one answer only",
+                        "what touches is what is exactly in or on the other body"),
+            seen.lost);
+  run.check(
+      count_claim(of + ": vertices " + other_level,
+                  "what has an edge that leaves, and in how many steps depths reach the rest"),
+      seen.other_level);
+  run.check(error_claim(of + ": error of depth over its bound",
+                        "d is the weighted mean over the edges that leave, or over neighbours"),
+            seen.depth_excess, fmt::format("largest error {:.1e} m", seen.depth_error));
+  run.check(error_claim(of + ": error of direction over its bound",
+                        "n is the direction of the weighted sum of normals"),
+            seen.direction_excess, fmt::format("largest error {:.1e} rad", seen.direction_error));
 }
 
 void run_consistent(CaseRun& run, int count) {

@@ -50,44 +50,44 @@ std::string words(const std::string& name, const DetectionComparison& seen) {
 void check_sides(CaseRun& run, const DetectionComparison& all) {
   run.check({.quantity = "points found on the wrong side",
              .unit = "1",
-             .claim = "a vertex touches a body exactly if it is in one of its tetrahedra",
+             .statement = "a vertex touches a body exactly if it is in one of its tetrahedra",
              .formula = "count = 0",
              .source = kSource,
              .kind = ReferenceKind::kExactComputed,
-             .value = static_cast<double>(all.wrong_beyond),
              .expected = 0.0,
              .tolerance = 0.0,
              .reason = "a count; left out is what lies within 1e-12 (the solver's margin) + 3e-13 "
-                       "(rounding of a weight) of the body's size from the surface",
-             .worst = fmt::format("{} of {} points, none farther than {:.0e} of the size",
-                                  all.wrong_side, all.points, all.farthest_wrong)});
+                       "(rounding of a weight) of the body's size from the surface"},
+            static_cast<double>(all.wrong_beyond),
+            fmt::format("{} of {} points, none farther than {:.0e} of the size", all.wrong_side,
+                        all.points, all.farthest_wrong));
 }
 
 void check_depths(CaseRun& run, const DetectionComparison& all) {
   run.check(
       {.quantity = "depths to another than the nearest place",
        .unit = "1",
-       .claim = "the depth is the distance from the surface, however deep, in thin bodies as well",
+       .statement =
+           "the depth is the distance from the surface, however deep, in thin bodies as well",
        .formula = "count = 0",
        .source = kSource,
        .kind = ReferenceKind::kExactComputed,
-       .value = static_cast<double>(all.not_nearest),
        .expected = 0.0,
        .tolerance = 0.0,
-       .reason = "a count; a place counts as nearest within 3e-13 (rounding) of the body's size",
-       .worst = all.not_nearest > 0
-                    ? fmt::format("the shallowest {:.2f} mean edges deep", all.shallowest)
-                    : ""});
+       .reason = "a count; a place counts as nearest within 3e-13 (rounding) of the body's size"},
+      static_cast<double>(all.not_nearest),
+      all.not_nearest > 0 ? fmt::format("the shallowest {:.2f} mean edges deep", all.shallowest)
+                          : "");
   run.check({.quantity = "distance of x + d n from the surface",
              .unit = "1",
-             .claim = "the depth vector ends on the surface",
+             .statement = "the depth vector ends on the surface",
              .formula = "dist(x + d n)/size = 0",
              .source = kSource,
              .kind = ReferenceKind::kExactComputed,
-             .value = all.foot_error,
              .expected = 0.0,
              .tolerance = kDetectionRounding,
-             .reason = "thirty roundings over a volume a hundred times below a cube's"});
+             .reason = "thirty roundings over a volume a hundred times below a cube's"},
+            all.foot_error);
 }
 
 void run_detection(CaseRun& run, int random) {

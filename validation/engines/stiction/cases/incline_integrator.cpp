@@ -19,15 +19,15 @@ void run_threshold(CaseRun& run, const InclineSetup& setup) {
   const Bracket bracket = incline_threshold(run, setup, kRelativeWidth * mu);
   run.check({.quantity = "critical tan θ",
              .unit = "1",
-             .claim = "the threshold does not depend on the integration scheme",
+             .statement = "the threshold does not depend on the integration scheme",
              .formula = "tan θ_c = μ",
              .source = "[Lazarevych2009], sec. 6",
              .kind = ReferenceKind::kAnalytic,
-             .value = bracket.middle(),
              .expected = mu,
              .relative = true,
              .tolerance = kRelativeWidth,
-             .reason = "as in incline/threshold"});
+             .reason = "as in incline/threshold"},
+            bracket.middle());
 }
 
 // Stopping distance of a point mass whose last step is cut at a generic place.
@@ -54,26 +54,26 @@ void run_stop(CaseRun& run, InclineSetup setup) {
   }
   run.check({.quantity = "stopping distance",
              .unit = "m",
-             .claim = "with velocities in the middle of steps the bias v₀Δt/2 is gone",
+             .statement = "with velocities in the middle of steps the bias v₀Δt/2 is gone",
              .formula = "d = v₀²/(2g(μ cos θ − sin θ))",
              .source = "Coulomb's law; Störmer–Verlet",
              .kind = ReferenceKind::kAnalytic,
-             .value = at_default_step,
              .expected = expected,
              .relative = true,
              .tolerance = 0.125 * deceleration * 2e-4 * 2e-4 / expected,
-             .reason = "the step in which it stops: at most aΔt²/8"});
+             .reason = "the step in which it stops: at most aΔt²/8"},
+            at_default_step);
   run.check(
       {.quantity = "order in Δt of the stopping distance",
        .unit = "1",
-       .claim = "positions are of second order",
+       .statement = "positions are of second order",
        .formula = "error ≤ aΔt²/8",
        .source = "Störmer–Verlet",
        .kind = ReferenceKind::kAnalytic,
-       .value = observed_order(error.x, error.y),
        .expected = 2.0,
        .tolerance = 0.01,
-       .reason = "the error is a multiple of Δt² exactly; round-off of 1e-13 m beside 1e-9 m"});
+       .reason = "the error is a multiple of Δt² exactly; round-off of 1e-13 m beside 1e-9 m"},
+      observed_order(error.x, error.y));
   run.add(std::move(error));
 }
 

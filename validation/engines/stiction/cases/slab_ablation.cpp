@@ -83,17 +83,17 @@ struct Outcome {
 void check_share(CaseRun& run, const Ingredient& one, const Outcome& seen, std::size_t poses) {
   run.check({.quantity = "share at rest: " + one.name,
              .unit = "1",
-             .claim = one.most == 0.0    ? "this does not bring a pose to rest"
-                      : one.least == 1.0 ? "this brings every pose to rest"
-                                         : "without the bounded gain some poses never rest",
+             .statement = one.most == 0.0    ? "this does not bring a pose to rest"
+                          : one.least == 1.0 ? "this brings every pose to rest"
+                                             : "without the bounded gain some poses never rest",
              .formula = "fastest slip ≤ 1e-12 m/s and kinetic energy ≤ 1e-24 J",
              .source = "Coulomb's law",
              .kind = ReferenceKind::kAnalytic,
-             .value = seen.share,
              .expected = 0.5 * (one.least + one.most),
              .tolerance = 0.5 * (one.most - one.least) + 0.5 / static_cast<double>(poses),
              .reason = "a count: half a pose; without the bounded gain 39 of 60 poses rested, at "
-                       "most three quarters are claimed"});
+                       "most three quarters are claimed"},
+            seen.share);
 }
 
 void check_effect(CaseRun& run, const Ingredient& one, const Outcome& seen, const Ingredient& other,
@@ -117,20 +117,20 @@ void check_effect(CaseRun& run, const Ingredient& one, const Outcome& seen, cons
     }
   };
   const Claim claim = claimed();
-  run.check({.quantity = "decades of slip: " + one.name + " ÷ " + other.name,
-             .unit = "1",
-             .claim = claim.words,
-             .formula = "log₁₀ of the ratio of the fastest slips",
-             .source = "measured on 60 other poses",
-             .kind = ReferenceKind::kSelfConverged,
-             .value = std::log10(seen.fastest / before.fastest),
-             .expected = 0.5 * (claim.least + claim.most),
-             .tolerance = 0.5 * (claim.most - claim.least),
-             .reason =
-                 "slips that stay are 1e-7 to 1e-2 m/s, what sweeps leave is 1e-10 to 1e-9 m/s, "
+  run.check(
+      {.quantity = "decades of slip: " + one.name + " ÷ " + other.name,
+       .unit = "1",
+       .statement = claim.words,
+       .formula = "log₁₀ of the ratio of the fastest slips",
+       .source = "measured on 60 other poses",
+       .kind = ReferenceKind::kSelfConverged,
+       .expected = 0.5 * (claim.least + claim.most),
+       .tolerance = 0.5 * (claim.most - claim.least),
+       .reason = "slips that stay are 1e-7 to 1e-2 m/s, what sweeps leave is 1e-10 to 1e-9 m/s, "
                  "round-off is 1e-17 to 1e-13 m/s; the "
                  "slip of a limit cycle, or of round-off, at one moment varies by a factor "
-                 "of three either way"});
+                 "of three either way"},
+      std::log10(seen.fastest / before.fastest));
 }
 
 void run_ablation(CaseRun& run, const std::vector<SlabSetup>& setups) {
@@ -165,16 +165,16 @@ void run_ablation(CaseRun& run, const std::vector<SlabSetup>& setups) {
   }
   run.check({.quantity = "decades of kinetic energy: + harmonic gain ÷ paper",
              .unit = "1",
-             .claim = "the bounded gain ends the normal direction's limit cycle",
+             .statement = "the bounded gain ends the normal direction's limit cycle",
              .formula = "log₁₀ of the ratio ≤ −1",
              .source = "derived: z² − 2(1 − κ)z + (1 − κ) = 0 alternates for κ > 1 (slab/kappa)",
              .kind = ReferenceKind::kSelfConverged,
-             .value = std::log10(seen[kGain].kinetic / seen[0].kinetic),
              .expected = -8.0,
              .tolerance = 7.0,
              .reason = "what tangential slips of 5e-5 m/s leave is 2e-10 J; a limit cycle of a "
                        "light contact, g Δt = 2e-3 m/s of a vertex of 20 g, has 4e-8 J: a decade "
-                       "at least lies between"});
+                       "at least lies between"},
+            std::log10(seen[kGain].kinetic / seen[0].kinetic));
   run.add(std::move(shares));
   run.add(std::move(slips));
 }

@@ -26,14 +26,13 @@ class Found {
   int last_above_ = 0;
 };
 
-Check steps_check(const std::string& whose, int steps) {
+Claim steps_claim(const std::string& whose) {
   return {.quantity = "steps until the " + whose + " slip stays below 1e-9 m/s",
           .unit = "1",
-          .claim = "static friction is found again in the paper's 8 to 16 steps",
+          .statement = "static friction is found again in the paper's 8 to 16 steps",
           .formula = "u ≤ 1e-9 m/s from then on",
           .source = "[Lazarevych2009], sec. 5: 8 to 16 steps",
           .kind = ReferenceKind::kExternal,
-          .value = static_cast<double>(steps),
           .expected = 0.0,
           .tolerance = 16.0,
           .reason = "the paper's largest"};
@@ -70,17 +69,15 @@ double predicted_rate(const CaseRun& run, const SlabSetup& setup, SlabRun& settl
 // step. Per second, not per step, it is the same at either time step (measured: 3.95 and 4.0 1/s),
 // hence elastic.
 void note_tail(CaseRun& run, double predicted, double observed, double dt) {
-  run.check(
-      {.quantity = "decay of the slip at the end",
-       .unit = "1/s",
-       .claim = "what is left decays as the slowest part of the linearised step",
-       .formula = "−ln ρ/Δt",
-       .source = "eigenvalues of the step's Jacobian, validation/engines/stiction/step_rate.h",
-       .kind = ReferenceKind::kExactComputed,
-       .value = -std::log(observed) / dt,
-       .expected = -std::log(predicted) / dt,
-       .reason = "not judged: several parts of about the same decay swing against each other",
-       .verdict = Verdict::kShown});
+  run.show({.quantity = "decay of the slip at the end",
+            .unit = "1/s",
+            .statement = "what is left decays as the slowest part of the linearised step",
+            .formula = "−ln ρ/Δt",
+            .source = "eigenvalues of the step's Jacobian, validation/engines/stiction/step_rate.h",
+            .kind = ReferenceKind::kExactComputed,
+            .expected = -std::log(predicted) / dt,
+            .reason = "not judged: several parts of about the same decay swing against each other"},
+           -std::log(observed) / dt);
 }
 
 // A settled box at 20° whose contacts forget their friction for one step: no friction rule keeps
@@ -123,8 +120,8 @@ void run_convergence(CaseRun& run, const SlabSetup& setup, const Settings& extra
     found_fastest.add(k, sample.fastest_slip);
     slips.push_back(sample.fastest_slip);
   }
-  run.check(steps_check("mean", found_mean.steps()));
-  run.check(steps_check("fastest contact's", found_fastest.steps()));
+  run.check(steps_claim("mean"), found_mean.steps());
+  run.check(steps_claim("fastest contact's"), found_fastest.steps());
   if (run.settings().at("method") == "quiet") note_tail(run, predicted, rate_at_end(slips), dt);
   int of_box = 0, of_slab = 0;
   for (const ContactSample& contact : settled.engine().contacts()) {

@@ -8,10 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/step.h"
-#include "validation/engine/settings.h"
-#include "validation/engines/stiction/stiction_method.h"
-#include "validation/engines/stiction/stiction_scene.h"
+#include "validation/engines/stiction/solver_view.h"
 #include "validation/problems/slab_problem.h"
 
 namespace stiction {
@@ -92,19 +89,9 @@ int overlooked(const Scene& scene, const Workspace& workspace) {
 }
 
 void run_kappa(CaseRun& run, const SlabSetup& setup) {
-  // Simulated by the engine too, so that the record shows its settings and cost.
-  SlabRun shown(run, setup);
-  shown.advance_to(0.1);
-  // The engine's scene for the solver itself: κ needs each contact's partners and weights, which no
-  // engine shows.
-  const Scene scene = build_scene(scene_description(slab_problem(setup), {.cells = setup.cells}));
-  Options options;
-  SettingsReader reader(run.settings());
-  read_method(reader, options);
-  options.time_step = shown.time_step();
-  check_options(options, scene);
-  State state = initial_state(scene);
-  Workspace workspace;
+  SlabRun slab(run, setup);
+  // κ needs each contact's partners and weights, which no engine shows.
+  const auto [scene, options, workspace] = solver_view(slab.engine());
   Series kappa{"largest κ", "1", "time", "s", {}, {}};
   double largest = 0.0;
   int changes = 0;
@@ -112,7 +99,7 @@ void run_kappa(CaseRun& run, const SlabSetup& setup) {
   std::size_t loaded_before = 0;
   const int steps = static_cast<int>(1.5 / options.time_step);
   for (int k = 1; k <= steps; ++k) {
-    step(scene, options, state, workspace);
+    slab.engine().advance(1);
     const double time = k * options.time_step;
     unseen += overlooked(scene, workspace);
     if (time < 0.05) continue;  // hardly any weight yet
@@ -129,24 +116,24 @@ void run_kappa(CaseRun& run, const SlabSetup& setup) {
       options.pairs.gain == NormalGain::kHarmonic ? options.pairs.harmonic_gain : 1;
   run.check({.quantity = "largest κ above its bound",
              .unit = "1",
-             .claim = "no depth is closed by more than its whole in a step",
+             .statement = "no depth is closed by more than its whole in a step",
              .formula = "max(0, κ_max − κ₀) = 0, with κ₀ = 1 for the paper's gain",
              .source = "derived: z² − 2(1 − κ)z + (1 − κ) = 0 alternates for κ > 1",
              .kind = ReferenceKind::kAnalytic,
-             .value = std::max(0.0, largest - bound),
              .expected = 0.0,
              .tolerance = 1e-12,
-             .reason = "round-off of an eigenvalue of order one, some thousand roundings"});
+             .reason = "round-off of an eigenvalue of order one, some thousand roundings"},
+            std::max(0.0, largest - bound));
   run.check({.quantity = "vertices inside the other body without a contact",
              .unit = "1",
-             .claim = "no vertex that is inside a body is without its contact in any step",
+             .statement = "no vertex that is inside a body is without its contact in any step",
              .formula = "in a tetrahedron of the other body, all weights above 1e-9 ⇒ a contact",
              .source = "every vertex against every tetrahedron, by matrix inversion",
              .kind = ReferenceKind::kExactComputed,
-             .value = static_cast<double>(unseen),
              .expected = 0.0,
              .tolerance = 0.0,
-             .reason = "a count; weights that round-off could turn are left out"});
+             .reason = "a count; weights that round-off could turn are left out"},
+            static_cast<double>(unseen));
   run.note(
       fmt::format("κ_max {:.6f} (bound {:.2f}, limit of stability 1.333); loaded contacts come "
                   "or go in {} of {:.0f} steps between 1 s and 1.5 s",

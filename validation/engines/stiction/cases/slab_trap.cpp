@@ -20,16 +20,16 @@ void run_trap(CaseRun& run, const SlabSetup& flat) {
       search_slope(run, flat, expected, expected - 3.7 * kTrapWidth, kTrapWidth, kTrapWidth);
   run.check({.quantity = "critical slope",
              .unit = "°",
-             .claim = "(7) with the force before it is halved makes a box stick up to 2μ",
+             .statement = "(7) with the force before it is halved makes a box stick up to 2μ",
              .formula = "θ_c = atan 2μ: the trap",
              .source = "Coulomb's law with twice the cone",
              .kind = ReferenceKind::kAnalytic,
-             .value = found.bracket.middle(),
              .expected = expected,
              .tolerance = 0.5 * kTrapWidth + 0.045,
              .reason = "half the bracket, and the lean of soft bodies, 0.0205° at μ (measured, "
                        "slab/threshold), which grows with the shear: twice at 2μ, and a tenth. Not "
-                       "extrapolated, since only the factor of two is claimed"});
+                       "extrapolated, since only the factor of two is claimed"},
+            found.bracket.middle());
 }
 
 }  // namespace

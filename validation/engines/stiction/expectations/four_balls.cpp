@@ -32,10 +32,10 @@ constexpr Words kNoBalance{
 // clang-format off
 Expectations expectations_four_balls() {
   return {
-      {"paper/fig7-four-balls", "method=old", "stands at μ = 0.24", {0, 0}, kLimit, kOldSinks, kCount},
-      {"paper/fig7-four-balls/threshold/n=4", "method=paper", "stands at μ = 0.24", {0, 0}, kLimit, kFewVertices, kCount},
-      {"paper/fig7-four-balls/threshold/n=4", "method=quiet", "stands at μ = 0.24", {0, 0}, kLimit, kFewVertices, kCount},
-      {"paper/fig7-four-balls/threshold/n=5", "method=paper", "least μ of its contacts above 0.24", {9.7, kInfinity}, kLimit, kSlipsOn, kNoBalance},
+      {"paper/fig7-four-balls", "method=old", "stands at μ = 0.24", {0, 0}, kShortfall, kOldSinks, kCount},
+      {"paper/fig7-four-balls/threshold/n=4", "method=paper", "stands at μ = 0.24", {0, 0}, kShortfall, kFewVertices, kCount},
+      {"paper/fig7-four-balls/threshold/n=4", "method=quiet", "stands at μ = 0.24", {0, 0}, kShortfall, kFewVertices, kCount},
+      {"paper/fig7-four-balls/threshold/n=5", "method=paper", "least μ of its contacts above 0.24", {9.7, kInfinity}, kShortfall, kSlipsOn, kNoBalance},
   };
 }
 // clang-format on

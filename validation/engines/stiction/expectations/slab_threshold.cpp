@@ -41,15 +41,15 @@ Expectations expectations_slab_threshold() {
       {"slab/threshold", "method=paper rule=secant", "fastest creep of the slopes that hold", {3.2e-06, 3e-05}, kRefuted, kCreepsBelow, kOneRun},
       {"slab/threshold", "method=paper rule=secant", "verdicts that half the step or twice the time turns", {1, 1}, kRefuted, kCreepsBelow, kCount},
       {"slab/threshold", "method=paper rule=secant", "fastest creep of the slope that holds, at half the step and from then to twice the time", {3e-06, 2.8e-05}, kRefuted, kCreepsBelow, kOneRun},
-      {"slab/threshold", "memory=keep method=paper", "critical slope, rigid limit", {24.5, 24.6}, kLimit, kStaleForce, kNowhere},
+      {"slab/threshold", "memory=keep method=paper", "critical slope, rigid limit", {24.5, 24.6}, kShortfall, kStaleForce, kNowhere},
       {"slab/threshold/fine", "method=paper", "fastest creep of the slopes that hold", {1.5e-09, 1.5e-08}, kRefuted, kCreepsFine, kOneRun},
       {"slab/threshold/fine", "method=paper rule=secant", "fastest creep of the slopes that hold", {1.5e-09, 1.5e-08}, kRefuted, kCreepsFine, kOneRun},
       {"slab/threshold/fine", "method=paper", "fastest creep of the slope that holds, at half the step and from then to twice the time", {2.6e-09, 2.6e-08}, kRefuted, kCreepsFine, kOneRun},
       {"slab/threshold/fine", "method=paper rule=secant", "fastest creep of the slope that holds, at half the step and from then to twice the time", {2.6e-09, 2.6e-08}, kRefuted, kCreepsFine, kOneRun},
-      {"slab/threshold/fine", "memory=keep method=paper", "critical slope, rigid limit", {26.2, 26.54}, kLimit, kStaleForce, kTenthDegrees},
-      {"slab/threshold/fine", "memory=keep method=paper", "fastest creep of the slopes that hold", {7.1e-09, 6.5e-08}, kLimit, kStaleForce, kOneRun},
-      {"slab/threshold/fine", "memory=keep method=paper", "verdicts that half the step or twice the time turns", {1, 1}, kLimit, kStaleForce, kCount},
-      {"slab/threshold/fine", "memory=keep method=paper", "fastest creep of the slope that holds, at half the step and from then to twice the time", {1.1e-05, 0.00011}, kLimit, kStaleForce, kOneRun},
+      {"slab/threshold/fine", "memory=keep method=paper", "critical slope, rigid limit", {26.2, 26.54}, kShortfall, kStaleForce, kTenthDegrees},
+      {"slab/threshold/fine", "memory=keep method=paper", "fastest creep of the slopes that hold", {7.1e-09, 6.5e-08}, kShortfall, kStaleForce, kOneRun},
+      {"slab/threshold/fine", "memory=keep method=paper", "verdicts that half the step or twice the time turns", {1, 1}, kShortfall, kStaleForce, kCount},
+      {"slab/threshold/fine", "memory=keep method=paper", "fastest creep of the slope that holds, at half the step and from then to twice the time", {1.1e-05, 0.00011}, kShortfall, kStaleForce, kOneRun},
   };
 }
 // clang-format on

@@ -7,7 +7,7 @@
 
 /// What the tables of this folder share. A file <name>.cpp returns its rows from a function
 /// `expectations_<name>()`; the build finds it. A row is
-///   {case or glob, variant, quantity, {low, high}, kLimit or kRefuted, cause, width}
+///   {case or glob, variant, quantity, {low, high}, kShortfall or kRefuted, cause, width}
 /// and `validate --show-expectations RUN/records.jsonl` writes rows like that.
 ///
 /// Two significant digits a band, rounded outwards. The runs were made on two processors with

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reports/record/frames.h"
+#include "reports/recording/frames.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reports/record/frames.h"
+#include "reports/recording/frames.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reports/record/test_recording.h"
+#include "reports/recording/test_recording.h"
 
 namespace stiction {
 namespace {

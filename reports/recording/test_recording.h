@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "reports/record/frames.h"
+#include "reports/recording/frames.h"
 
 namespace stiction {
 
