@@ -151,6 +151,44 @@ problem negative_stiffness 's/mass = 1.0/mass = 1.0\nyoungs_modulus = -1/'
 refuses "a negative stiffness" "Young's modulus must be positive and finite, not -1 Pa" \
   "$validate" negative_stiffness.toml
 
+# ---- a closed surface, which mesh_surface fills ------------------------------------------------
+# cube FACES: a cube of 200 mm with the origin in its middle.
+cube() {
+  printf '%s\n' OFF "8 $1 0" '-100 -100 -100' '100 -100 -100' '-100 100 -100' '100 100 -100' \
+    '-100 -100 100' '100 -100 100' '-100 100 100' '100 100 100' >cube.off
+  printf '3 %s\n' '0 2 1' '1 2 3' '4 5 6' '5 7 6' '0 1 4' '1 5 4' '2 6 3' '3 6 7' '0 4 2' '2 4 6' \
+    '1 3 5' '3 7 5' | head -n "$1" >>cube.off
+}
+mesh_of surface '[]'
+sed -i 's/^shape = .*/shape = "surface"\nfile = "cube.off"\nscale = 1e-3\ncell_size = 0.2/
+  /^vertices\|^tetrahedra/d' surface.toml
+cube 12
+holds 0 "a cube from a surface file falls" "$validate" surface.toml --out surface
+grep -q '"meshes":\[{[^]]*"tetrahedra":[1-9]' surface/latest/records.jsonl ||
+  failed "a cube from a surface file falls" "no tetrahedra in its record"
+cube 11
+refuses "an open surface" "surface.toml:5: cube.off: it is not closed: some edges have one triangle only" \
+  "$validate" surface.toml
+rm cube.off
+refuses "a missing surface" "surface.toml:5: cube.off: there is no such file" "$validate" surface.toml
+cube 12
+mkdir alone
+cp "$validate" alone/
+missing="surface.toml:5: cube.off: the mesher is not built: 'cmake --build BUILD_FOLDER --target mesh_surface' does it"
+refuses "a surface without the mesher" "$missing" env -u STICTION_SCRIPT alone/validate surface.toml
+exits 2 "… beside another problem" env -u STICTION_SCRIPT alone/validate surface.toml tet.toml --out beside
+[ "$(grep -c '"verdict":"pass"' beside/latest/records.jsonl)" -eq 1 ] ||
+  failed "… beside another problem" "which doesn't run"
+passed "… beside another problem, which runs"
+cat >builder <<'SH'
+#!/bin/sh
+[ "$*" = mesher ] && echo "building" >&2 && cp "$BUILT" "$(dirname "$0")/alone/"
+SH
+chmod +x builder
+holds 0 "the mesher is built when it is first called for" \
+  env STICTION_SCRIPT="$work/builder" BUILT="$build/mesh_surface" alone/validate surface.toml
+grep -q building err || failed "the mesher is built when it is first called for" "nobody is told"
+
 # ---- two runs into one folder -----------------------------------------------------------------
 exits 0 "a first run" "$validate" --case half-space/free-fall --out twice
 first=$(readlink twice/latest)

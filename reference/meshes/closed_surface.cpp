@@ -1,168 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/meshes/closed_surface.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_polyhedron_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
-#include <CGAL/Random.h>
-#include <CGAL/make_mesh_3.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <limits>
-#include <map>
+#include <csignal>
+#include <cstring>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "reference/meshes/box_mesh.h"
+#include "reference/meshes/filled_surface.h"
+#include "reference/process/child.h"
 
 namespace stiction::reference {
 
 namespace {
 
-namespace pmp = CGAL::Polygon_mesh_processing;
-namespace parameters = CGAL::parameters;
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Surface = CGAL::Mesh_polyhedron_3<Kernel>::type;
-using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel>;
-using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
-using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index,
-                                                        Domain::Curve_index>;
-using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Eigen::Index;
-using Eigen::Vector3d;
 
-struct Soup {
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::vector<std::size_t>> faces;
-};
+std::string exact(double number) {
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
+}
 
-/// Throws `flaw` with the file's name unless it holds.
-struct Demand {
-  std::string name;
-
-  void operator()(bool holds, SurfaceFlaw flaw, const std::string& what) const {
-    if (!holds) throw SurfaceError(flaw, name + ": " + what);
-  }
-};
-
-Soup read(const std::filesystem::path& file, const Demand& demand) {
-  demand(std::filesystem::is_regular_file(file), SurfaceFlaw::missing_file,
-         "there is no such file");
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::set<std::string> known = {".off", ".obj", ".ply", ".stl"};
-  demand(known.contains(extension), SurfaceFlaw::unknown_format,
-         "the name must end with .off, .obj, .ply or .stl");
-  Soup soup;
-  bool good = false;
+std::filesystem::path mesher_for(const std::string& file) {
   try {
-    good = CGAL::IO::read_polygon_soup(file.string(), soup.points, soup.faces,
-                                       parameters::verbose(false));
-  } catch (const std::exception&) {
-    good = false;
+    return find_mesher(mesher_places());
+  } catch (const MesherError& error) {
+    throw MesherError(file + ": " + error.what());
   }
-  demand(good, SurfaceFlaw::unreadable, "it can't be read as " + extension.substr(1));
-  return soup;
 }
 
-Surface check(Soup soup, const Demand& demand) {
-  demand(!soup.points.empty() && !soup.faces.empty(), SurfaceFlaw::empty, "it has no triangles");
-  for (const Kernel::Point_3& p : soup.points) {
-    demand(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
-           SurfaceFlaw::not_finite, "a coordinate is not finite");
+FilledSurface fill(const std::string& file, const SurfaceOptions& options) {
+  const auto fail = [&](const std::string& what) {
+    throw MesherError(file + ": the mesher " + what);
+  };
+  const std::string mesher = mesher_for(file).string();
+  Ended ended;
+  try {
+    ended =
+        run_child({mesher, "--cell-size", exact(options.cell_size), "--facet-distance",
+                   exact(options.facet_distance), "--feature-angle", exact(options.feature_angle),
+                   "--seed", std::to_string(options.seed), "--", file},
+                  {.time_limit = options.time_limit});
+  } catch (const ChildError& error) {
+    fail(std::string("can't be run: ") + error.what());
   }
-  for (const std::vector<std::size_t>& face : soup.faces) {
-    demand(face.size() == 3, SurfaceFlaw::not_triangles,
-           "a face has " + std::to_string(face.size()) + " corners; only triangles can be read");
-    for (const std::size_t corner : face) {
-      demand(corner < soup.points.size(), SurfaceFlaw::unreadable, "a face names no such vertex");
-    }
+  const std::string sentence = last_line(ended.errors);
+  if (ended.code == kNoSuchProgram) fail("can't be run: there is no program '" + mesher + "'");
+  if (ended.timed_out) {
+    fail("was stopped after " + exact(options.time_limit) + " s: choose a larger cell_size");
   }
-  pmp::merge_duplicate_points_in_polygon_soup(soup.points, soup.faces);
-  for (const std::vector<std::size_t>& f : soup.faces) {
-    demand(!CGAL::collinear(soup.points[f[0]], soup.points[f[1]], soup.points[f[2]]),
-           SurfaceFlaw::degenerate, "a triangle has no area");
+  if (ended.signal == SIGKILL) {
+    fail("was killed (signal 9), as happens when memory runs out: choose a larger cell_size");
   }
-  // How often each directed edge occurs tells a border from a fan from a wrong orientation.
-  std::map<std::pair<std::size_t, std::size_t>, int> edges;
-  for (const std::vector<std::size_t>& f : soup.faces) {
-    for (std::size_t k = 0; k < 3; ++k) ++edges[{f[k], f[(k + 1) % 3]}];
+  if (ended.signal != 0) {
+    fail("ended with signal " + std::to_string(ended.signal) + " (" + strsignal(ended.signal) +
+         ")");
   }
-  bool closed = true;
-  for (const auto& [edge, times] : edges) {
-    demand(
-        times == 1, SurfaceFlaw::not_manifold,
-        "an edge belongs to more than two triangles, or two neighbours are oriented differently");
-    closed = closed && edges.contains({edge.second, edge.first});
+  const int flaw = ended.code - kFirstFlaw;
+  if (flaw >= 0 && flaw < kSurfaceFlaws) {
+    throw SurfaceError(static_cast<SurfaceFlaw>(flaw), sentence);
   }
-  demand(closed, SurfaceFlaw::not_closed, "it is not closed: some edges have one triangle only");
-  demand(pmp::is_polygon_soup_a_polygon_mesh(soup.faces), SurfaceFlaw::not_manifold,
-         "two parts touch at a vertex only");
-  pmp::remove_isolated_points_in_polygon_soup(soup.points, soup.faces);
-  Surface surface;
-  pmp::polygon_soup_to_polygon_mesh(soup.points, soup.faces, surface);
-  demand(!pmp::does_self_intersect(surface), SurfaceFlaw::self_intersecting,
-         "it intersects itself");
-  demand(pmp::does_bound_a_volume(surface) && CGAL::to_double(pmp::volume(surface)) > 0.0,
-         SurfaceFlaw::not_bounding,
-         "it doesn't bound a volume: faces look inwards, or nested parts contradict each other");
-  return surface;
+  if (ended.code != kFilled) {
+    fail("failed: " + (sentence.empty() ? "exit code " + std::to_string(ended.code) : sentence));
+  }
+  FilledSurface filled;
+  try {
+    filled = filled_surface_from(ended.output);
+  } catch (const std::invalid_argument& error) {
+    fail(std::string("wrote no mesh: ") + error.what());
+  }
+  return filled;
 }
 
-double diagonal(const Surface& surface) {
-  Eigen::AlignedBox3d box;
-  for (auto p = surface.points_begin(); p != surface.points_end(); ++p) {
-    box.extend(Vector3d(p->x(), p->y(), p->z()));
-  }
-  return box.diagonal().norm();
-}
-
-/// Cells of the complex, in the triangulation's order (time stamps, so the same every time).
-TetMesh mesh_of(const Complex& complex) {
-  TetMesh mesh;
-  std::map<Complex::Vertex_handle, int> index;
-  std::vector<Vector3d> points;
-  mesh.tetrahedra.resize(4, static_cast<Index>(complex.number_of_cells_in_complex()));
-  Index column = 0;
-  for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end();
-       ++cell) {
-    for (int k = 0; k < 4; ++k) {
-      const auto vertex = cell->vertex(k);
-      const auto [entry, fresh] = index.try_emplace(vertex, static_cast<int>(points.size()));
-      if (fresh) {
-        const auto& p = vertex->point();
-        points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-      }
-      mesh.tetrahedra(k, column) = entry->second;
-    }
-    ++column;
-  }
-  mesh.vertices.resize(3, static_cast<Index>(points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    mesh.vertices.col(static_cast<Index>(k)) = points[k];
-  }
-  return mesh;
-}
-
-void measure(const TetMesh& mesh, SurfaceReport& report) {
-  report.vertices = mesh.vertices.cols();
-  report.tetrahedra = mesh.tetrahedra.cols();
+double mean_edge(const TetMesh& mesh) {
   std::set<std::pair<int, int>> edges;
   for (Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
     const Eigen::Vector4i t = mesh.tetrahedra.col(e);
@@ -170,10 +85,9 @@ void measure(const TetMesh& mesh, SurfaceReport& report) {
       for (int j = 0; j < k; ++j) edges.insert(std::minmax(t[j], t[k]));
     }
   }
-  for (const auto& [p, q] : edges) {
-    report.mean_edge += (mesh.vertices.col(p) - mesh.vertices.col(q)).norm();
-  }
-  report.mean_edge /= static_cast<double>(edges.size());
+  double sum = 0.0;
+  for (const auto& [p, q] : edges) sum += (mesh.vertices.col(p) - mesh.vertices.col(q)).norm();
+  return sum / static_cast<double>(edges.size());
 }
 
 }  // namespace
@@ -184,6 +98,7 @@ std::string SurfaceOptions::check() const {
     return "facet_distance must be finite, ≥ 0";
   }
   if (!(feature_angle > 0.0 && feature_angle < 180.0)) return "feature_angle must lie in (0, 180)";
+  if (!(time_limit > 0.0)) return "time_limit must be positive";
   return {};
 }
 
@@ -192,39 +107,25 @@ SurfaceBody body_of_closed_surface(const std::filesystem::path& file,
   if (const std::string wrong = options.check(); !wrong.empty()) {
     throw std::invalid_argument("closed surface: " + wrong);
   }
-  const Demand demand{file.string()};
-  const Surface surface = check(read(file, demand), demand);
-
+  FilledSurface filled = fill(file.string(), options);
   SurfaceBody body;
-  body.report.given_triangles = static_cast<Index>(surface.size_of_facets());
-  body.report.given_volume = CGAL::to_double(pmp::volume(surface));
-  const double cell = options.cell_size > 0.0 ? options.cell_size : diagonal(surface) / 8.0;
-  const double distance = options.facet_distance > 0.0 ? options.facet_distance : cell / 20.0;
-
-  CGAL::get_default_random() = CGAL::Random(options.seed);
-  Domain domain(surface, &CGAL::get_default_random());
-  domain.detect_features(options.feature_angle);
-  // Facets and edges about as long as the cells' edges; Mesh_3 bounds circumradii.
-  const Criteria criteria(parameters::edge_size = cell, parameters::facet_angle = 25.0,
-                          parameters::facet_size = cell, parameters::facet_distance = distance,
-                          parameters::cell_radius_edge_ratio = 2.0, parameters::cell_size = cell);
-  // Slivers below 10° are moved apart; asking for 15° takes a hundred times as long. No time
-  // limits: they would make the result depend on the machine.
-  Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::manifold(),
-                                               parameters::no_exude(), parameters::no_perturb());
-  CGAL::perturb_mesh_3(complex, domain, parameters::sliver_bound = 10.0);
-
-  demand(complex.number_of_cells_in_complex() > 0, SurfaceFlaw::not_meshed,
-         "no tetrahedron fits: choose a smaller cell_size");
-  body.mesh = mesh_of(complex);
+  body.mesh = std::move(filled.mesh);
+  const auto demand = [&](bool holds, const char* what) {
+    if (!holds) throw SurfaceError(SurfaceFlaw::not_meshed, file.string() + ": " + what);
+  };
+  demand(body.mesh.tetrahedra.cols() > 0, "no tetrahedron fits: choose a smaller cell_size");
   const MeshCertificate certificate = certify(body.mesh);
   demand(certificate.non_positive_tetrahedra == 0 && certificate.non_manifold_faces == 0 &&
              certificate.boundary_closed,
-         SurfaceFlaw::not_meshed, "the mesh is not sound: choose a smaller cell_size");
+         "the mesh is not sound: choose a smaller cell_size");
+  body.report.given_triangles = filled.given_triangles;
+  body.report.given_volume = filled.given_volume;
+  body.report.vertices = body.mesh.vertices.cols();
+  body.report.tetrahedra = body.mesh.tetrahedra.cols();
   body.report.surface_triangles = certificate.boundary_triangles;
   body.report.volume = certificate.volume.nearest;
   body.report.quality = certificate.quality;
-  measure(body.mesh, body.report);
+  body.report.mean_edge = mean_edge(body.mesh);
   return body;
 }
 

@@ -6,12 +6,14 @@
 #include <string>
 
 #include "reference/meshes/mesh_quality.h"
+#include "reference/meshes/mesher.h"
 #include "solver/mesh/mesh.h"
 
 /// A person's own closed triangle surface (OFF, OBJ, PLY, STL) as a tetrahedral body, by CGAL's
 /// Mesh_3 [CGAL]. Nothing is repaired in silence: a surface that doesn't bound a volume is refused,
 /// with the reason. Only points of equal coordinates are merged, as STL has no other way to say
-/// that two triangles share a vertex.
+/// that two triangles share a vertex. The work is done by a program, mesh_surface
+/// (filled_surface.h), so that a crash of it costs no more than its surface.
 namespace stiction::reference {
 
 enum class SurfaceFlaw {
@@ -28,6 +30,7 @@ enum class SurfaceFlaw {
   not_bounding,  ///< faces look inwards, or the orientations of nested parts contradict
   not_meshed,    ///< closed, but the mesh asked for doesn't resolve it
 };
+inline constexpr int kSurfaceFlaws = static_cast<int>(SurfaceFlaw::not_meshed) + 1;
 
 /// Thrown with the file's name and the reason in words.
 class SurfaceError : public std::runtime_error {
@@ -47,6 +50,8 @@ struct SurfaceOptions {
   /// Edges whose faces meet at less than 180° minus this are kept as they are, degrees.
   double feature_angle = 40.0;
   unsigned seed = 0;  ///< of CGAL's generator
+  /// The mesher is given up after this long, s. A hundred thousand tetrahedra take 5 s.
+  double time_limit = 1800.0;
 
   /// Empty if usable, else what is wrong in words.
   [[nodiscard]] std::string check() const;
@@ -70,7 +75,8 @@ struct SurfaceBody {
 };
 
 /// Reads, checks and fills. The same file, options and CGAL give the same bits.
-/// Throws SurfaceError for the file, std::invalid_argument for the options.
+/// Throws SurfaceError for the file, std::invalid_argument for the options, MesherError for the
+/// mesher.
 SurfaceBody body_of_closed_surface(const std::filesystem::path& file,
                                    const SurfaceOptions& options = {});
 

@@ -1,258 +1,159 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What closed surfaces make of their mesher, whatever it does. Its own tests: mesh_surface/.
 #include "reference/meshes/closed_surface.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <numbers>
-#include <vector>
 
-#include "reference/meshes/ball_mesh.h"
+#include "reference/meshes/box_mesh.h"
+#include "reference/meshes/filled_surface.h"
 
 namespace stiction::reference {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector3d;
+namespace fs = std::filesystem;
 
-struct Triangles {
-  std::vector<Vector3d> points;
-  std::vector<Eigen::Vector3i> faces;
-
-  /// One quadrilateral, cut along its shorter way.
-  void quad(int a, int b, int c, int d) {
-    faces.emplace_back(a, b, c);
-    faces.emplace_back(a, c, d);
-  }
-
-  void append(const Triangles& other, const Vector3d& shift, bool inside_out = false) {
-    const Eigen::Vector3i offset = Eigen::Vector3i::Constant(static_cast<int>(points.size()));
-    for (const Vector3d& p : other.points) points.emplace_back(p + shift);
-    for (const Eigen::Vector3i& f : other.faces) {
-      const Eigen::Vector3i face = f + offset;
-      faces.emplace_back(inside_out ? face.reverse().eval() : face);
-    }
-  }
-};
-
-Triangles cube(double edge) {
-  Triangles t;
-  for (int k = 0; k < 8; ++k) {
-    t.points.emplace_back(edge * (k & 1), edge * ((k >> 1) & 1), edge * ((k >> 2) & 1));
-  }
-  t.quad(0, 2, 3, 1);
-  t.quad(4, 5, 7, 6);
-  t.quad(0, 1, 5, 4);
-  t.quad(2, 6, 7, 3);
-  t.quad(0, 4, 6, 2);
-  t.quad(1, 3, 7, 5);
-  return t;
-}
-
-Triangles torus(double big, double small, int around, int across) {
-  Triangles t;
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      const double u = 2.0 * std::numbers::pi * i / around;
-      const double v = 2.0 * std::numbers::pi * j / across;
-      const double ring = big + small * std::cos(v);
-      t.points.emplace_back(ring * std::cos(u), ring * std::sin(u), small * std::sin(v));
-      const int next_i = (i + 1) % around;
-      const int next_j = (j + 1) % across;
-      t.quad(i * across + j, next_i * across + j, next_i * across + next_j, i * across + next_j);
-    }
-  }
-  return t;
-}
-
-class ClosedSurface : public testing::Test {
+class Mesher : public testing::Test {
  protected:
-  /// Each test its own folder, so that tests may run side by side.
   void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() /
-        ("stiction_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
+    folder_ = fs::temp_directory_path() /
+              ("stiction mesher " +
+               std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::create_directories(folder_);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+  void TearDown() override {
+    unsetenv("STICTION_MESHER");
+    fs::remove_all(folder_);
   }
 
-  std::filesystem::path write_off(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    file.precision(17);
-    file << "OFF\n" << t.points.size() << ' ' << t.faces.size() << " 0\n";
-    for (const Vector3d& p : t.points) file << p.transpose() << '\n';
-    for (const Eigen::Vector3i& f : t.faces) file << "3 " << f.transpose() << '\n';
-    return folder_ / name;
+  fs::path script(const std::string& name, const std::string& lines) const {
+    const fs::path file = folder_ / name;
+    std::ofstream(file) << "#!/bin/sh\n" << lines << '\n';
+    fs::permissions(file, fs::perms::owner_all);
+    return file;
   }
 
-  std::filesystem::path write_obj(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    for (const Vector3d& p : t.points) file << "v " << p.transpose() << '\n';
-    for (const Eigen::Vector3i& f : t.faces) {
-      file << "f " << (f.array() + 1).matrix().transpose() << '\n';
-    }
-    return folder_ / name;
+  /// The mesher does what these lines of shell say.
+  void mesher_does(const std::string& lines) const {
+    setenv("STICTION_MESHER", script("mesher", lines).c_str(), 1);
   }
 
-  std::filesystem::path write_ply(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    file << "ply\nformat ascii 1.0\nelement vertex " << t.points.size()
-         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-         << t.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const Vector3d& p : t.points) file << p.transpose() << '\n';
-    for (const Eigen::Vector3i& f : t.faces) file << "3 " << f.transpose() << '\n';
-    return folder_ / name;
+  void mesher_writes(const FilledSurface& filled) const {
+    std::ofstream(folder_ / "answer") << to_text(filled);
+    mesher_does("cat '" + (folder_ / "answer").string() + "'");
   }
 
-  std::filesystem::path write_stl(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    file << "solid body\n";
-    for (const Eigen::Vector3i& f : t.faces) {
-      file << "facet normal 0 0 0\nouter loop\n";
-      for (const int corner : f) {
-        file << "vertex " << t.points[static_cast<std::size_t>(corner)].transpose() << '\n';
-      }
-      file << "endloop\nendfacet\n";
-    }
-    file << "endsolid body\n";
-    return folder_ / name;
-  }
-
-  static void expect_refused(const std::filesystem::path& file, SurfaceFlaw flaw,
-                             const std::string& reason) {
+  static std::string sentence(const SurfaceOptions& options = {}) {
     try {
-      body_of_closed_surface(file);
-      ADD_FAILURE() << file << " was accepted";
-    } catch (const SurfaceError& error) {
-      EXPECT_EQ(error.flaw(), flaw) << error.what();
-      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+      body_of_closed_surface("part.stl", options);
+    } catch (const MesherError& error) {
+      return error.what();
     }
+    return "it made a body";
   }
 
-  std::filesystem::path folder_;
+  fs::path folder_;
 };
 
-void expect_well_shaped(const SurfaceReport& report) {
-  // Perturbation stops at 10°; a sliver of that angle has a largest angle of at most 170° − and an
-  // altitude of sin 10° times a triangle's, about 0.1 of a mean edge where edges are half as long.
-  EXPECT_GE(report.quality.min_dihedral_angle, 9.5);
-  EXPECT_LE(report.quality.max_dihedral_angle, 170.0);
-  EXPECT_GE(report.quality.min_altitude, 0.05 * report.mean_edge);
+TEST_F(Mesher, GivesTheMeshThatIsMeasured) {
+  mesher_writes({12, 1.0, box_mesh({1.0, 1.0, 1.0}, {1, 1, 1})});
+  const SurfaceBody body = body_of_closed_surface("part.stl");
+  EXPECT_EQ(body.report.given_triangles, 12);
+  EXPECT_EQ(body.report.given_volume, 1.0);
+  EXPECT_EQ(body.report.vertices, 8);
+  EXPECT_EQ(body.report.tetrahedra, 5);
+  EXPECT_EQ(body.report.surface_triangles, 12);
+  EXPECT_EQ(body.report.volume, 1.0);
+  // Twelve edges of 1 m, six diagonals; a sum of eighteen doubles.
+  EXPECT_NEAR(body.report.mean_edge, (12.0 + 6.0 * std::sqrt(2.0)) / 18.0, 1e-15);
 }
 
-TEST_F(ClosedSurface, CubeKeepsItsCornersAndVolume) {
-  const SurfaceBody body = body_of_closed_surface(write_off("cube.off", cube(0.1)));
-  // Edges are features and faces are flat, so that only rounding is left: vertices on a face are
-  // found by intersection, to about 1e-16 of the size each.
-  EXPECT_NEAR(body.report.volume, 1e-3, 1e-14);
-  EXPECT_NEAR(body.report.given_volume, 1e-3, 1e-17);
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3d c = 0.1 * Vector3d(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
-    EXPECT_LT((body.mesh.vertices.colwise() - c).colwise().norm().minCoeff(), 1e-15);
-  }
-  expect_well_shaped(body.report);
+TEST_F(Mesher, IsToldTheFileAndTheOptionsToTheBit) {
+  mesher_does("echo \"$@\" >&2; exit 2");
+  EXPECT_EQ(sentence({.cell_size = 0.1,
+                      .facet_distance = std::nextafter(0.1, 1.0),
+                      .feature_angle = 30.0,
+                      .seed = 7}),
+            "part.stl: the mesher failed: --cell-size 0.1 --facet-distance 0.10000000000000002 "
+            "--feature-angle 30 --seed 7 -- part.stl");
 }
 
-TEST_F(ClosedSurface, AllFourFormatsGiveTheSameBody) {
-  const Triangles t = cube(0.5);
-  const SurfaceBody off = body_of_closed_surface(write_off("a.off", t));
-  for (const auto& file : {write_obj("a.obj", t), write_ply("a.ply", t), write_stl("a.STL", t)}) {
-    const SurfaceBody body = body_of_closed_surface(file);
-    EXPECT_EQ(body.report.given_triangles, 12) << file;
-    EXPECT_NEAR(body.report.volume, off.report.volume, 1e-12) << file;
-  }
-}
-
-TEST_F(ClosedSurface, TheSameBitsAgain) {
-  const auto file = write_off("torus.off", torus(1.0, 0.4, 24, 12));
-  const SurfaceBody one = body_of_closed_surface(file, {.cell_size = 0.3});
-  const SurfaceBody two = body_of_closed_surface(file, {.cell_size = 0.3});
-  EXPECT_TRUE(one.mesh.vertices == two.mesh.vertices);
-  EXPECT_TRUE(one.mesh.tetrahedra == two.mesh.tetrahedra);
-}
-
-TEST_F(ClosedSurface, CurvedBodiesStayWithinTheDistanceAskedFor) {
-  const TetMesh ball = ball_mesh({.radius = 0.5, .frequency = 8});
-  Triangles sphere;
-  for (Index v = 0; v < ball.vertices.cols(); ++v) sphere.points.emplace_back(ball.vertices.col(v));
-  const Eigen::Matrix3Xi surface = surface_triangles(ball.tetrahedra);
-  for (Index f = 0; f < surface.cols(); ++f) sphere.faces.emplace_back(surface.col(f));
-  for (const double distance : {0.02, 0.005}) {
-    const SurfaceBody body = body_of_closed_surface(write_off("ball.off", sphere),
-                                                    {.cell_size = 0.2, .facet_distance = distance});
-    // Area 4 π R² times the distance bounds the volume between the two surfaces.
-    EXPECT_NEAR(body.report.volume, body.report.given_volume, std::numbers::pi * distance);
-    EXPECT_GT(body.report.quality.min_altitude, 0.0);
-    expect_well_shaped(body.report);
+TEST_F(Mesher, RefusesASurfaceInItsOwnWords) {
+  for (int flaw = 0; flaw < kSurfaceFlaws; ++flaw) {
+    mesher_does("echo a warning >&2; echo 'part.stl: it is odd' >&2; exit " +
+                std::to_string(kFirstFlaw + flaw));
+    try {
+      body_of_closed_surface("part.stl");
+      ADD_FAILURE() << flaw << " was accepted";
+    } catch (const SurfaceError& error) {
+      EXPECT_EQ(static_cast<int>(error.flaw()), flaw);
+      EXPECT_STREQ(error.what(), "part.stl: it is odd");
+    }
   }
 }
 
-TEST_F(ClosedSurface, HolesAndHandlesAreKept) {
-  const SurfaceBody ring =
-      body_of_closed_surface(write_off("torus.off", torus(1.0, 0.4, 24, 12)), {.cell_size = 0.25});
-  EXPECT_NEAR(ring.report.volume, ring.report.given_volume, 0.05 * ring.report.given_volume);
-  Triangles hollow = cube(1.0);
-  hollow.append(cube(0.4), Vector3d::Constant(0.3), true);
-  const SurfaceBody shell = body_of_closed_surface(write_off("hollow.off", hollow));
-  EXPECT_NEAR(shell.report.given_volume, 1.0 - 0.064, 1e-12);
-  EXPECT_NEAR(shell.report.volume, 1.0 - 0.064, 1e-10);
+TEST_F(Mesher, ThatCrashesCostsItsSurfaceOnly) {
+  mesher_does("kill -SEGV $$");
+  EXPECT_EQ(sentence(), "part.stl: the mesher ended with signal 11 (Segmentation fault)");
+  mesher_does("kill -KILL $$");
+  EXPECT_EQ(sentence(),
+            "part.stl: the mesher was killed (signal 9), as happens when memory runs out: choose a "
+            "larger cell_size");
+  mesher_does("exit 3");
+  EXPECT_EQ(sentence(), "part.stl: the mesher failed: exit code 3");
+  mesher_does("exit 99");
+  EXPECT_EQ(sentence(), "part.stl: the mesher failed: exit code 99");
+  mesher_does("exec sleep 60");
+  EXPECT_EQ(sentence({.time_limit = 0.1}),
+            "part.stl: the mesher was stopped after 0.1 s: choose a larger cell_size");
 }
 
-TEST_F(ClosedSurface, RefusesFilesThatSayNothing) {
-  expect_refused(folder_ / "nowhere.off", SurfaceFlaw::missing_file, "no such file");
-  expect_refused(write("a.txt", "OFF\n"), SurfaceFlaw::unknown_format, ".stl");
-  expect_refused(write("b.off", "no surface at all\n"), SurfaceFlaw::unreadable, "off");
-  expect_refused(write("c.off", "OFF\n0 0 0\n"), SurfaceFlaw::empty, "no triangles");
+TEST_F(Mesher, ThatWritesNoWholeMeshIsFoundOut) {
+  mesher_does("echo stiction filled surface 2");
+  EXPECT_EQ(sentence(), "part.stl: the mesher wrote no mesh: '1' is missing");
+  // A crash after half of the answer, and an answer that is no sound mesh.
+  mesher_writes({12, 1.0, box_mesh({1.0, 1.0, 1.0}, {1, 1, 1})});
+  mesher_does("head -n 5 '" + (folder_ / "answer").string() + "'");
+  EXPECT_NE(sentence().find("the mesher wrote no mesh: "), std::string::npos) << sentence();
+  for (const bool inverted : {false, true}) {
+    FilledSurface filled{12, 1.0, {}};
+    if (inverted) {
+      filled.mesh = box_mesh({1.0, 1.0, 1.0}, {1, 1, 1});
+      filled.mesh.tetrahedra.row(0).swap(filled.mesh.tetrahedra.row(1));
+    }
+    mesher_writes(filled);
+    EXPECT_THROW(body_of_closed_surface("part.stl"), SurfaceError);
+  }
 }
 
-TEST_F(ClosedSurface, RefusesSurfacesThatBoundNothing) {
-  Triangles t = cube(1.0);
-  t.faces.pop_back();
-  expect_refused(write_off("open.off", t), SurfaceFlaw::not_closed, "not closed");
-
-  t = cube(1.0);
-  t.faces[0].reverseInPlace();
-  expect_refused(write_off("mixed.off", t), SurfaceFlaw::not_manifold, "oriented differently");
-
-  t = cube(1.0);
-  for (Eigen::Vector3i& face : t.faces) face.reverseInPlace();
-  expect_refused(write_off("inwards.off", t), SurfaceFlaw::not_bounding, "look inwards");
-
-  t = cube(1.0);
-  t.append(cube(1.0), Vector3d::Constant(0.5));
-  expect_refused(write_off("crossing.off", t), SurfaceFlaw::self_intersecting, "intersects itself");
-
-  t = cube(1.0);
-  t.append(cube(0.4), Vector3d::Constant(0.3));  // nested, but not a hole
-  expect_refused(write_off("nested.off", t), SurfaceFlaw::not_bounding, "contradict");
-
-  t = cube(1.0);
-  t.points[7] = t.points[6];
-  expect_refused(write_off("flat.off", t), SurfaceFlaw::degenerate, "no area");
-
-  t = cube(1.0);
-  t.append(cube(1.0), Vector3d::Constant(1.0));  // the corner (1, 1, 1) belongs to both
-  expect_refused(write_off("corner.off", t), SurfaceFlaw::not_manifold, "vertex only");
-
-  expect_refused(write("quads.off",
-                       "OFF\n8 6 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
-                       "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"),
-                 SurfaceFlaw::not_triangles, "4 corners");
+TEST_F(Mesher, ThatIsMissingIsSaid) {
+  setenv("STICTION_MESHER", (folder_ / "nowhere").c_str(), 1);
+  EXPECT_EQ(sentence(), "part.stl: the mesher can't be run: there is no program '" +
+                            (folder_ / "nowhere").string() + "'");
+  EXPECT_THROW(find_mesher({.folders = {folder_}}), MesherError);
+  EXPECT_THROW(find_mesher({.folders = {folder_}, .builder = "/bin/false"}), MesherError);
+  EXPECT_THROW(find_mesher({.folders = {folder_}, .builder = "/bin/true"}), MesherError);
 }
 
-TEST_F(ClosedSurface, RefusesOptionsThatMakeNoSense) {
-  const auto file = write_off("cube.off", cube(1.0));
-  EXPECT_THROW(body_of_closed_surface(file, {.cell_size = -1.0}), std::invalid_argument);
-  EXPECT_THROW(
-      body_of_closed_surface(file, {.facet_distance = std::numeric_limits<double>::quiet_NaN()}),
-      std::invalid_argument);
+TEST_F(Mesher, IsBuiltWhenItIsFirstCalledFor) {
+  const fs::path builder = script("builder",
+                                  "[ \"$*\" = mesher ] && cd \"$(dirname \"$0\")\" && "
+                                  "cp builder mesh_surface");
+  EXPECT_EQ(find_mesher({.folders = {folder_}, .builder = builder}), folder_ / "mesh_surface");
+  EXPECT_EQ(find_mesher({.folders = {folder_}}), folder_ / "mesh_surface");
+}
+
+TEST_F(Mesher, RefusesOptionsThatMakeNoSense) {
+  mesher_does("kill -SEGV $$");  // it is not even asked
+  EXPECT_THROW(body_of_closed_surface("part.stl", {.cell_size = -1.0}), std::invalid_argument);
+  EXPECT_THROW(body_of_closed_surface("part.stl",
+                                      {.facet_distance = std::numeric_limits<double>::quiet_NaN()}),
+               std::invalid_argument);
+  EXPECT_THROW(body_of_closed_surface("part.stl", {.time_limit = 0.0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -11,8 +11,17 @@
 
 namespace stiction {
 
+namespace {
+
+std::string sentence_at(const std::string& file, const toml::node& where,
+                        const std::string& sentence) {
+  return fmt::format("{}:{}: {}", file, where.source().begin.line, sentence);
+}
+
+}  // namespace
+
 void refuse_at(const std::string& file, const toml::node& where, const std::string& sentence) {
-  throw InputError(fmt::format("{}:{}: {}", file, where.source().begin.line, sentence));
+  throw InputError(sentence_at(file, where, sentence));
 }
 
 bool TomlTable::has(const std::string& key) {
@@ -23,9 +32,13 @@ bool TomlTable::has(const std::string& key) {
 bool TomlTable::is_table(const std::string& key) { return has(key) && table_.get(key)->is_table(); }
 bool TomlTable::is_text(const std::string& key) { return has(key) && table_.get(key)->is_string(); }
 
-void TomlTable::refuse(const std::string& key, const std::string& sentence) const {
+std::string TomlTable::at(const std::string& key, const std::string& sentence) const {
   const toml::node* const node = table_.get(key);
-  refuse_at(file_, node ? *node : table_, sentence);
+  return sentence_at(file_, node ? *node : table_, sentence);
+}
+
+void TomlTable::refuse(const std::string& key, const std::string& sentence) const {
+  throw InputError(at(key, sentence));
 }
 
 void TomlTable::finish() const {

@@ -46,7 +46,9 @@ class TomlTable {
   bool is_table(const std::string& key);
   bool is_text(const std::string& key);
 
-  /// Throws InputError at the key's line (or the table's, when absent).
+  /// "FILE:LINE: SENTENCE", with the key's line (or the table's, when absent).
+  std::string at(const std::string& key, const std::string& sentence) const;
+  /// Throws InputError with that.
   [[noreturn]] void refuse(const std::string& key, const std::string& sentence) const;
   /// Throws InputError if the table has a key that was never asked for.
   void finish() const;

@@ -139,6 +139,12 @@ MeshShape read_mesh(TomlTable& table) {
   return shape;
 }
 
+// The mesher failed, not the file: costs this problem, not those beside it.
+class NotMeshed : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 // A closed surface from a file, found from the folder of the problem's own file.
 MeshShape read_surface(TomlTable& table) {
   const std::filesystem::path given = table.text("file");
@@ -157,6 +163,8 @@ MeshShape read_surface(TomlTable& table) {
     return shape;
   } catch (const reference::SurfaceError& error) {
     table.refuse("file", error.what());
+  } catch (const reference::MesherError& error) {
+    throw NotMeshed(table.at("file", error.what()));
   }
 }
 
@@ -341,12 +349,18 @@ Case read_user_problem(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
   }
-  UserProblem user = read(file.string(), root);
   Case one;
   one.name = "user/" + file.stem().string();
-  one.title = user.title.empty() ? file.filename().string() : user.title;
-  one.variants = {user.settings};
-  one.run = [user = std::move(user)](CaseRun& run) { run_user_problem(run, user); };
+  one.title = file.filename().string();
+  try {
+    UserProblem user = read(file.string(), root);
+    if (!user.title.empty()) one.title = user.title;
+    one.variants = {user.settings};
+    one.run = [user = std::move(user)](CaseRun& run) { run_user_problem(run, user); };
+  } catch (const NotMeshed& error) {
+    one.variants = {Settings{}};
+    one.run = [error](CaseRun&) { throw error; };
+  }
   return one;
 }
 

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "reference/meshes/box_mesh.h"
+#include "reference/meshes/filled_surface.h"
 #include "solver/testing/test_refusal.h"
 #include "validation/core/runner.h"
 
@@ -262,20 +264,21 @@ TEST_F(UserProblem, WithoutBodiesOrChecksIsRefused) {
               HasSubstr("the file has no [[check]], so nothing could fail"));
 }
 
-// A body from a surface file beside the problem's own.
+// A body from a surface file beside the problem's own. The mesher is a script here; the true one
+// fills a cube in validate_test.sh.
 class ClosedSurfaceInUserProblem : public UserProblem {
  protected:
-  // A cube of 200 mm with the origin in its middle; `faces` of its twelve triangles.
-  void write_cube(int faces) {
-    std::ofstream off(folder_ / "cube.off");
-    off << "OFF\n8 " << faces << " 0\n";
-    for (int v = 0; v < 8; ++v) {
-      off << (v & 1 ? 100 : -100) << ' ' << (v & 2 ? 100 : -100) << ' ' << (v & 4 ? 100 : -100)
-          << '\n';
-    }
-    const char* const triangles[] = {"0 2 1", "1 2 3", "4 5 6", "5 7 6", "0 1 4", "1 5 4",
-                                     "2 6 3", "3 6 7", "0 4 2", "2 4 6", "1 3 5", "3 7 5"};
-    for (int f = 0; f < faces; ++f) off << "3 " << triangles[f] << '\n';
+  void SetUp() override {
+    UserProblem::SetUp();
+    setenv("STICTION_MESHER", (folder_ / "mesher").c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("STICTION_MESHER");
+    UserProblem::TearDown();
+  }
+  void mesher_does(const std::string& lines) {
+    std::ofstream(folder_ / "mesher") << "#!/bin/sh\n" << lines << '\n';
+    fs::permissions(folder_ / "mesher", fs::perms::owner_all);
   }
   static std::string problem() {
     return edited("shape = \"point\"",
@@ -284,24 +287,37 @@ class ClosedSurfaceInUserProblem : public UserProblem {
 };
 
 TEST_F(ClosedSurfaceInUserProblem, BecomesABody) {
-  write_cube(12);
+  // A cube of 200 mm with the origin in its middle.
+  std::ofstream(folder_ / "answer")
+      << reference::to_text({12, 8e6, reference::box_mesh({200.0, 200.0, 200.0}, {2, 2, 2})});
+  mesher_does("[ \"$2\" = 200 ] && cat '" + (folder_ / "answer").string() + "'");
   std::string text = problem();
   text.replace(text.find("\"speed\""), 7, "\"position\"\ndirection = [0, 0, 1]\nat = 1e-3");
   text.replace(text.find("dt = 1e-3"), 9, "dt = 1e-4");
   const Record record = run(read_user_problem(write(text)));
   ASSERT_EQ(record.meshes.size(), 1u) << record.error;
-  EXPECT_GT(record.meshes[0].tetrahedra, 4u);
+  EXPECT_EQ(record.meshes[0].tetrahedra, 40u);
   // The cube's middle is 0.1 m above the ramp, along its normal; in 1 ms it falls 5 µm at most.
   EXPECT_NEAR(record.checks.at(0).value, 0.1 * std::cos(std::atan(1.0) * 4.0 / 9.0), 1e-5);
 }
 
 TEST_F(ClosedSurfaceInUserProblem, IsRefusedWithTheReasonAndTheLine) {
-  write_cube(11);
+  mesher_does(
+      "echo cube.off: it is not closed >&2; exit " +
+      std::to_string(reference::kFirstFlaw + static_cast<int>(reference::SurfaceFlaw::not_closed)));
   const std::string file = write(problem()).string();
   EXPECT_THAT(test::refusal([&] { read_user_problem(file); }),
-              AllOf(HasSubstr(file + ":16: "), HasSubstr("cube.off: it is not closed")));
-  fs::remove(folder_ / "cube.off");
-  EXPECT_THAT(test::refusal([&] { read_user_problem(file); }), HasSubstr("there is no such file"));
+              testing::StrEq(file + ":16: cube.off: it is not closed"));
+}
+
+// The mesher's failure is no mistake in the file: the problems beside this one still run.
+TEST_F(ClosedSurfaceInUserProblem, WhoseMesherFailsIsARecordsError) {
+  mesher_does("kill -SEGV $$");
+  const fs::path file = write(problem());
+  const Record record = run(read_user_problem(file));
+  EXPECT_EQ(record.verdict, Verdict::kError);
+  EXPECT_EQ(record.error, file.string() + ":16: " + (folder_ / "cube.off").string() +
+                              ": the mesher ended with signal 11 (Segmentation fault)");
 }
 
 // What the file's grammar allows but no scene can be made of: the record says so.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/process/child.h"
+
 namespace stiction::track {
 
 /// What could not be measured or read: one clear sentence for the user (exit code 2).
@@ -14,12 +16,8 @@ class TrackError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// How a child process ended.
-struct Ended {
-  int code = 0;        ///< exit code; 128 + signal when a signal ended it, 127 when not found
-  std::string output;  ///< what it wrote to stdout
-  std::string errors;  ///< what it wrote to stderr
-};
+using reference::Ended;
+using reference::last_line;
 
 /// Runs a program (looked up in PATH) with these arguments and waits for it; no shell is involved.
 /// `folder` is where it runs, empty for here. Throws TrackError when no process can be started.
@@ -32,8 +30,5 @@ std::string demand_run(const std::string& what, const std::vector<std::string>& 
 
 /// Whether a program of this name can be run.
 bool has_program(const std::string& name);
-
-/// The last line with text in it, without its line break.
-std::string last_line(const std::string& text);
 
 }  // namespace stiction::track

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "reference/meshes/filled_surface.h"
+
+namespace stiction::reference {
+
+/// Reads a closed surface, checks it and fills it with tetrahedra, of which there may be none
+/// [CGAL]. The same file and options give the same bits. Throws SurfaceError. `options` are usable.
+FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptions& options);
+
+}  // namespace stiction::reference
