@@ -1,5 +1,7 @@
 # What stiction::validation links.
 find_dependency(GSL 2.7)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_dependency(GLPK 5.0)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_dependency(CGAL 5.5)
 find_dependency(fmt 9)

@@ -22,9 +22,9 @@
 /// as fine as needed. `polygonal_critical_load` is the slow, independent check: CGAL's exact
 /// simplex.
 ///
-/// Time, measured on one core: a threshold of μ to 1e-6 (about 40 programs) takes 0.02 s for four
-/// balls at 6 contacts, 0.15 s at 60, 1.4 s at 600; 2 s for 15 boxes at 100 contacts. A critical
-/// load (1 to 14 programs) takes 0.1 s for 15 boxes, 0.5 to 1 s for 28, 5 to 17 s for 55.
+/// Time, measured on one core: a threshold of μ to 1e-6 (about 40 programs) takes 0.01 s for four
+/// balls at 6 contacts, 0.15 s at 60, 1.6 s at 600; 0.2 s for 15 boxes at 100 contacts. A critical
+/// load (1 or 2 programs) takes 0.02 s for 15 boxes, 0.1 s for 28, 0.3 s for 55.
 ///
 /// What an answer means. Coulomb friction is not associated: that forces in the cone *can* carry
 /// the load is necessary for rest, not sufficient. Beyond the threshold no rigid bodies can rest;
