@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +84,7 @@ double mann_whitney_p(const std::vector<double>& a, const std::vector<double>& b
 double median(std::vector<double> values) {
   if (values.empty()) throw std::invalid_argument("An empty sample has no median.");
   std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  return gsl_stats_median_from_sorted_data(values.data(), 1, values.size());
 }
 
 Interval bootstrap_median_ratio(const std::vector<double>& a, const std::vector<double>& b,

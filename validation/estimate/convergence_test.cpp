@@ -29,8 +29,10 @@ TEST(ObservedOrder, IsTheLeastSquaresSlope) {
   EXPECT_NEAR(observed_order({1.0, 2.0, 4.0}, {1.0, 2.0, 16.0}), 2.0, 1e-14);
 }
 
-TEST(ObservedOrder, IsNaNWhereAnErrorIsZero) {
-  EXPECT_TRUE(std::isnan(observed_order({1.0, 2.0, 4.0}, {1.0, 0.0, 4.0})));
+TEST(ObservedOrder, IsNaNWhereAnErrorIsZeroOrNotFinite) {
+  for (const double error : {0.0, std::nan(""), HUGE_VAL}) {
+    EXPECT_TRUE(std::isnan(observed_order({1.0, 2.0, 4.0}, {1.0, error, 4.0})));
+  }
 }
 
 TEST(ObservedOrder, DemandsThreePoints) {

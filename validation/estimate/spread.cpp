@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "reference/statistics/two_samples.h"
 
 namespace stiction {
 
@@ -18,10 +21,7 @@ Spread spread(std::vector<double> values) {
   const auto worst = std::max_element(values.begin(), values.end());
   result.worst = *worst;
   result.worst_at = static_cast<std::size_t>(worst - values.begin());
-  const std::size_t middle = values.size() / 2;
-  std::sort(values.begin(), values.end());
-  result.median =
-      values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+  result.median = reference::median(std::move(values));
   return result;
 }
 
