@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/track/store/history.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
+#include <system_error>
 #include <utility>
 
 #include "benchmarks/track/measure/child.h"
@@ -12,7 +15,7 @@ namespace stiction::track {
 
 namespace {
 
-constexpr double kBusySeconds = 60.0;
+constexpr int kBusyMilliseconds = 60000;
 constexpr std::int64_t kVersion = 1;
 
 // benchmarks/schema.md says what the columns mean.
@@ -38,23 +41,70 @@ constexpr const char* kRuns =
     "SELECT run.id, date, revision, label, processor, cores, compiler, flags "
     "FROM run JOIN machine ON machine.id = run.machine ORDER BY run.id";
 
-std::int64_t version_of(Database& database) {
-  Statement statement(database, "PRAGMA user_version");
-  statement.step();
-  return statement.integer(0);
+/// What `work` gives; SQLite's errors get the file's name.
+template <class Work>
+auto in(const std::string& file, Work work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    throw TrackError(fmt::format("{}: {}", file, error.what()));
+  }
 }
 
-StoredRun run_of(const Statement& row) {
-  return {.id = row.integer(0),
-          .date = row.text(1),
-          .revision = row.text(2),
-          .label = row.text(3),
-          .machine = {row.text(4), row.integer(5), row.text(6), row.text(7)}};
+SQLite::Database open(const std::filesystem::path& file) {
+  std::error_code ignored;  // SQLite says what is wrong
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
+  return in(file.string() + " cannot be opened", [&] {
+    return SQLite::Database(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyMilliseconds);
+  });
 }
 
-Metric metric_of(const Statement& row, int first) {
-  return {row.text(first), row.text(first + 1), row.text(first + 2),
-          parse_kind(row.text(first + 3)).value_or(Kind::kOther)};
+std::int64_t version_of(SQLite::Database& database) {
+  return database.execAndGet("PRAGMA user_version").getInt64();
+}
+
+/// A write transaction, taken at once; rolled back unless committed.
+SQLite::Transaction begin(SQLite::Database& database) {
+  return SQLite::Transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+}
+
+/// The one number that a query for an id gives.
+template <class... Value>
+std::int64_t id_from(SQLite::Database& database, const char* sql, const Value&... values) {
+  SQLite::Statement select(database, sql);
+  SQLite::bind(select, values...);
+  select.executeStep();
+  return select.getColumn(0).getInt64();
+}
+
+/// A statement without results.
+template <class... Value>
+void execute(SQLite::Statement& statement, const Value&... values) {
+  SQLite::bind(statement, values...);
+  statement.exec();
+  statement.reset();
+}
+
+std::string text(const SQLite::Statement& row, int column) {
+  return row.getColumn(column).getString();
+}
+
+Machine machine_of(const SQLite::Statement& row, int first) {
+  return {text(row, first), row.getColumn(first + 1).getInt64(), text(row, first + 2),
+          text(row, first + 3)};
+}
+
+StoredRun run_of(const SQLite::Statement& row) {
+  return {.id = row.getColumn(0).getInt64(),
+          .date = text(row, 1),
+          .revision = text(row, 2),
+          .label = text(row, 3),
+          .machine = machine_of(row, 4)};
+}
+
+Metric metric_of(const SQLite::Statement& row, int first) {
+  return {text(row, first), text(row, first + 1), text(row, first + 2),
+          parse_kind(text(row, first + 3)).value_or(Kind::kOther)};
 }
 
 }  // namespace
@@ -76,118 +126,121 @@ std::string difference(const Machine& a, const Machine& b) {
   return text;
 }
 
-History::History(const std::filesystem::path& file) : database_(file, kBusySeconds) {
-  // The rollback journal, synced at every step: a commit is on disk when it returns.
-  database_.execute("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
-  if (version_of(database_) == 0) {
-    Transaction transaction(database_);
+History::History(const std::filesystem::path& file) : database_(open(file)) {
+  in(file.string(), [&] {
+    // The rollback journal, synced at every step: a commit is on disk when it returns.
+    database_.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
+    if (version_of(database_) > 0) return;
+    SQLite::Transaction transaction = begin(database_);
     // Somebody else may have made the tables in between.
-    if (version_of(database_) == 0) database_.execute(kTables);
+    if (version_of(database_) == 0) database_.exec(kTables);
     transaction.commit();
-  }
-  if (version_of(database_) > kVersion) {
+  });
+  if (in(file.string(), [&] { return version_of(database_); }) > kVersion) {
     throw TrackError(fmt::format("{} was written by a newer version of stiction", file.string()));
   }
 }
 
 std::int64_t History::id_of(const Machine& machine) {
-  const auto bind = [&](Statement& statement) -> Statement& {
-    return statement.bind(machine.processor)
-        .bind(machine.cores)
-        .bind(machine.compiler)
-        .bind(machine.flags);
-  };
-  Statement insert(database_,
-                   "INSERT OR IGNORE INTO machine (processor, cores, compiler, flags) "
-                   "VALUES (?, ?, ?, ?)");
-  bind(insert).step();
-  Statement select(database_,
-                   "SELECT id FROM machine WHERE processor = ? AND cores = ? AND compiler = ? "
-                   "AND flags = ?");
-  bind(select).step();
-  return select.integer(0);
+  SQLite::Statement insert(database_,
+                           "INSERT OR IGNORE INTO machine (processor, cores, compiler, flags) "
+                           "VALUES (?, ?, ?, ?)");
+  execute(insert, machine.processor, machine.cores, machine.compiler, machine.flags);
+  return id_from(database_,
+                 "SELECT id FROM machine WHERE processor = ? AND cores = ? AND compiler = ? "
+                 "AND flags = ?",
+                 machine.processor, machine.cores, machine.compiler, machine.flags);
 }
 
 std::int64_t History::id_of(const Metric& metric) {
-  Statement insert(database_,
-                   "INSERT OR IGNORE INTO metric (name, subject, what, unit, kind, direction) "
-                   "VALUES (?, ?, ?, ?, ?, ?)");
-  insert.bind(metric.name()).bind(metric.subject).bind(metric.what).bind(metric.unit);
-  insert.bind(to_string(metric.kind));
-  insert.bind(std::string(higher_is_better(metric.kind) ? "higher" : "lower")).step();
-  Statement select(database_, "SELECT id FROM metric WHERE name = ?");
-  select.bind(metric.name()).step();
-  return select.integer(0);
+  SQLite::Statement insert(
+      database_,
+      "INSERT OR IGNORE INTO metric (name, subject, what, unit, kind, direction) "
+      "VALUES (?, ?, ?, ?, ?, ?)");
+  execute(insert, metric.name(), metric.subject, metric.what, metric.unit, to_string(metric.kind),
+          higher_is_better(metric.kind) ? "higher" : "lower");
+  return id_from(database_, "SELECT id FROM metric WHERE name = ?", metric.name());
 }
 
 std::int64_t History::add(const StoredRun& run) {
-  Transaction transaction(database_);
-  const std::int64_t machine = id_of(run.machine);
-  Statement insert(database_,
-                   "INSERT INTO run (date, revision, label, machine) VALUES (?, ?, ?, ?)");
-  insert.bind(run.date).bind(run.revision).bind(run.label).bind(machine).step();
-  const std::int64_t id = database_.last_id();
-  Statement sample(database_, "INSERT INTO sample VALUES (?, ?, ?, ?)");
-  for (const auto& [name, measurement] : run.measurements.all()) {
-    const std::int64_t metric = id_of(measurement.metric);
-    std::int64_t repetition = 0;
-    for (const double value : measurement.samples) {
-      sample.bind(id).bind(metric).bind(repetition++).bind(value).step();
+  return in(database_.getFilename(), [&] {
+    SQLite::Transaction transaction = begin(database_);
+    const std::int64_t machine = id_of(run.machine);
+    SQLite::Statement insert(
+        database_, "INSERT INTO run (date, revision, label, machine) VALUES (?, ?, ?, ?)");
+    execute(insert, run.date, run.revision, run.label, machine);
+    const std::int64_t id = database_.getLastInsertRowid();
+    SQLite::Statement sample(database_, "INSERT INTO sample VALUES (?, ?, ?, ?)");
+    for (const auto& [name, measurement] : run.measurements.all()) {
+      const std::int64_t metric = id_of(measurement.metric);
+      std::int64_t repetition = 0;
+      for (const double value : measurement.samples) {
+        execute(sample, id, metric, repetition++, value);
+      }
     }
-  }
-  transaction.commit();
-  return id;
+    transaction.commit();
+    return id;
+  });
 }
 
 std::vector<StoredRun> History::runs(const std::optional<Machine>& machine) const {
-  std::vector<StoredRun> runs;
-  for (Statement row(database_, kRuns); row.step();) {
-    StoredRun run = run_of(row);
-    if (!machine || run.machine == *machine) runs.push_back(std::move(run));
-  }
-  return runs;
+  return in(database_.getFilename(), [&] {
+    std::vector<StoredRun> runs;
+    for (SQLite::Statement row(database_, kRuns); row.executeStep();) {
+      StoredRun run = run_of(row);
+      if (!machine || run.machine == *machine) runs.push_back(std::move(run));
+    }
+    return runs;
+  });
 }
 
 StoredRun History::run(std::int64_t id) const {
   for (StoredRun& run : runs(std::nullopt)) {
     if (run.id != id) continue;
-    Statement row(database_,
-                  "SELECT subject, what, unit, kind, value FROM sample JOIN metric "
-                  "ON metric.id = sample.metric WHERE run = ? ORDER BY metric, repetition");
-    row.bind(id);
-    while (row.step()) run.measurements.add(metric_of(row, 0), row.real(4));
-    return run;
+    return in(database_.getFilename(), [&] {
+      SQLite::Statement row(database_,
+                            "SELECT subject, what, unit, kind, value FROM sample JOIN metric "
+                            "ON metric.id = sample.metric WHERE run = ? ORDER BY metric, "
+                            "repetition");
+      row.bind(1, id);
+      while (row.executeStep()) {
+        run.measurements.add(metric_of(row, 0), row.getColumn(4).getDouble());
+      }
+      return run;
+    });
   }
-  throw TrackError(fmt::format("{} has no run {}", database_.name(), id));
+  throw TrackError(fmt::format("{} has no run {}", database_.getFilename(), id));
 }
 
 std::vector<Trend> History::trends(const std::string& glob,
                                    const std::optional<Machine>& machine) const {
-  Statement row(database_,
-                "SELECT subject, what, unit, kind, sample.value, run.id, processor, cores, "
-                "compiler, flags FROM metric JOIN sample ON sample.metric = metric.id "
-                "JOIN run ON run.id = sample.run JOIN machine ON machine.id = run.machine "
-                "WHERE name GLOB ? ORDER BY name, run.id, repetition");
-  row.bind(glob.empty() ? std::string("*") : glob);
   std::vector<Trend> trends;
   std::vector<double> samples;
   const auto finish_run = [&] {
     if (!samples.empty()) trends.back().medians.push_back(reference::median(samples));
     samples.clear();
   };
-  while (row.step()) {
-    if (machine && Machine{row.text(6), row.integer(7), row.text(8), row.text(9)} != *machine) {
-      continue;
+  in(database_.getFilename(), [&] {
+    SQLite::Statement row(
+        database_,
+        "SELECT subject, what, unit, kind, sample.value, run.id, processor, cores, "
+        "compiler, flags FROM metric JOIN sample ON sample.metric = metric.id "
+        "JOIN run ON run.id = sample.run JOIN machine ON machine.id = run.machine "
+        "WHERE name GLOB ? ORDER BY name, run.id, repetition");
+    row.bind(1, glob.empty() ? std::string("*") : glob);
+    while (row.executeStep()) {
+      if (machine && machine_of(row, 6) != *machine) continue;
+      const Metric metric = metric_of(row, 0);
+      const std::int64_t run = row.getColumn(5).getInt64();
+      const bool is_new = trends.empty() || trends.back().metric.name() != metric.name();
+      if (is_new || trends.back().runs.back() != run) {
+        finish_run();
+        if (is_new) trends.push_back({.metric = metric, .runs = {}, .medians = {}});
+        trends.back().runs.push_back(run);
+      }
+      samples.push_back(row.getColumn(4).getDouble());
     }
-    const Metric metric = metric_of(row, 0);
-    const bool is_new = trends.empty() || trends.back().metric.name() != metric.name();
-    if (is_new || trends.back().runs.back() != row.integer(5)) {
-      finish_run();
-      if (is_new) trends.push_back({.metric = metric, .runs = {}, .medians = {}});
-      trends.back().runs.push_back(row.integer(5));
-    }
-    samples.push_back(row.real(4));
-  }
+  });
   finish_run();
   return trends;
 }

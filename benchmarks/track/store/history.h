@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <SQLiteCpp/Database.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,7 +10,6 @@
 #include <vector>
 
 #include "benchmarks/track/decide/metric.h"
-#include "benchmarks/track/store/sqlite.h"
 
 namespace stiction::track {
 
@@ -67,7 +68,7 @@ class History {
   std::int64_t id_of(const Machine& machine);
   std::int64_t id_of(const Metric& metric);
 
-  mutable Database database_;
+  SQLite::Database database_;
 };
 
 }  // namespace stiction::track

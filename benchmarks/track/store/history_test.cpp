@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/track/store/history.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -84,23 +85,56 @@ TEST_F(HistoryTest, SaysWhatDiffers) {
   EXPECT_EQ(difference(kHere, kThere), "compiler: GCC 12 / GCC 13");
 }
 
+/// The sentence with which `work` is refused.
+template <class Work>
+std::string refusal(Work work) {
+  try {
+    work();
+  } catch (const TrackError& error) {
+    return error.what();
+  }
+  return "it was not refused";
+}
+
 TEST_F(HistoryTest, RefusesWhatItCannotRead) {
-  EXPECT_THROW(History(file_).run(7), TrackError);
-  EXPECT_THROW(History("/dev/null/history.sqlite"), TrackError);
+  EXPECT_EQ(refusal([&] { History(file_).run(7); }), file_.string() + " has no run 7");
+  EXPECT_EQ(refusal([] { History("/dev/null/history.sqlite"); }),
+            "/dev/null/history.sqlite cannot be opened: unable to open database file");
   const auto text = scratch_.folder() / "text";
   std::ofstream(text) << std::string(5000, 'x');
-  EXPECT_THROW(History{text}, TrackError);
-  { Database(file_, 1.0).execute("PRAGMA user_version = 2"); }
-  EXPECT_THROW(History{file_}, TrackError);
+  EXPECT_EQ(refusal([&] { History{text}; }), text.string() + ": file is not a database");
+  SQLite::Database(file_, SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
+  EXPECT_EQ(refusal([&] { History{file_}; }),
+            file_.string() + " was written by a newer version of stiction");
+}
+
+TEST_F(HistoryTest, SaysWhichFileIsDamaged) {
+  History(file_).add(run_of(1.0));
+  const auto size = std::filesystem::file_size(file_);
+  std::fstream stream(file_, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekp(4096);
+  stream << std::string(size - 4096, 'x');
+  stream.close();
+  const std::string sentence = file_.string() + ": database disk image is malformed";
+  EXPECT_EQ(refusal([&] { History(file_).runs(std::nullopt); }), sentence);
+  EXPECT_EQ(refusal([&] { History(file_).trends("", std::nullopt); }), sentence);
+  EXPECT_EQ(refusal([&] { History(file_).add(run_of(2.0)); }), sentence);
+}
+
+TEST_F(HistoryTest, WritesNothingToAFileThatLacksATable) {
+  History history(file_);
+  SQLite::Database(file_, SQLite::OPEN_READWRITE).exec("DROP TABLE sample");
+  EXPECT_EQ(refusal([&] { history.add(run_of(1.0)); }), file_.string() + ": no such table: sample");
+  EXPECT_TRUE(history.runs(std::nullopt).empty());
 }
 
 TEST_F(HistoryTest, ARunIsThereWholeOrNotAtAll) {
   History history(file_);
   const auto write = [&](bool commits) {
-    Database other(file_, 1.0);
-    Transaction transaction(other);
-    other.execute("INSERT INTO machine VALUES (1, '', 2, '', '')");
-    other.execute("INSERT INTO run (date, revision, label, machine) VALUES ('', '', '', 1)");
+    SQLite::Database other(file_, SQLite::OPEN_READWRITE);
+    SQLite::Transaction transaction(other);
+    other.exec("INSERT INTO machine VALUES (1, '', 2, '', '')");
+    other.exec("INSERT INTO run (date, revision, label, machine) VALUES ('', '', '', 1)");
     if (commits) transaction.commit();
   };
   write(false);
