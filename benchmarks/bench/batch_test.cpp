@@ -17,7 +17,7 @@ constexpr int kContacts = 100;
 class EveryFamily : public testing::TestWithParam<std::string> {
  protected:
   static Workload settled(const std::string& name) {
-    for (const Family& family : family_catalog()) {
+    for (const WorkloadFamily& family : family_catalog()) {
       if (family.name == name) return settle(family, kContacts);
     }
     throw InputError("no family " + name);
@@ -26,7 +26,7 @@ class EveryFamily : public testing::TestWithParam<std::string> {
 
 std::vector<std::string> family_names() {
   std::vector<std::string> names;
-  for (const Family& family : family_catalog()) names.push_back(family.name);
+  for (const WorkloadFamily& family : family_catalog()) names.push_back(family.name);
   return names;
 }
 
@@ -72,9 +72,9 @@ TEST_P(EveryFamily, PhasesOneByOneEndWhereTheStepEnds) {
 
 TEST_P(EveryFamily, TheStepCostsWhatItsPhasesCost) {
   const Workload work = settled(GetParam());
-  Cost sum, step;
+  ModelledCost sum, step;
   for (const Timed& timed : timed_parts()) {
-    const Cost cost = modelled_cost(timed, work);
+    const ModelledCost cost = modelled_cost(timed, work);
     if (timed.whole_step) {
       step = cost;
     } else if (timed.rule == work.options.rule && !timed.afresh) {

@@ -113,7 +113,7 @@ int bench(const Arguments& arguments, bool given_min_time) {
     for (const Chosen& one : chosen) fmt::print("{}\n", one.name);
     return kHolds;
   }
-  const Machine machine = measure_machine();
+  const MachinePeak machine = measure_peak();
   benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
   benchmark::AddCustomContext("flops_per_second", fmt::format("{}", machine.flops_per_second));
   Measure measure(machine);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "benchmarks/bench/features.h"
-#include "benchmarks/bench/machine.h"
+#include "benchmarks/bench/machine_peak.h"
 #include "benchmarks/bench/scaling.h"
 
 namespace stiction::bench {
@@ -15,12 +15,12 @@ namespace stiction::bench {
 /// One line a benchmark on the terminal: time, model and what part of the machine that is.
 class Console final : public benchmark::BenchmarkReporter {
  public:
-  explicit Console(const Machine& machine) : machine_(machine) {}
+  explicit Console(const MachinePeak& machine) : machine_(machine) {}
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
  private:
-  Machine machine_;
+  MachinePeak machine_;
 };
 
 /// Google Benchmark's own JSON, with the names as they were registered (it would add

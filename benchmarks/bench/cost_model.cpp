@@ -43,7 +43,7 @@ Counts counts_of(const Timed& timed, const Workload& work) {
           values};
 }
 
-Cost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
+ModelledCost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
   // A one-sided contact in its arrays: key, vertex, obstacle, depth, velocity, forces, status.
   constexpr double kOneSided = 8 + 4 + 4 + 8 + kVec + 8 + kVec + 1;
   switch (phase) {
@@ -85,13 +85,13 @@ Cost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
 
 }  // namespace
 
-Cost modelled_cost(const Timed& timed, const Workload& work) {
+ModelledCost modelled_cost(const Timed& timed, const Workload& work) {
   const Counts counts = counts_of(timed, work);
   const bool pairs = work.scene->pairs_possible;
   if (!timed.whole_step) return of_phase(timed.phase, counts, pairs);
-  Cost sum;
+  ModelledCost sum;
   for (std::size_t p = 0; p < kPhaseNames.size(); ++p) {
-    const Cost cost = of_phase(static_cast<Phase>(p), counts, pairs);
+    const ModelledCost cost = of_phase(static_cast<Phase>(p), counts, pairs);
     sum.bytes += cost.bytes;
     sum.flops += cost.flops;
   }

@@ -17,10 +17,10 @@ namespace {
 constexpr int kContacts = 100;
 constexpr int kSteps = 4;
 
-Family family_named(const std::string& name) {
-  const std::vector<Family> families = family_catalog();
+WorkloadFamily family_named(const std::string& name) {
+  const std::vector<WorkloadFamily> families = family_catalog();
   return *std::find_if(families.begin(), families.end(),
-                       [&](const Family& family) { return family.name == name; });
+                       [&](const WorkloadFamily& family) { return family.name == name; });
 }
 
 // The scene at rest, then a few steps with the options changed, so that they are warm too.
@@ -48,7 +48,7 @@ Workload edge_contacts(bool used) {
 }
 
 Workload self_collision(bool used) {
-  Family family = family_named("slab");
+  WorkloadFamily family = family_named("slab");
   const auto make = family.make;
   family.make = [=](int contacts) {
     Setup setup = make(contacts);
@@ -60,7 +60,7 @@ Workload self_collision(bool used) {
 
 // Without elasticity: as many point masses on the plane as the elastic box has contacts.
 Workload elasticity(bool used) {
-  Family family = family_named("plane");
+  WorkloadFamily family = family_named("plane");
   if (used) return settle(family, kContacts);
   const auto make = family.make;
   family.make = [=](int contacts) {

@@ -19,9 +19,9 @@ constexpr const char* kFamily = "slab";
 constexpr int kContacts = 1000;
 
 Workload settled() {
-  const std::vector<Family> families = family_catalog();
+  const std::vector<WorkloadFamily> families = family_catalog();
   const auto at = std::find_if(families.begin(), families.end(),
-                               [](const Family& family) { return family.name == kFamily; });
+                               [](const WorkloadFamily& family) { return family.name == kFamily; });
   demand(at != families.end(), "the fixed benchmarks' family is in the catalog");
   Workload work = settle(*at, kContacts);
   for (const Judgement& check : work.checks) {

@@ -19,7 +19,7 @@ std::vector<Chosen> choose(const std::string& filter, bool full) {
     throw InputError("--benchmark_filter: '" + filter + "' is no regular expression");
   }
   std::vector<Chosen> chosen;
-  for (const Family& family : family_catalog()) {
+  for (const WorkloadFamily& family : family_catalog()) {
     std::vector<int> sizes = family.sizes;
     if (full) sizes.insert(sizes.end(), family.full_sizes.begin(), family.full_sizes.end());
     for (const int size : sizes) {

@@ -10,14 +10,14 @@
 
 #include "benchmarks/bench/batch.h"
 #include "benchmarks/bench/cost_model.h"
-#include "benchmarks/bench/machine.h"
+#include "benchmarks/bench/machine_peak.h"
 
 namespace stiction::bench {
 
 /// A benchmark that was chosen to run.
 struct Chosen {
   Timed timed;
-  Family family;
+  WorkloadFamily family;
   int size = 0;  ///< contacts asked for
   std::string name;
 };
@@ -27,7 +27,7 @@ struct Result {
   Chosen chosen;
   double contacts = 0.0;
   double seconds = 0.0;  ///< CPU time of a batch, median over batches
-  Cost cost;             ///< of a batch, by the model
+  ModelledCost cost;             ///< of a batch, by the model
   std::uint64_t hash = 0;
   double error = 0.0;  ///< of the workload with the part's friction rule, dimensionless
 };
@@ -41,7 +41,7 @@ std::vector<Chosen> choose(const std::string& filter, bool full);
 /// holds only the last, so order them by workload.
 class Measure {
  public:
-  explicit Measure(const Machine& machine) : machine_(machine), overhead_(clock_overhead()) {}
+  explicit Measure(const MachinePeak& machine) : machine_(machine), overhead_(clock_overhead()) {}
 
   void run(benchmark::State& state, const Chosen& chosen);
 
@@ -65,7 +65,7 @@ class Measure {
   Batch& batch_of(const Chosen& chosen);
   void keep(Result result);
 
-  Machine machine_;
+  MachinePeak machine_;
   double overhead_;
   std::unique_ptr<Workload> workload_;
   std::unique_ptr<Batch> batch_;

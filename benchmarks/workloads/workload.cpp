@@ -109,7 +109,7 @@ void go_on(Workload& work, int steps) {
                  rest_check("mean slip over gΔt", "static friction holds all contacts", slip, "")};
 }
 
-Workload settle(const Family& family, int contacts) {
+Workload settle(const WorkloadFamily& family, int contacts) {
   Setup setup = family.make(contacts);
   const double drag_ends = kDragPhase / setup.bounce;
   setup.description.drag = {

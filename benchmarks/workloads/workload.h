@@ -24,7 +24,7 @@ struct Setup {
 
 /// Scenes that differ in size alone. A file in benchmarks/workloads/ returns one from a function
 /// `workload_<file>()`; the build writes the catalog.
-struct Family {
+struct WorkloadFamily {
   std::string name;                ///< that of the file
   std::string title;               ///< one line for people
   std::vector<int> sizes;          ///< about how many contacts, increasing
@@ -34,7 +34,7 @@ struct Family {
 };
 
 /// All families of the build, by name. Written by the build from benchmarks/workloads/.
-std::vector<Family> family_catalog();
+std::vector<WorkloadFamily> family_catalog();
 
 /// The friction rule of all workloads, one sweep of which is timed: how many sweeps a step takes
 /// depends on how much moves (`quiet` takes one at rest; `./stiction compare` times whole rules).
@@ -62,6 +62,6 @@ struct Workload {
 void go_on(Workload& work, int steps);
 
 /// Builds the scene of a family and lets it come to rest.
-Workload settle(const Family& family, int contacts);
+Workload settle(const WorkloadFamily& family, int contacts);
 
 }  // namespace stiction::bench

@@ -92,6 +92,10 @@ class Engine {
   virtual double time_step() const = 0;           ///< Δt, s; after load
   virtual std::uint64_t steps_done() const = 0;   ///< t = steps · Δt
   virtual void advance(std::uint64_t steps) = 0;  ///< whole steps; throws InputError if it diverges
+  /// Its word, after load: each step takes the velocities on by Δt times the acceleration at its
+  /// start, then the positions by Δt times the new velocities. Cases then hold it to that
+  /// recurrence, to round-off; any engine is held to the truncation error of first order.
+  virtual bool symplectic_euler() const { return false; }
 
   virtual BodyMotion body(std::size_t index) const = 0;
   /// Those at the end of the last step. An engine that does not tell them leaves this out: a case

@@ -140,10 +140,10 @@ std::string run_validate(const Tree& tree, const CaseOptions& options) {
 
 }  // namespace
 
-Accuracy accuracy_of(const std::vector<Record>& records) {
+CaseAccuracy accuracy_of(const std::vector<Record>& records) {
   std::map<std::string, std::vector<const Record*>> by_case;
   for (const Record& record : records) by_case[record.case_name].push_back(&record);
-  Accuracy accuracy;
+  CaseAccuracy accuracy;
   for (const auto& [name, siblings] : by_case) {
     const std::set<std::string> telling = telling_settings(siblings);
     for (const Record* record : siblings) {
@@ -162,7 +162,7 @@ Accuracy accuracy_of(const std::vector<Record>& records) {
   return accuracy;
 }
 
-Accuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
+CaseAccuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
                           bool fresh) {
   std::string key = content_hash(tree.program("validate"));
   for (const std::string& option : options) key += " " + option;

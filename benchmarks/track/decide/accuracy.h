@@ -12,7 +12,7 @@
 namespace stiction::track {
 
 /// What `validate` computed of a revision.
-struct Accuracy {
+struct CaseAccuracy {
   Measurements measurements;
   /// End state of each subject, 16 hex digits: equal in two revisions when every bit is.
   std::map<std::string, std::string> state_hash;
@@ -24,7 +24,7 @@ using CaseOptions = std::vector<std::string>;
 
 /// Runs `validate`; deterministic, so remembered by the program's content and the machine unless
 /// `fresh`. Throws TrackError when it could not run; cases that fail are no such failure.
-Accuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
+CaseAccuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
                           bool fresh);
 
 /// The metrics of records. A subject is a case and as few settings as tell its records from each
@@ -39,6 +39,6 @@ Accuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Pr
 ///  * <quantity>         where a check counts steps, e.g. to convergence
 /// Digits are clipped at the round-off floor −log₁₀(steps · 2.2e-16): so much error n additions
 /// can make, and which part of it they do make changes with every reordering.
-Accuracy accuracy_of(const std::vector<Record>& records);
+CaseAccuracy accuracy_of(const std::vector<Record>& records);
 
 }  // namespace stiction::track

@@ -32,28 +32,28 @@ Judgement check_of(const std::string& quantity, double digits, Verdict verdict,
   return check;
 }
 
-TEST(Accuracy, NamesWhatDiffersBetweenTheRecordsOfACase) {
-  const Accuracy both = accuracy_of({record_of("none", {}), record_of("secant", {})});
+TEST(CaseAccuracy, NamesWhatDiffersBetweenTheRecordsOfACase) {
+  const CaseAccuracy both = accuracy_of({record_of("none", {}), record_of("secant", {})});
   EXPECT_EQ(both.state_hash.count("slab/creep@rule=none"), 1u);
   EXPECT_EQ(both.state_hash.count("slab/creep@rule=secant"), 1u);
   EXPECT_EQ(accuracy_of({record_of("none", {})}).state_hash.count("slab/creep"), 1u);
 }
 
-TEST(Accuracy, NamesNoMoreSettingsThanNeeded) {
+TEST(CaseAccuracy, NamesNoMoreSettingsThanNeeded) {
   // method tells two apart, rule three; with rule nothing is left to tell but the last two.
   Record a = record_of("none", {}), b = record_of("secant", {}), c = record_of("vector", {}), d = c;
   a.settings["method"] = "old";
   d.settings["kappa"] = "0.5";
   d.settings["tie"] = "1";
-  const Accuracy all = accuracy_of({a, b, c, d});
+  const CaseAccuracy all = accuracy_of({a, b, c, d});
   EXPECT_EQ(all.state_hash.size(), 4u);
   EXPECT_EQ(all.state_hash.count("slab/creep@rule=none"), 1u);
   EXPECT_EQ(all.state_hash.count("slab/creep@kappa=0.5,rule=vector"), 1u);
   EXPECT_EQ(all.state_hash.count("slab/creep@rule=vector"), 1u);
 }
 
-TEST(Accuracy, TakesDigitsOfChecksThatMustHold) {
-  const Accuracy all = accuracy_of({record_of(
+TEST(CaseAccuracy, TakesDigitsOfChecksThatMustHold) {
+  const CaseAccuracy all = accuracy_of({record_of(
       "none", {check_of("a", 5, Verdict::kPass), check_of("b", 4, Verdict::kFail),
                check_of("c", 3, Verdict::kShortfall), check_of("d", 2, Verdict::kForInformation),
                check_of("e", 2, Verdict::kRefuted)})});
@@ -71,8 +71,8 @@ TEST(Accuracy, TakesDigitsOfChecksThatMustHold) {
   EXPECT_EQ(found.find("slab/creep#contact updates")->samples, std::vector<double>{77.0});
 }
 
-TEST(Accuracy, ClipsDigitsAtTheRoundOffOfItsSteps) {
-  const Accuracy all = accuracy_of(
+TEST(CaseAccuracy, ClipsDigitsAtTheRoundOffOfItsSteps) {
+  const CaseAccuracy all = accuracy_of(
       {record_of("none", {check_of("a", 16, Verdict::kPass), check_of("b", 12, Verdict::kPass),
                           check_of("c", std::nan(""), Verdict::kFail)})});
   // 1000 steps of 2.2e-16.
@@ -81,8 +81,8 @@ TEST(Accuracy, ClipsDigitsAtTheRoundOffOfItsSteps) {
   EXPECT_EQ(all.measurements.find("slab/creep#digits: c")->samples[0], 0.0);
 }
 
-TEST(Accuracy, CountsStepsToConvergence) {
-  const Accuracy all = accuracy_of({record_of(
+TEST(CaseAccuracy, CountsStepsToConvergence) {
+  const CaseAccuracy all = accuracy_of({record_of(
       "none", {check_of("steps until the mean slip stays below", 2, Verdict::kPass, 140.0)})});
   const Measurement* const steps =
       all.measurements.find("slab/creep#steps until the mean slip stays below");
@@ -91,7 +91,7 @@ TEST(Accuracy, CountsStepsToConvergence) {
   EXPECT_FALSE(higher_is_better(steps->metric.kind));
 }
 
-TEST(Accuracy, ReadsTheMachine) {
+TEST(CaseAccuracy, ReadsTheMachine) {
   const Machine machine = accuracy_of({record_of("none", {})}).machine;
   EXPECT_EQ(machine, (Machine{"Example, CPU", 2, "GCC 12.2.0", "Release -O3"}));
 }

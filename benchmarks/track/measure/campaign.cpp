@@ -37,9 +37,9 @@ StoredRun run_of(const Project& project, const Tree& tree) {
 }
 
 // Everything but times.
-Accuracy measure_counts(const Project& project, const Tree& tree, const Names& names,
+CaseAccuracy measure_counts(const Project& project, const Tree& tree, const Names& names,
                         const Scope& scope, StoredRun& run) {
-  Accuracy accuracy;
+  CaseAccuracy accuracy;
   if (scope.accuracy) {
     fmt::print(stderr, "stiction track: cases of {}\n", tree.label);
     accuracy = measure_accuracy(tree, scope.cases, project, scope.fresh);
@@ -91,8 +91,8 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
                     fixed_benchmarks(after, scope.benchmarks));
     if (names.empty()) throw TrackError("no benchmark of this name is in both revisions");
   }
-  const Accuracy old_one = measure_counts(project, before, names, scope, outcome.before);
-  const Accuracy new_one = measure_counts(project, after, names, scope, outcome.after);
+  const CaseAccuracy old_one = measure_counts(project, before, names, scope, outcome.before);
+  const CaseAccuracy new_one = measure_counts(project, after, names, scope, outcome.after);
   for (const auto& [subject, hash] : new_one.state_hash) {
     const auto found = old_one.state_hash.find(subject);
     if (found == old_one.state_hash.end() || hash.empty()) continue;

@@ -65,7 +65,7 @@ Setup make(int contacts) {
 
 }  // namespace
 
-Family workload_pile() {
+WorkloadFamily workload_pile() {
   return {.name = "pile",
           .title = "two layers of balls, the upper ones in the hollows of the lower ones",
           .sizes = {100, 1000, 10000},

@@ -35,7 +35,7 @@ Setup make(int contacts) {
 
 }  // namespace
 
-Family workload_plane() {
+WorkloadFamily workload_plane() {
   return {.name = "plane",
           .title = "a deformable box on a fixed plane, on a slope: one-sided contacts",
           .sizes = {100, 1000, 10000, 100000},

@@ -26,7 +26,7 @@ Setup make(int contacts) {
 
 }  // namespace
 
-Family workload_slab() {
+WorkloadFamily workload_slab() {
   return {.name = "slab",
           .title = "a deformable plate on a larger one, on a slope",
           .sizes = {100, 1000, 10000, 100000},

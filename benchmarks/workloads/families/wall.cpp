@@ -48,7 +48,7 @@ Setup make(int contacts) {
 
 }  // namespace
 
-Family workload_wall() {
+WorkloadFamily workload_wall() {
   return {.name = "wall",
           .title = "a wall of bricks in running bond, four rows high",
           .sizes = {100, 1000, 10000, 100000},

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "validation/comparison/comparison.h"
-#include "validation/comparison/history.h"
+#include "validation/comparison/rule_history.h"
 #include "validation/protocols/incline_run.h"
 
 namespace stiction {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "validation/comparison/comparison.h"
-#include "validation/comparison/history.h"
+#include "validation/comparison/rule_history.h"
 
 namespace stiction {
 

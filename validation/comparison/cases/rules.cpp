@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every rule on every scene: how many steps it takes to find static friction that was lost.
 #include "validation/comparison/comparison.h"
-#include "validation/comparison/history.h"
+#include "validation/comparison/rule_history.h"
 
 namespace stiction {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "validation/comparison/comparison.h"
-#include "validation/comparison/history.h"
+#include "validation/comparison/rule_history.h"
 
 namespace stiction {
 

@@ -70,6 +70,7 @@ class PlainEngine final : public Engine {
 
   double time_step() const override { return time_step_; }
   std::uint64_t steps_done() const override { return state_.step; }
+  bool symplectic_euler() const override { return true; }
 
   void advance(std::uint64_t steps) override {
     const double before = thread_cpu_seconds();

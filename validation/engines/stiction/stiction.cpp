@@ -77,6 +77,9 @@ class StictionEngine final : public Engine {
 
   double time_step() const override { return options_.time_step; }
   std::uint64_t steps_done() const override { return state_.step; }
+  bool symplectic_euler() const override {
+    return options_.integrator == Integrator::kSymplecticEuler;
+  }
 
   void advance(std::uint64_t steps) override {
     const double before = thread_cpu_seconds();

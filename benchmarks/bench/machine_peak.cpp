@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "benchmarks/bench/machine.h"
+#include "benchmarks/bench/machine_peak.h"
 
 #include <benchmark/benchmark.h>
 
@@ -61,6 +61,6 @@ double clock_overhead() {
   return smallest;
 }
 
-Machine measure_machine() { return {bandwidth(), peak()}; }
+MachinePeak measure_peak() { return {bandwidth(), peak()}; }
 
 }  // namespace stiction::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validation/comparison/history.h"
+#include "validation/comparison/rule_history.h"
 
 #include <fmt/format.h>
 
