@@ -4,7 +4,7 @@
 #include <string>
 
 #include "solver/contact/pair_options.h"
-#include "solver/friction/rule.h"
+#include "solver/friction/parameter.h"
 #include "solver/scene.h"
 
 namespace stiction {
@@ -19,7 +19,7 @@ enum class Integrator {
 struct Options {
   double time_step = 2e-4;                ///< Δt, s
   std::string rule = "conjugate-vector";  ///< friction rule: a file of solver/friction/rules/
-  FrictionParameters friction{};          ///< gains of the rules
+  RuleSettings friction{};  ///< parameters of that rule which are not at their defaults, by name
   Integrator integrator = Integrator::kSymplecticEuler;
   /// Passes over all contacts in the friction phase, ≥ 1; 0: as many as the rule's card says. A
   /// rule with conjugate directions ends them as soon as its slip tolerance is met.
@@ -27,8 +27,12 @@ struct Options {
   PairOptions pairs{};  ///< two-sided contacts
 };
 
-/// Throws InputError with one sentence when an option is out of range or unknown, or when Δt is
-/// above the scene's element stability limit (the sentence names the limit and the element).
+/// Throws InputError with one sentence when an option is out of range or unknown, whatever the
+/// scene.
+void check_options(const Options& options);
+
+/// … or when Δt is above the scene's element stability limit (the sentence names the limit and the
+/// element), or too long for its drag.
 void check_options(const Options& options, const Scene& scene);
 
 }  // namespace stiction

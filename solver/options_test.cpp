@@ -55,10 +55,27 @@ TEST(CheckOptions, ListsTheRulesWhenOneIsUnknown) {
   EXPECT_THAT(sentence, HasSubstr("fixed-point"));
 }
 
-TEST(CheckOptions, RefusesGainsThatAreNotNumbers) {
-  EXPECT_EQ(refusal({.friction = {.gain = test::kNaN}}), "friction gains must be finite numbers");
-  EXPECT_EQ(refusal({.friction = {.raw_alpha = test::kInfinity}}),
-            "friction gains must be finite numbers");
+TEST(CheckOptions, RefusesParametersThatTheRuleCannotHave) {
+  EXPECT_EQ(refusal({.rule = "secant", .friction = {{"gain", test::kNaN}}}),
+            "rule 'secant': 'gain' must be a finite number, not nan");
+  EXPECT_EQ(refusal({.rule = "fixed-point", .friction = {{"alpha", test::kInfinity}}}),
+            "rule 'fixed-point': 'alpha' must be a finite number, not inf");
+  EXPECT_EQ(refusal({.friction = {{"slip-tolerance", -3.0}}}),
+            "rule 'conjugate-vector': 'slip-tolerance' must be at least 0, not -3");
+  EXPECT_EQ(refusal({.rule = "stored-vector", .friction = {{"relaxation", 2.0}}}),
+            "rule 'stored-vector': 'relaxation' must be between 0 and 2, not 2");
+  EXPECT_EQ(refusal({.rule = "secant", .friction = {{"memory", 0.5}}}),
+            "rule 'secant': 'memory' must be reset or keep, not 0.5");
+  EXPECT_EQ(refusal({.rule = "none", .friction = {{"gain", 0.7}}}),
+            "rule 'none' has no parameter 'gain'; it has none");
+  EXPECT_EQ(refusal({.rule = "bias-vector", .friction = {{"relaxation", 1.0}}}),
+            "rule 'bias-vector' has no parameter 'relaxation'; it has gain, memory");
+}
+
+TEST(CheckOptions, NeedsNoSceneForWhatIsWrongInAny) {
+  EXPECT_EQ(test::refusal([] { check_options({.time_step = 1e3}); }), "");
+  EXPECT_EQ(test::refusal([] { check_options({.pairs = {.harmonic_gain = 2.0}}); }),
+            refusal({.pairs = {.harmonic_gain = 2.0}}));
 }
 
 TEST(FrictionRuleCatalog, CallsTheRuleOfThatNameAndNoOther) {

@@ -20,6 +20,7 @@
 #include "validation/comparison/findings.h"
 #include "validation/core/program.h"
 #include "validation/core/runner.h"
+#include "validation/engines/stiction/stiction_method.h"
 
 namespace stiction {
 
@@ -38,11 +39,15 @@ struct Arguments {
 
 std::string rule_help() {
   std::string text =
-      "Rules (solver/friction/rules/), what they remember of a contact and guarantee:\n";
+      "Rules (solver/friction/rules/), what they remember of a contact and guarantee, and their "
+      "parameters\n(validate --set NAME=VALUE):\n";
   for (const std::string& name : friction_rule_names()) {
     const RuleCard card = friction_rule_card(name);
     text += fmt::format("  {:<17} {} ({} B): {}\n", name, card.memory, friction_memory_bytes(name),
                         card.guarantees);
+    for (const RuleParameter& parameter : friction_rule_parameters(name)) {
+      text += fmt::format("    {:<15} {}\n", parameter.name, parameter_help(parameter));
+    }
   }
   return text;
 }

@@ -11,7 +11,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "reports/formats/csv.h"
@@ -167,6 +169,25 @@ class Console {
   bool progress_;
 };
 
+// Refuses, before anything runs, settings that are unknown or out of range, and those that no job
+// uses.
+void refuse_settings(const std::vector<Job>& jobs) {
+  std::map<std::string, std::string> idle;
+  std::set<std::string> used;
+  for (const Job& job : jobs) {
+    job.engine.make(job.settings);
+    if (!job.engine.idle) continue;
+    const std::map<std::string, std::string> here = job.engine.idle(job.settings);
+    idle.insert(here.begin(), here.end());
+    for (const auto& [name, value] : job.settings) {
+      if (here.count(name) == 0) used.insert(name);
+    }
+  }
+  for (const auto& [name, sentence] : idle) {
+    if (used.count(name) == 0) throw InputError(sentence);
+  }
+}
+
 int validate(Arguments& arguments) {
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
   if (!arguments.show_expectations.empty()) {
@@ -188,8 +209,7 @@ int validate(Arguments& arguments) {
     return kHolds;
   }
   const std::vector<Job> jobs = select_jobs(cases, selection);
-  // Refuses unknown settings before anything runs.
-  for (const Job& job : jobs) job.engine.make(job.settings);
+  refuse_settings(jobs);
 
   RecordStore store = RecordStore::create(arguments.out);
   const TableStyle style = terminal_style();

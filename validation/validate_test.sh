@@ -72,6 +72,12 @@ refuses "a time step above the limit" \
 refuses "an unknown friction rule" "unknown friction rule 'magic'; there are: " \
   "$validate" --case half-space/bounce --set rule=magic
 
+refuses "a parameter out of its range" "rule 'conjugate-vector': 'slip-tolerance' must be at least 0, not -3" \
+  "$validate" --quick --set slip-tolerance=-3 --out ranges
+[ ! -e ranges ] || failed "a parameter out of its range" "it made a report folder"
+refuses "a parameter of another rule" "rule 'none' has no parameter 'gain'; it has none" \
+  "$validate" --case half-space/bounce --set rule=none --set gain=0.6
+
 # problem NAME SED_SCRIPT: a problem of one's own with a mistake in it.
 cat >good.toml <<'TOML'
 duration = 0.1

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // Written by the build from the headers of rules/: STICTION_FRICTION_RULES(X) expands to
@@ -11,13 +13,13 @@
 
 namespace stiction {
 
-/// Calls `use(rule)` with the rule of that name, constructed from `parameters`; true if there is
-/// one.
+/// Calls `use(rule)` with the rule of that name, constructed with the values `given`; true if there
+/// is one.
 template <class Use>
-bool with_friction_rule(const std::string& name, const FrictionParameters& parameters, Use&& use) {
+bool with_friction_rule(const std::string& name, const RuleSettings& given, Use&& use) {
 #define STICTION_TRY_RULE(Rule, word) \
   if (name == word) {                 \
-    use(Rule(parameters));            \
+    use(Rule(given));                 \
     return true;                      \
   }
   STICTION_FRICTION_RULES(STICTION_TRY_RULE)
@@ -41,6 +43,30 @@ inline std::size_t friction_memory_bytes(const std::string& name) {
   with_friction_rule(name, {}, [&](const auto& rule) { bytes += rule.kValues * sizeof(double); });
   return bytes;
 }
+
+/// The parameters of a rule.
+template <class Rule>
+constexpr std::span<const RuleParameter> parameters_of() {
+  if constexpr (requires { Rule::kParameters; }) {
+    return Rule::kParameters;
+  } else {
+    return {};
+  }
+}
+
+/// … of that name, which exists.
+inline std::span<const RuleParameter> friction_rule_parameters(const std::string& name) {
+  std::span<const RuleParameter> parameters;
+  with_friction_rule(name, {}, [&](const auto& rule) {
+    parameters = parameters_of<std::remove_cvref_t<decltype(rule)>>();
+  });
+  return parameters;
+}
+
+/// Why a rule with these parameters cannot be given these values, one sentence that names the rule;
+/// empty if it can.
+std::string refusal_of(const std::string& rule, std::span<const RuleParameter> parameters,
+                       const RuleSettings& given);
 
 /// Names of all rules.
 inline std::vector<std::string> friction_rule_names() {

@@ -27,7 +27,7 @@ class PushedCubes : public testing::Test {
     Options options;
     options.rule = rule;
     options.sweeps = sweeps;
-    options.friction.slip_tolerance = tolerance;
+    if (rule == "conjugate-vector") options.friction["slip-tolerance"] = tolerance;
     test::Found found(scene, options, initial_state(scene));
     pair_normal_forces(scene, options, found.workspace);
     const Body& upper = scene.bodies[1];

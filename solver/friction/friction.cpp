@@ -23,14 +23,15 @@ double mutated(double mu) {
   return mu;
 }
 
-FrictionParameters mutated(FrictionParameters friction) {
-  if constexpr (kMutation == Mutation::kGainReversed) {
-    friction.gain = -friction.gain;
-    friction.raw_alpha = -friction.raw_alpha;
-    friction.relaxation = -friction.relaxation;
+RuleSettings mutated(const std::string& rule, RuleSettings given) {
+  for (const RuleParameter& one : friction_rule_parameters(rule)) {
+    const std::string name = one.name;
+    if (kMutation == Mutation::kGainReversed && !one.off && name != "slip-tolerance") {
+      given[name] = -value_of(one, given);
+    }
+    if (kMutation == Mutation::kStaleMemory && name == "memory") given[name] = 1.0;
   }
-  if constexpr (kMutation == Mutation::kStaleMemory) friction.keep_through_slip = true;
-  return friction;
+  return given;
 }
 
 // The contacts with obstacles, as the sweep sees them.
@@ -227,7 +228,8 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   const ObstacleSide obstacles{scene, options.time_step, workspace.contacts};
   const PairSide pairs{options, scene.friction, workspace.pairs};
   const EdgeSide edges{options.time_step, scene.friction, workspace.edges};
-  const FrictionParameters friction = mutated(options.friction);
+  const RuleSettings friction =
+      kMutation == Mutation::kNone ? options.friction : mutated(options.rule, options.friction);
   const bool known = with_friction_rule(options.rule, friction, [&](const auto& rule) {
     carry_memory(rule, state.obstacle_friction, obstacles, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
@@ -252,7 +254,7 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
     };
     const int sweeps = options.sweeps > 0 ? options.sweeps : rule.kCard.sweeps;
     if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
-      const double tolerance = friction.slip_tolerance * scene.gravity.scale() * options.time_step;
+      const double tolerance = rule.slip_tolerance() * scene.gravity.scale() * options.time_step;
       ConjugateSide pair_side(pairs, workspace.pair_conjugate, velocity);
       ConjugateSide edge_side(edges, workspace.edge_conjugate, velocity);
       ConjugateSide obstacle_side(obstacles, workspace.conjugate, velocity);

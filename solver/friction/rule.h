@@ -2,26 +2,9 @@
 #pragma once
 
 #include "solver/contact/contacts.h"
+#include "solver/friction/parameter.h"
 
 namespace stiction {
-
-/// Gains of the friction rules.
-struct FrictionParameters {
-  /// g, dimensionless: ξ ← ξ + g u/|ũ|. The paper's observed convergence implies 0.58 – 0.82; the
-  /// loop is stable for 0 < g < 2 (less where contacts couple).
-  double gain = 0.7;
-  /// The paper's raw α, s/m [(16)–(18)]: ξ ← ξ − α u. Used in place of the gain when not 0.
-  double raw_alpha = 0.0;
-  /// ω, dimensionless: over-relaxation of the sweeps that store forces; ≤ 1.3 is known to be good.
-  double relaxation = 1.0;
-  /// ≥ 0, in gΔt (Gravity::scale): a rule with conjugate directions sweeps no more once a sweep
-  /// takes away no more slip than this from any contact. gΔt is the slip that a step of free fall
-  /// gives; a millionth of it is far below what vibration leaves while anything moves, and reached
-  /// by one sweep once nothing does.
-  double slip_tolerance = 1e-7;
-  bool keep_through_slip = false;  ///< ξ outlives slip (frozen) instead of being reset to 1
-  bool safeguard = true;  ///< secant: fall back to the fixed point where the slope misleads
-};
 
 /// What a rule says of itself.
 struct RuleCard {
@@ -65,7 +48,9 @@ inline bool can_stick(const SlipProblem& problem) {
 // A rule is a struct in a header of its own in rules/, named after the file (fixed_point.h →
 // FixedPoint; `rule = "fixed-point"` in settings). The build lists them. It has
 //   static constexpr int kValues            memory per contact, in doubles
-//   explicit Rule(const FrictionParameters&)
+//   explicit Rule(const RuleSettings&)      takes the values of its parameters by value_of()
+//   static constexpr std::array kParameters the parameters that it can be given (parameter.h), its
+//                                           own and shared ones; may be left out without any
 //   void reset(double* memory) const        a new contact, or one whose memory is forgotten
 //   static constexpr RuleCard kCard         what it remembers and guarantees, for people
 //   static constexpr bool kWarmStart        whether the memory holds a force to start from:

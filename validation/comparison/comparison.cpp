@@ -88,19 +88,21 @@ std::string contacts_words(const Settings& settings) {
 }
 
 std::string rule_words(const Settings& settings) {
-  std::string words = settings.at("rule");
-  const auto add = [&](const char* name, const std::string& before, const std::string& after) {
-    const auto found = settings.find(name);
-    if (found != settings.end()) words += ", " + before + found->second + after;
-  };
-  const auto gain = settings.find("gain");
-  if (gain != settings.end() && std::stod(gain->second) != FrictionParameters{}.gain) {
-    words += ", g = " + gain->second;
+  const std::string& rule = settings.at("rule");
+  const Settings usual = rule_settings({.rule = rule});
+  std::string words = rule;
+  for (const RuleParameter& parameter : friction_rule_parameters(rule)) {
+    const auto found = settings.find(parameter.name);
+    if (found == settings.end()) continue;
+    const auto known = usual.find(parameter.name);
+    if (known != usual.end() && known->second == found->second) continue;
+    words += fmt::format(", {}={}", parameter.name, found->second);
   }
-  add("alpha", "α = ", " s/m");
-  add("sweeps", friction_rule_card(settings.at("rule")).sweeps > 1 ? "at most " : "", " sweeps");
-  if (settings.count("memory") && settings.at("memory") == "keep") words += ", kept on slip";
-  if (settings.count("safeguard") && settings.at("safeguard") == "off") words += ", raw";
+  const auto sweeps = settings.find("sweeps");
+  if (sweeps != settings.end()) {
+    const bool fewer = friction_rule_card(rule).sweeps > 1;  // it may end them before
+    words += fmt::format(", {}{} sweeps", fewer ? "at most " : "", sweeps->second);
+  }
   return words;
 }
 

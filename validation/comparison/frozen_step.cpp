@@ -41,7 +41,7 @@ FrozenStep::FrozenStep(const EngineKind& kind, const ComparisonScene& scene,
   SettingsReader reader(settings);
   read_method(reader, options_);
   options_.time_step = engine->time_step();
-  options_.friction.gain = 0.0;  // what is prescribed stays
+  options_.friction["gain"] = 0.0;  // what is prescribed stays
   SceneDescription description =
       scene_description(scene.problem, {.cells = reader.count("cells", Discretisation{}.cells),
                                         .ball = reader.count("ball", Discretisation{}.ball)});

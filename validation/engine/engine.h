@@ -157,6 +157,10 @@ struct EngineKind {
   std::vector<Configuration> (*configurations)(const std::string& case_name) = nullptr;
   /// What of the run of these settings is judged how; null: all, strictly.
   Configuration (*configuration)(const Settings& settings) = nullptr;
+  /// Those of the settings that have no effect beside the others, each with a sentence that says
+  /// why; null: all have. A run whose user gives such a one is refused, unless some of its jobs use
+  /// it.
+  std::map<std::string, std::string> (*idle)(const Settings& settings) = nullptr;
   /// Settings, over a run's own, that leave something out; null or none: the engine can't.
   std::optional<Settings> (*without)(Without what) = nullptr;
   std::vector<Case> (*studies)() = nullptr;  ///< cases about this engine alone; null: none

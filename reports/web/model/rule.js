@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the variants of a comparison are called, in the words of its findings: a rule on contacts.
 
-const DEFAULT_GAIN = 0.7; // FrictionParameters::gain
+// Of a variant: whose contacts, and the rule itself. What else it sets are parameters of the rule.
+const NO_PARAMETER = new Set(["method", "depth", "rule", "sweeps"]);
 
-/** As rule_words() in validation/comparison/comparison.cpp: "secant, raw", "stored-vector, 4 sweeps". */
-export function rule_words({ rule = "", gain, alpha, sweeps, memory, safeguard }) {
-  const most = rule === "conjugate-vector" ? "at most " : "";
+/**
+ * As rule_words() in validation/comparison/comparison.cpp: "secant, memory=keep", "stored-vector, 4 sweeps". A
+ * rule's own number of sweeps, which its variant does not set, is the most that it does.
+ */
+export function rule_words({ variant = "", settings: { rule = "", sweeps } }) {
+  const set = variant.split(" ").map((word) => word.split("="));
+  const most = set.some(([name]) => name === "sweeps") ? "" : "at most ";
   return [
     rule,
-    gain !== undefined && Number(gain) !== DEFAULT_GAIN && `g = ${gain}`,
-    alpha !== undefined && `α = ${alpha} s/m`,
+    ...set
+      .filter(([name, value]) => value !== undefined && !NO_PARAMETER.has(name))
+      .map(([name, value]) => `${name}=${value}`),
     sweeps !== undefined && `${most}${sweeps} sweeps`,
-    memory === "keep" && "kept on slip",
-    safeguard === "off" && "raw",
   ]
     .filter(Boolean)
     .join(", ");
@@ -38,7 +42,7 @@ export function rules_on_contacts(records, run_of = () => "") {
   const told = records.map((record, i) => ({
     rule: record.settings.rule ?? record.engine,
     contacts: contacts_of(record),
-    words: [rule_words(record.settings) || record.engine, run_of(i)].filter(Boolean).join(", "),
+    words: [rule_words(record) || record.engine, run_of(i)].filter(Boolean).join(", "),
   }));
   // A rule of one reading needs no more than its name in a picture.
   const readings = new Map();

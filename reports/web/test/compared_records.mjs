@@ -31,15 +31,34 @@ const READINGS = [
   ...RULES.map((rule) => ({
     rule,
     ...(rule === "fixed-point" && { gain: "0.7", memory: "reset" }),
+    set: { rule },
   })),
-  { rule: "fixed-point", alpha: "-0.1", memory: "reset" },
-  { rule: "fixed-point", gain: "0.7", memory: "keep" },
+  {
+    rule: "fixed-point",
+    alpha: "-0.1",
+    memory: "reset",
+    set: { alpha: "-0.1", rule: "fixed-point" },
+  },
+  {
+    rule: "fixed-point",
+    gain: "0.7",
+    memory: "keep",
+    set: { memory: "keep", rule: "fixed-point" },
+  },
 ];
 const STEPS = [1, 2, 5, 10, 100, 1000];
 
+const variant_of = (set) =>
+  Object.entries(set)
+    .map(([name, value]) => `${name}=${value}`)
+    .join(" ");
+
 const on_contacts = (make) =>
   CONTACTS.flatMap((method, on) =>
-    READINGS.map((reading, i) => make({ method, ...reading }, i, on)),
+    READINGS.map(({ set, ...resolved }, i) => ({
+      ...make({ method, ...resolved }, i, on),
+      variant: variant_of({ method, ...set }),
+    })),
   );
 
 function history(scene, fails) {

@@ -64,20 +64,35 @@ test("a record fails as a whole; values of a parameter that fail are not the rec
 
 // The words of validation/comparison/comparison_test.cpp and of the findings.
 test("rules are called as the findings call them", () => {
-  assert.equal(rule_words({ rule: "secant", gain: "0.7", memory: "reset" }), "secant");
-  assert.equal(rule_words({ rule: "secant", memory: "keep" }), "secant, kept on slip");
-  assert.equal(rule_words({ rule: "secant", safeguard: "off" }), "secant, raw");
-  assert.equal(rule_words({ rule: "fixed-point", gain: "0.3" }), "fixed-point, g = 0.3");
-  assert.equal(rule_words({ rule: "fixed-point", alpha: "-0.1" }), "fixed-point, α = -0.1 s/m");
-  assert.equal(rule_words({ rule: "stored-vector", sweeps: "4" }), "stored-vector, 4 sweeps");
+  const words = (variant, settings) => rule_words({ variant, settings });
+  const resolved = { rule: "secant", gain: "0.7", memory: "reset", safeguard: "on" };
+  assert.equal(words("method=paper rule=secant", resolved), "secant");
+  assert.equal(words("", resolved), "secant");
   assert.equal(
-    rule_words({ rule: "conjugate-vector", sweeps: "64" }),
+    words("depth=projection memory=keep method=paper rule=secant safeguard=off", resolved),
+    "secant, memory=keep, safeguard=off",
+  );
+  assert.equal(
+    words("method=paper rule=new-rule stiffness=3", { rule: "new-rule", stiffness: "3" }),
+    "new-rule, stiffness=3",
+  );
+  assert.equal(
+    words("method=quiet rule=stored-vector sweeps=4", { rule: "stored-vector", sweeps: "4" }),
+    "stored-vector, 4 sweeps",
+  );
+  assert.equal(
+    words("method=quiet rule=conjugate-vector", { rule: "conjugate-vector", sweeps: "64" }),
     "conjugate-vector, at most 64 sweeps",
   );
 });
 
 test("variants are named in short where that is enough, and never alike", () => {
-  const of = (...settings) => rules_on_contacts(settings.map((one) => record({ settings: one })));
+  const variant_of = ({ rule, memory }) =>
+    [memory && `memory=${memory}`, `rule=${rule}`].filter(Boolean).join(" ");
+  const of = (...settings) =>
+    rules_on_contacts(
+      settings.map((one) => record({ settings: one, variant: variant_of(one) })),
+    );
   const told = of(
     { rule: "conjugate-vector", sweeps: "64", method: "paper" },
     { rule: "secant", method: "paper" },
@@ -87,9 +102,9 @@ test("variants are named in short where that is enough, and never alike", () => 
   );
   assert.deepEqual(
     told.map(({ name }) => name),
-    ["conjugate-vector", "secant", "secant, kept on slip", "secant", "secant #2"],
+    ["conjugate-vector", "secant", "secant, memory=keep", "secant", "secant #2"],
   );
-  assert.equal(told[2].label, "secant, kept on slip · paper");
+  assert.equal(told[2].label, "secant, memory=keep · paper");
 });
 
 test("names beside curves keep their order and their distance, within the plot", () => {
@@ -125,7 +140,7 @@ test("histories: every variant is drawn, both axes are logarithmic, failures are
       .at(-1)
       .data.values.map(({ name }) => name);
     assert.equal(names.length, 7);
-    assert.ok(names.includes("✕ secant") && names.includes("fixed-point, kept on slip"));
+    assert.ok(names.includes("✕ secant") && names.includes("fixed-point, memory=keep"));
     assert.match(plot.caption, /1 of 7 that fail/);
   }
   const domain = (plot) => plot.spec.layer[0].encoding.y.scale.domain;
@@ -216,7 +231,7 @@ test("rules by case: best rule on top, least of a column marked, failures crosse
     best.map((cell) => [cell.case, cell.rule, cell.row_key]),
     ["slab", "clamp", "membrane"].map((scene) => [
       `rules/${scene}`,
-      "fixed-point, kept on slip",
+      "fixed-point, memory=keep",
       0,
     ]),
   );

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "solver/friction/rules/bias_vector.h"
 
@@ -21,11 +22,12 @@ struct AitkenVector {
       "inside the cone; no gain beyond 1.5; no convergence proven where contacts couple"};
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 7;
+  static constexpr std::array kParameters{parameter::kGain, parameter::kMemory};
 
-  explicit AitkenVector(const FrictionParameters& parameters)
-      : bias_(parameters),
-        gain_(parameters.gain),
-        keep_through_slip_(parameters.keep_through_slip) {}
+  explicit AitkenVector(const RuleSettings& given)
+      : bias_(given),
+        gain_(value_of(parameter::kGain, given)),
+        keep_through_slip_(is_on(parameter::kMemory, given)) {}
 
   void reset(double* memory) const {
     std::fill_n(memory, kValues, 0.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "solver/friction/rule.h"
@@ -15,17 +16,19 @@ namespace stiction {
 ///
 /// Beyond the paper, whose scalar ξ has one unknown a contact where rest needs two. The vector is
 /// kept in space (three values) and laid into the tangent plane of the present step. It never
-/// divides by ũ. A clamped contact slips and forgets its bias, unless `keep_through_slip`, which
-/// freezes it.
+/// divides by ũ. A clamped contact slips and forgets its bias, unless `memory` is
+/// kept, which freezes it.
 struct BiasVector {
   static constexpr RuleCard kCard{
       "c",
       "inside the cone; removes slip in every tangential direction where the loop gain is below 2"};
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 3;
+  static constexpr std::array kParameters{parameter::kGain, parameter::kMemory};
 
-  explicit BiasVector(const FrictionParameters& parameters)
-      : gain_(parameters.gain), keep_through_slip_(parameters.keep_through_slip) {}
+  explicit BiasVector(const RuleSettings& given)
+      : gain_(value_of(parameter::kGain, given)),
+        keep_through_slip_(is_on(parameter::kMemory, given)) {}
 
   void reset(double* memory) const { memory[0] = memory[1] = memory[2] = 0.0; }
 

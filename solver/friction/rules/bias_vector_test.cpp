@@ -32,7 +32,7 @@ TEST(BiasVectorRule, LearnsSlipAcrossTheFreeSlipToo) {
   double memory[3] = {0, 0, 0};
   // u is across ũ: no scalar ξ could answer it.
   const SlipSolution solution =
-      BiasVector({.gain = 0.5}).solve(stuck(Vec3(1, 0, 0), Vec3(0, 0.2, 0)), memory);
+      BiasVector(RuleSettings{{"gain", 0.5}}).solve(stuck(Vec3(1, 0, 0), Vec3(0, 0.2, 0)), memory);
   EXPECT_EQ(solution.status, ContactStatus::kStick);
   EXPECT_EQ(solution.force, Vec3(-4.0, -0.4, 0));
 }
@@ -55,10 +55,9 @@ TEST(BiasVectorRule, LaysItsMemoryIntoTheTangentPlane) {
 TEST(BiasVectorRule, ForgetsWhenClampedUnlessToldToKeep) {
   for (const bool keep : {false, true}) {
     double memory[3] = {0.5, 0, 0};
-    FrictionParameters parameters;
-    parameters.keep_through_slip = keep;
+    const RuleSettings given{{"memory", keep ? 1.0 : 0.0}};
     const SlipSolution solution =
-        BiasVector(parameters).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
+        BiasVector(given).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
     EXPECT_EQ(solution.status, ContactStatus::kSlip);
     EXPECT_NEAR(solution.force.norm(), 5.0, 5.0 * 4 * test::kEpsilon);
     EXPECT_EQ(memory[0], keep ? 0.5 : 0.0);
@@ -95,20 +94,18 @@ TEST(BiasVectorRule, ConvergesInBothDirections) {
 TEST(AitkenVectorRule, FindsAGainOfItsOwn) {
   // Faster than the bias vector, and from a gain for which that one needs ten times as long.
   EXPECT_LT(slip_left(AitkenVector({}), 0.3, 30), 1e-14);
-  FrictionParameters timid;
-  timid.gain = 0.1;
+  const RuleSettings timid{{"gain", 0.1}};
   EXPECT_LT(slip_left(AitkenVector(timid), 0.3, 30), 1e-12);
   EXPECT_GT(slip_left(BiasVector(timid), 0.3, 30), 1e-3);
 }
 
 TEST(AitkenVectorRule, ForgetsItsGainWhenClamped) {
   double memory[7] = {1, 0, 0, 1, 0, 0, 1.5};
-  const FrictionParameters parameters;
   const SlipSolution solution =
-      AitkenVector(parameters).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
+      AitkenVector({}).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
   EXPECT_EQ(solution.status, ContactStatus::kSlip);
   EXPECT_EQ(memory[0], 0.0);
-  EXPECT_EQ(memory[6], parameters.gain);
+  EXPECT_EQ(memory[6], parameter::kGain.initial);
 }
 
 }  // namespace

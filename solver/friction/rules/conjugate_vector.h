@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "solver/friction/rules/stored_vector.h"
 
 namespace stiction {
 
 /// Nonsmooth nonlinear conjugate gradient [Silcowitz2010]: the stored vector whose sweeps
-/// (iterations over all contacts) are accelerated by conjugate directions of all together. With r the change of all forces by a sweep, |r|² = Σ w rᵢ²,
+/// (iterations over all contacts) are accelerated by conjugate directions of all together. With r
+/// the change of all forces by a sweep, |r|² = Σ w rᵢ²,
 ///
 ///   β = |rᵏ|²/|rᵏ⁻¹|²;   β > 1: p ← r,   else   f ← P(f + β p),  p ← β p + r
 ///
 /// after each sweep but the last, which is the one that takes away no more slip than
-/// `slip_tolerance` gΔt, or the `sweeps`th, or one after which sweeps hardly help any more: at rest
+/// `slip-tolerance` gΔt, or the `sweeps`th, or one after which sweeps hardly help any more: at rest
 /// one sweep does. Contacts of both sides that say nearly the same twice make a sweep pass slip to
 /// and fro; conjugate directions see the pattern. With one sweep it is the stored vector.
 ///
@@ -24,7 +27,23 @@ struct ConjugateVector : StoredVector {
       "or more to differ from it",
       64};
   static constexpr bool kConjugate = true;
-  using StoredVector::StoredVector;
+  /// In gΔt (Gravity::scale), the slip that a step of free fall gives. A millionth of it is far
+  /// below what vibration leaves while anything moves, and reached by one sweep once nothing does.
+  static constexpr RuleParameter kSlipTolerance{
+      .name = "slip-tolerance",
+      .help = "the slip whose removal ends a step's sweeps, in gΔt",
+      .initial = 1e-7,
+      .low = 0.0};
+  static constexpr std::array kParameters{kRelaxation, kSlipTolerance};
+
+  explicit ConjugateVector(const RuleSettings& given)
+      : StoredVector(given), slip_tolerance_(value_of(kSlipTolerance, given)) {}
+
+  /// A sweep that takes away no more slip than this from any contact is the last, in gΔt.
+  double slip_tolerance() const { return slip_tolerance_; }
+
+ private:
+  double slip_tolerance_;
 };
 
 }  // namespace stiction

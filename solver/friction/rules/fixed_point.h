@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
+#include <array>
 
 #include "solver/friction/rule.h"
 
@@ -16,9 +16,9 @@ namespace stiction {
 ///
 /// Deviations from the paper:
 /// 1. The gain g is dimensionless: g = −α|ũ|. The paper's α carries s/m and its printed −0.1 does
-///    almost nothing in SI units; `raw_alpha` restores it.
+///    almost nothing in SI units; `alpha` restores it.
 /// 2. Initial ξ = 1; ξ is forgotten when the contact separates, and when it slips unless
-///    `keep_through_slip` (the paper says nothing of either).
+///    `memory` is kept (the paper says nothing of either).
 /// 3. A clamped contact slips, and a slipping one does not learn, so the controller cannot wind up.
 /// 4. The slip u (start of the step) is projected on ũ/|ũ| of the present step. With |ũ| ≤ 1e-12
 ///    m/s that direction is round-off: ξ is held, the closed form needs no direction.
@@ -32,10 +32,18 @@ struct FixedPoint {
   static constexpr int kValues = 1;
   static constexpr double kDirectionLess = 1e-12;  ///< m/s
 
-  explicit FixedPoint(const FrictionParameters& parameters)
-      : gain_(parameters.gain),
-        raw_alpha_(parameters.raw_alpha),
-        keep_through_slip_(parameters.keep_through_slip) {}
+  /// The paper's raw α [(16)–(18)]: ξ ← ξ − α u.
+  static constexpr RuleParameter kAlpha{.name = "alpha",
+                                        .help = "the paper's raw α, in place of g",
+                                        .unit = "s/m",
+                                        .told_when_set = true,
+                                        .replaces = "gain"};
+  static constexpr std::array kParameters{parameter::kGain, kAlpha, parameter::kMemory};
+
+  explicit FixedPoint(const RuleSettings& given)
+      : gain_(value_of(parameter::kGain, given)),
+        raw_alpha_(value_of(kAlpha, given)),
+        keep_through_slip_(is_on(parameter::kMemory, given)) {}
 
   void reset(double* memory) const { memory[0] = 1.0; }
 

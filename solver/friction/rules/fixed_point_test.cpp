@@ -41,21 +41,21 @@ TEST(FixedPointRule, RaisesXiByGainTimesTheRelativeSlipThatIsLeft) {
   double xi = 1.0;
   // u along ũ counts in the ratio 1 : 5, across it not at all.
   const SlipProblem one = stuck(Vec3(3, -4, 0), 0.2 * Vec3(3, -4, 0) + Vec3(4, 3, 0));
-  const SlipSolution solution = FixedPoint({.gain = 0.5}).solve(one, &xi);
+  const SlipSolution solution = FixedPoint(RuleSettings{{"gain", 0.5}}).solve(one, &xi);
   EXPECT_NEAR(xi, 1.1, 4 * test::kEpsilon);
   EXPECT_LT((solution.force - 1.1 * Vec3(-12, 16, 0)).norm(), 22 * 4 * test::kEpsilon);
 }
 
 TEST(FixedPointRule, LowersXiWhenTheSlipTurnedBack) {
   double xi = 1.0;
-  FixedPoint({.gain = 0.5}).solve(stuck(Vec3(3, -4, 0), -0.2 * Vec3(3, -4, 0)), &xi);
+  FixedPoint(RuleSettings{{"gain", 0.5}}).solve(stuck(Vec3(3, -4, 0), -0.2 * Vec3(3, -4, 0)), &xi);
   EXPECT_NEAR(xi, 0.9, 4 * test::kEpsilon);
 }
 
 TEST(FixedPointRule, WithRawAlphaSubtractsAlphaTimesTheSlipItself) {
   double xi = 1.0;
   // α in s/m: −0.1 · 1 m/s, whatever |ũ| is; the gain is unused.
-  const FixedPoint rule({.gain = test::kNaN, .raw_alpha = -0.1});
+  const FixedPoint rule(RuleSettings{{"gain", test::kNaN}, {"alpha", -0.1}});
   rule.solve(stuck(Vec3(30, -40, 0), Vec3(0.6, -0.8, 0)), &xi);
   EXPECT_NEAR(xi, 1.1, 4 * test::kEpsilon);
 }
@@ -138,16 +138,16 @@ class FixedPointLoop : public testing::TestWithParam<Gain> {};
 
 TEST_P(FixedPointLoop, ConvergesForGainsBelowTheLimit) {
   for (const double fraction : {0.05, 0.35, 0.7, 0.95}) {
-    const FixedPoint rule({.gain = fraction * GetParam().limit});
+    const FixedPoint rule(RuleSettings{{"gain", fraction * GetParam().limit}});
     // The slowest factor is 0.95 or |1 − 0.95 · 2| = 0.9 a step and more with an echo: 0.98^2000.
     EXPECT_LT(GetParam().loop(rule, GetParam().artefact, 2000), 1e-14) << fraction;
   }
 }
 
 TEST_P(FixedPointLoop, DivergesForGainsBeyondTheLimitAndOfTheWrongSign) {
-  const FixedPoint beyond({.gain = 1.05 * GetParam().limit});
+  const FixedPoint beyond(RuleSettings{{"gain", 1.05 * GetParam().limit}});
   EXPECT_GT(GetParam().loop(beyond, GetParam().artefact, 150), 10.0);
-  const FixedPoint wrong({.gain = -0.05 * GetParam().limit});
+  const FixedPoint wrong(RuleSettings{{"gain", -0.05 * GetParam().limit}});
   EXPECT_GT(GetParam().loop(wrong, GetParam().artefact, 150), 10.0);
 }
 

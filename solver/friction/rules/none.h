@@ -18,7 +18,7 @@ struct None {
       "inside the cone; exact where contacts do not couple, as on a half-space; creeps elsewhere"};
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 0;
-  explicit None(const FrictionParameters&) {}
+  explicit None(const RuleSettings&) {}
   void reset(double*) const {}
 
   SlipSolution solve(const SlipProblem& problem, double*) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/friction/rule.h"
@@ -19,7 +20,7 @@ namespace stiction {
 /// 2. With `safeguard`: where |Δu| ≤ 1e-9 or Δξ = 0 (the formula divides by nothing), or the slope
 ///    has the wrong sign (more friction must mean less slip), the fixed-point step with the gain g
 ///    is taken instead, and |Δξ| ≤ ½. Without it a vanishing |Δu| can freeze ξ for good.
-/// 3. Initial ξ = 1; forgotten on separation, and on slip unless `keep_through_slip`.
+/// 3. Initial ξ = 1; forgotten on separation, and on slip unless `memory` is kept.
 struct Secant {
   static constexpr RuleCard kCard{
       "ξ, ξ of the step before and its slip",
@@ -28,10 +29,18 @@ struct Secant {
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 3;  // ξ, ξ of the step before, u that came of it (NaN: none yet)
 
-  explicit Secant(const FrictionParameters& parameters)
-      : gain_(parameters.gain),
-        keep_through_slip_(parameters.keep_through_slip),
-        safeguard_(parameters.safeguard) {}
+  static constexpr RuleParameter kSafeguard{
+      .name = "safeguard",
+      .help = "the fixed point's step where the slope misleads",
+      .initial = 1.0,
+      .off = "off",
+      .on = "on"};
+  static constexpr std::array kParameters{parameter::kGain, parameter::kMemory, kSafeguard};
+
+  explicit Secant(const RuleSettings& given)
+      : gain_(value_of(parameter::kGain, given)),
+        keep_through_slip_(is_on(parameter::kMemory, given)),
+        safeguard_(is_on(kSafeguard, given)) {}
 
   void reset(double* memory) const {
     memory[0] = 1.0;

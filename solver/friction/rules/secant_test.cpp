@@ -44,16 +44,14 @@ TEST(SecantRule, StaysAtRestOnceThereWithItsSafeguard) {
 
 TEST(SecantRule, ForgetsOnSlipUnlessToldToKeep) {
   for (const bool keep : {false, true}) {
-    FrictionParameters parameters;
-    parameters.keep_through_slip = keep;
+    const RuleSettings given{{"memory", keep ? 1.0 : 0.0}};
     double memory[3] = {1.5, 1.25, 0.1};
-    const SlipSolution solution = Secant(parameters)
-                                      .solve({.free_slip = Vec3(1, 0, 0),
-                                              .start_slip = Vec3::Zero(),
-                                              .inverse_mass = kInverseMass,
-                                              .bound = 1.0,
-                                              .was = ContactStatus::kSlip},
-                                             memory);
+    const SlipSolution solution = Secant(given).solve({.free_slip = Vec3(1, 0, 0),
+                                                       .start_slip = Vec3::Zero(),
+                                                       .inverse_mass = kInverseMass,
+                                                       .bound = 1.0,
+                                                       .was = ContactStatus::kSlip},
+                                                      memory);
     EXPECT_EQ(solution.status, ContactStatus::kSlip);
     EXPECT_EQ(solution.force, Vec3(-1, 0, 0));
     EXPECT_EQ(memory[0], keep ? 1.5 : 1.0);
@@ -63,15 +61,13 @@ TEST(SecantRule, ForgetsOnSlipUnlessToldToKeep) {
 // Slip that grows with friction has the wrong slope: the formula would push ξ away from the root.
 TEST(SecantRule, TakesTheFixedPointStepWhereTheSlopeHasTheWrongSign) {
   double memory[3] = {1.2, 1.0, 0.1};
-  const FrictionParameters parameters;
-  Secant(parameters)
-      .solve({.free_slip = Vec3(1, 0, 0),
-              .start_slip = Vec3(0.2, 0, 0),
-              .inverse_mass = kInverseMass,
-              .bound = 1e9,
-              .was = ContactStatus::kStick},
-             memory);
-  EXPECT_DOUBLE_EQ(memory[0], 1.2 + parameters.gain * 0.2);
+  Secant({}).solve({.free_slip = Vec3(1, 0, 0),
+                    .start_slip = Vec3(0.2, 0, 0),
+                    .inverse_mass = kInverseMass,
+                    .bound = 1e9,
+                    .was = ContactStatus::kStick},
+                   memory);
+  EXPECT_DOUBLE_EQ(memory[0], 1.2 + parameter::kGain.initial * 0.2);
 }
 
 }  // namespace

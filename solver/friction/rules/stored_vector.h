@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "solver/friction/rule.h"
@@ -24,9 +25,17 @@ struct StoredVector {
       "slip falls in every direction for 0 < ω < 2"};
   static constexpr bool kWarmStart = true;
   static constexpr int kValues = 3;
+  /// ≤ 1.3 is known to be good.
+  static constexpr RuleParameter kRelaxation{.name = "relaxation",
+                                             .help = "ω, over-relaxation of each correction",
+                                             .initial = 1.0,
+                                             .low = 0.0,
+                                             .high = 2.0,
+                                             .open = true,
+                                             .told_when_set = true};
+  static constexpr std::array kParameters{kRelaxation};
 
-  explicit StoredVector(const FrictionParameters& parameters)
-      : relaxation_(parameters.relaxation) {}
+  explicit StoredVector(const RuleSettings& given) : relaxation_(value_of(kRelaxation, given)) {}
 
   void reset(double* memory) const { memory[0] = memory[1] = memory[2] = 0.0; }
 

@@ -49,10 +49,9 @@ TEST(StoredVectorRule, AtTheConeIsCoulombsSlidingWhateverItHeldBefore) {
 
 TEST(StoredVectorRule, OverRelaxesByOmega) {
   double memory[3] = {0, 0, 0};
-  FrictionParameters parameters;
-  parameters.relaxation = 1.25;
+  const RuleSettings given{{"relaxation", 1.25}};
   const SlipSolution solution =
-      StoredVector(parameters).solve(problem(Vec3(1, 0, 0), Vec3::Zero(), 1e9), memory);
+      StoredVector(given).solve(problem(Vec3(1, 0, 0), Vec3::Zero(), 1e9), memory);
   EXPECT_EQ(solution.force, Vec3(-5, 0, 0));
 }
 

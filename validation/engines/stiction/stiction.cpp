@@ -55,6 +55,7 @@ class StictionEngine final : public Engine {
     chosen_time_step_ = reader.has("dt");
     options_.time_step = reader.number("dt", options_.time_step);
     reader.refuse_unknown("stiction");
+    check_options(options_);
   }
 
   void load(const Problem& problem, const Accuracy& accuracy) override {
@@ -293,9 +294,12 @@ std::unique_ptr<Engine> make(const Settings& settings) {
 
 std::map<std::string, std::string> settings_help() {
   std::map<std::string, std::string> help = method_settings_help();
-  help["dt"] = "time step, s (default 2e-4, or less where stability asks for it)";
-  help["cells"] = "cells along a box's longest edge (default 2)";
-  help["ball"] = "frequency n of a ball's triangulation, 10 n² + 2 surface vertices (default 8)";
+  const auto add = [&help](const char* name, const char* words) {
+    demand(help.emplace(name, words).second, "a rule's parameter has the name of another setting");
+  };
+  add("dt", "time step, s (default 2e-4, or less where stability asks for it)");
+  add("cells", "cells along a box's longest edge (default 2)");
+  add("ball", "frequency n of a ball's triangulation, 10 n² + 2 surface vertices (default 8)");
   return help;
 }
 
@@ -328,6 +332,7 @@ EngineKind engine_stiction() {
       .expectations = stiction_expectations(),
       .configurations = configurations_of,
       .configuration = configuration_of,
+      .idle = idle_settings,
       .without = settings_without,
       .studies = stiction_studies};
 }

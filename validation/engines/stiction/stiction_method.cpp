@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,7 +30,6 @@ const Words<bool> kBound = {{"transmitted", false}, {"literal", true}};
 const Words<bool> kOrder = {{"normals-first", true}, {"interleaved", false}};
 const Words<Integrator> kIntegrator = {{"symplectic-euler", Integrator::kSymplecticEuler},
                                        {"verlet", Integrator::kVerlet}};
-const Words<bool> kMemory = {{"keep", true}, {"reset", false}};
 
 template <class Value>
 std::string word_of(const Words<Value>& words, Value value) {
@@ -57,15 +55,48 @@ void read_word(SettingsReader& reader, const std::string& name, const Words<Valu
   throw InputError(fmt::format("setting '{}' is one of {}, not '{}'", name, known, given));
 }
 
-// Whether a rule turns the last step's slip into memory (then it has a gain), rather than storing
-// forces.
-bool rule_learns(const std::string& name) {
-  bool learns = false;
-  with_friction_rule(name, {}, [&](const auto& rule) {
-    using Rule = std::decay_t<decltype(rule)>;
-    learns = Rule::kValues > 0 && !Rule::kWarmStart;
-  });
-  return learns;
+double read_parameter(SettingsReader& reader, const RuleParameter& parameter) {
+  if (!parameter.off) return reader.number(parameter.name, parameter.initial);
+  double value = parameter.initial;
+  read_word(reader, parameter.name, Words<double>{{parameter.off, 0.0}, {parameter.on, 1.0}},
+            value);
+  return value;
+}
+
+// Those of the rule that were given. The names of the other rules' are known too, so that one set of
+// settings can be laid over several rules; idle_settings() says what that leaves without effect.
+RuleSettings read_parameters(SettingsReader& reader, const std::string& chosen) {
+  RuleSettings given;
+  for (const std::string& rule : friction_rule_names()) {
+    for (const RuleParameter& parameter : friction_rule_parameters(rule)) {
+      if (!reader.has(parameter.name) || rule != chosen) continue;
+      given[parameter.name] = read_parameter(reader, parameter);
+    }
+  }
+  return given;
+}
+
+std::string text_of(const RuleParameter& parameter, double value) {
+  if (parameter.off) return value != 0.0 ? parameter.on : parameter.off;
+  return fmt::format("{}", value);
+}
+
+// What each parameter is, and of which rules.
+std::map<std::string, std::string> parameters_help() {
+  std::map<std::string, std::map<std::string, std::string>> rules_of;  // name → words → rules
+  for (const std::string& rule : friction_rule_names()) {
+    for (const RuleParameter& one : friction_rule_parameters(rule)) {
+      std::string& rules = rules_of[one.name][parameter_help(one)];
+      rules += (rules.empty() ? "" : ", ") + rule;
+    }
+  }
+  std::map<std::string, std::string> help;
+  for (const auto& [name, meanings] : rules_of) {
+    for (const auto& [words, rules] : meanings) {
+      help[name] += fmt::format("{}{}; of {}", help[name].empty() ? "" : "; ", words, rules);
+    }
+  }
+  return help;
 }
 
 Options preset(const std::string& method) {
@@ -107,13 +138,7 @@ void read_method(SettingsReader& reader, Options& options) {
   }
   options.sweeps = reader.count("sweeps", options.sweeps);
   read_word(reader, "integrator", kIntegrator, options.integrator);
-  FrictionParameters& friction = options.friction;
-  friction.gain = reader.number("gain", friction.gain);
-  friction.raw_alpha = reader.number("alpha", friction.raw_alpha);
-  friction.relaxation = reader.number("relaxation", friction.relaxation);
-  friction.slip_tolerance = reader.number("slip-tolerance", friction.slip_tolerance);
-  read_word(reader, "memory", kMemory, friction.keep_through_slip);
-  read_word(reader, "safeguard", kSwitch, friction.safeguard);
+  options.friction = read_parameters(reader, options.rule);
   PairOptions& pairs = options.pairs;
   read_word(reader, "normals", kNormals, pairs.gain);
   pairs.harmonic_gain = reader.number("kappa", pairs.harmonic_gain);
@@ -133,27 +158,48 @@ void read_method(SettingsReader& reader, Options& options) {
   read_word(reader, "count-hysteresis", kSwitch, pairs.count_hysteresis);
 }
 
-Settings method_settings(const Options& options, bool with_pairs) {
+std::string parameter_help(const RuleParameter& parameter) {
+  const std::string unit =
+      parameter.unit == std::string("1") ? "" : fmt::format(", {}", parameter.unit);
+  return fmt::format("{}{}: {} (default {})", parameter.help, unit, range_words(parameter),
+                     text_of(parameter, parameter.initial));
+}
+
+Settings rule_settings(const Options& options) {
   Settings all{{"rule", options.rule}};
-  const FrictionParameters& friction = options.friction;
+  const auto parameters = friction_rule_parameters(options.rule);
+  for (const RuleParameter& parameter : parameters) {
+    const double value = value_of(parameter, options.friction);
+    if (parameter.told_when_set && value == parameter.initial) continue;
+    all[parameter.name] = text_of(parameter, value);
+  }
+  for (const RuleParameter& parameter : parameters) {
+    if (parameter.replaces && value_of(parameter, options.friction) != parameter.initial) {
+      all.erase(parameter.replaces);
+    }
+  }
+  return all;
+}
+
+std::map<std::string, std::string> idle_settings(const Settings& settings) {
+  Options options;
+  SettingsReader reader(settings);
+  read_method(reader, options);
+  std::map<std::string, std::string> idle;
+  for (const auto& [name, help] : parameters_help()) {
+    if (settings.count(name) == 0 || options.friction.count(name) > 0) continue;
+    idle[name] = refusal_of(options.rule, friction_rule_parameters(options.rule), {{name, 0.0}});
+  }
+  return idle;
+}
+
+Settings method_settings(const Options& options, bool with_pairs) {
+  Settings all = rule_settings(options);
   if (options.integrator != Integrator::kSymplecticEuler) {
     all["integrator"] = word_of(kIntegrator, options.integrator);
   }
   const int sweeps = options.sweeps > 0 ? options.sweeps : friction_rule_card(options.rule).sweeps;
   if (sweeps > 1) all["sweeps"] = fmt::format("{}", sweeps);
-  const bool learns = rule_learns(options.rule);
-  if (learns) {
-    const bool raw = friction.raw_alpha != 0.0 && options.rule == "fixed-point";
-    all[raw ? "alpha" : "gain"] = fmt::format("{}", raw ? friction.raw_alpha : friction.gain);
-    all["memory"] = word_of(kMemory, friction.keep_through_slip);
-  }
-  if (options.rule == "secant") all["safeguard"] = word_of(kSwitch, friction.safeguard);
-  if (options.rule == "conjugate-vector") {
-    all["slip-tolerance"] = fmt::format("{}", friction.slip_tolerance);
-  }
-  if (!learns && options.rule != "none" && friction.relaxation != 1.0) {
-    all["relaxation"] = fmt::format("{}", friction.relaxation);
-  }
   if (!with_pairs) return all;
   const PairOptions& pairs = options.pairs;
   all["normals"] = word_of(kNormals, pairs.gain);
@@ -176,7 +222,7 @@ Settings method_settings(const Options& options, bool with_pairs) {
 }
 
 std::map<std::string, std::string> method_settings_help() {
-  return {
+  std::map<std::string, std::string> help{
       {"method", "preset of all below: quiet (default), paper, old"},
       {"rule", "friction rule: " + friction_rule_list() +
                    " (quiet: conjugate-vector, a nonsmooth nonlinear conjugate gradient; "
@@ -186,13 +232,6 @@ std::map<std::string, std::string> method_settings_help() {
        "iterations over all contacts in the friction phase; conjugate-vector: at most (default: 1; "
        "64 "
        "of conjugate-vector)"},
-      {"gain", "g of the rules that learn from slip, dimensionless (default 0.7)"},
-      {"alpha", "the paper's raw α, s/m, in place of g"},
-      {"relaxation", "ω of the rules that store forces, dimensionless (default 1)"},
-      {"slip-tolerance",
-       "of conjugate-vector: the slip, in gΔt, whose removal ends its sweeps (default 1e-7)"},
-      {"memory", "ξ or c on slip: reset (default) or keep"},
-      {"safeguard", "of secant: on (default) or off"},
       {"normals", "normal forces: harmonic (quiet) or paper"},
       {"kappa", "κ₀ of harmonic, dimensionless (default 1)"},
       {"weights", "where reactions act: tetrahedron (quiet) or triangle (paper)"},
@@ -216,6 +255,10 @@ std::map<std::string, std::string> method_settings_help() {
        "depth (quiet: 1e-3; paper: 0)"},
       {"count-hysteresis", "kept contacts count in κ: on (default) or off"},
   };
+  for (const auto& [name, words] : parameters_help()) {
+    demand(help.emplace(name, words).second, "a rule's parameter has the name of another setting");
+  }
+  return help;
 }
 
 }  // namespace stiction
