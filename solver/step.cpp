@@ -6,7 +6,6 @@
 #include "solver/detection/detect.h"
 #include "solver/detection/detect_pairs.h"
 #include "solver/elasticity/corotational.h"
-#include "solver/feature.h"
 #include "solver/friction/friction.h"
 #include "solver/motion/integrate.h"
 #include "solver/motion/predict.h"
@@ -23,7 +22,7 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
     case Phase::kForces:
       gravity_forces(scene, time, workspace.force);
       add_drag_forces(scene, time, state.velocity, workspace.force);
-      if constexpr (built_in(Feature::kElasticity)) {
+      if constexpr (STICTION_HAS_ELASTICITY) {
         add_corotational_forces(scene.elements, state, workspace.force);
       }
       return;
@@ -58,7 +57,7 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
 }
 
 void step(const Scene& scene, const Options& options, State& state, Workspace& workspace) {
-  PhaseSeconds* const clock = built_in(Feature::kTiming) ? workspace.phase_seconds : nullptr;
+  PhaseSeconds* const clock = STICTION_HAS_TIMING ? workspace.phase_seconds : nullptr;
   for (std::size_t p = 0; p < kPhaseNames.size(); ++p) {
     const auto phase = static_cast<Phase>(p);
     if (phase == Phase::kDepth && !scene.pairs_possible) continue;  // not even timed

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The proof that cases of contact between bodies bite: mutants_test.sh BUILD_DIR
-# Each fault of solver/mutation.h turns a named check of a named method red that the correct program
+# Each planted fault (CMakeLists.txt) turns a named check of a named method red that the correct program
 # doesn't. Prints one line a check; ends with exit code 1 at the first that fails.
 set -uo pipefail
 
@@ -43,7 +43,7 @@ verdict() { # verdict FOLDER CASE VARIANT QUANTITY
 }
 
 mutated=
-mutant() { # mutant MUTATION CASE …: runs these cases with the fault
+mutant() { # mutant FAULT CASE …: runs these cases with the fault
   mutated=$1
   run "validate_$1" "$@"
 }
@@ -64,49 +64,58 @@ bites() { # bites CASE METHOD QUANTITY: the last mutant's check is red, the corr
 
 run validate correct "$boxes" "$bars" "$rest" "$kappa" "$again"
 
-mutant kFrictionScaled "$boxes" "$bars"
+mutant friction_scaled "$boxes" "$bars"
 for method in quiet paper; do bites "$boxes" $method 'largest friction over normal force'; done
 bites "$bars" quiet 'largest friction over normal force'
 
-mutant kFrictionSign "$boxes" "$bars"
+mutant friction_sign "$boxes" "$bars"
 for method in quiet paper; do bites "$boxes" $method 'friction work, if above 0'; done
 bites "$bars" quiet 'friction work, if above 0'
 
-mutant kGainReversed "$boxes" "$rest"
+mutant gain_reversed "$boxes" "$rest"
 bites "$boxes" quiet 'friction work, if above 0'
 bites "$rest" quiet 'share of configurations at rest'
 bites "$rest" paper 'mean contact slip'
 
 # A case that forgets friction on purpose finds no slip where a method remembers what it should not.
-# (kStaleMemory is the paper's other reading, memory=keep: validate_test.sh, on half-spaces.)
-mutant kStalePairMemory "$rest" "$again"
+# (stale_memory is the paper's other reading, memory=keep: validate_test.sh, on half-spaces.)
+mutant stale_pair_memory "$rest" "$again"
 bites "$rest" quiet 'fastest contact slip'
 bites "$again" paper error
 
-for mutation in kFrictionReaction kNormalReaction kWeightSum; do
+for mutation in friction_reaction normal_reaction weight_sum; do
   mutant $mutation "$boxes"
   for method in quiet paper; do bites "$boxes" $method 'linear momentum, largest change'; done
 done
 
-mutant kLeverArm "$boxes" # the paper's weights have an arm, which its audit counts
+mutant lever_arm "$boxes" # the paper's weights have an arm, which its audit counts
 bites "$boxes" quiet 'angular momentum, largest change in a step'
 
-mutant kHalfLeftOut "$rest" "$kappa" # the ½ is the paper's alone
+mutant half_left_out "$rest" "$kappa" # the ½ is the paper's alone
 bites "$rest" paper 'kinetic energy'
 bites "$kappa" paper 'largest κ above its bound'
 
-mutant kLoadUncounted "$rest" "$kappa"
+mutant load_uncounted "$rest" "$kappa"
 for method in quiet paper; do bites "$kappa" $method 'largest κ above its bound'; done
 bites "$rest" paper 'mean contact slip'
 
-mutant kLostContact "$rest" "$kappa"
+mutant lost_contact "$rest" "$kappa"
 bites "$rest" quiet 'fastest contact slip'
 for method in quiet paper; do
   bites "$kappa" $method 'vertices inside the other body without a contact'
 done
 
-mutant kDepthFlipped "$boxes"
+mutant depth_flipped "$boxes"
 for method in quiet paper; do bites "$boxes" $method error; done
 
-mutant kEdgeReaction "$bars" # only quiet has contacts of crossing edges
+mutant edge_reaction "$bars" # only quiet has contacts of crossing edges
 bites "$bars" quiet 'linear momentum, largest change'
+
+# ---- no fault of the build is left out ----------------------------------------------------------
+here=$(dirname "$checks")
+[ "$(wc -l <"$build/planted_faults")" -ge 15 ] || failed "planted faults" "the build's list is not read rightly"
+while IFS=: read -r fault words; do
+  sed 's/#.*//' "$here/mutants_test.sh" "$here/validate_test.sh" | grep -qw -e "$fault" -e "validate_$fault" ||
+    failed "$fault" "nothing tries it:$words"
+done <"$build/planted_faults"
+passed "every planted fault of the build is tried, here or in validate_test.sh"

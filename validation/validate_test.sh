@@ -267,7 +267,7 @@ grep -q '^  refuted  slip uphill at rest' out || failed "a refuted claim" "the t
 grep -q 'as expected in \[' out || failed "a refuted claim" "its band is not shown"
 grep -qE '^1 pass, 0 fail, 4 expected shortfalls, 0 refuted, ' out || failed "a refuted claim" "it is not counted"
 grep -q '"band":\[' short/latest/records.jsonl || failed "a refuted claim" "no band in its record"
-exits 1 "far worse than expected" "$build/validate_kGainReversed" "${short[@]}" --out worse
+exits 1 "far worse than expected" "$build/validate_gain_reversed" "${short[@]}" --out worse
 grep -q 'worse than expected \[' out || failed "far worse than expected" "no sentence says so"
 passed "a method that falls far shorter than expected turns the case red"
 exits 1 "better than known" "$build/validate_better_than_known" "${short[@]}" --out better
@@ -295,16 +295,16 @@ bites() { # bites MUTATION CASE [OPTION …]
   grep -q '^  FAIL' out || failed "$mutation on $name" "no check fails"
   passed "$mutation turns $name red"
 }
-bites kFrictionScaled 'incline/threshold/mu=0.3/azimuth=30/yaw=0'
-bites kFrictionScaled incline/above/acceleration/box
-bites kFrictionScaled incline/below/stop/point
-bites kFrictionSign incline/below/creep/99%
-bites kFrictionSign incline/below/stop/point
-bites kFrictionSign incline/restick/box
-bites kStaleMemory incline/below/creep/99% --set rule=fixed-point
-bites kStaleMemory incline/restick/box --set rule=fixed-point
-bites kStaleMemory incline/below/creep/90% --set rule=fixed-point
-for mutation in kFrictionScaled kFrictionSign kStaleMemory; do
+bites friction_scaled 'incline/threshold/mu=0.3/azimuth=30/yaw=0'
+bites friction_scaled incline/above/acceleration/box
+bites friction_scaled incline/below/stop/point
+bites friction_sign incline/below/creep/99%
+bites friction_sign incline/below/stop/point
+bites friction_sign incline/restick/box
+bites stale_memory incline/below/creep/99% --set rule=fixed-point
+bites stale_memory incline/restick/box --set rule=fixed-point
+bites stale_memory incline/below/creep/90% --set rule=fixed-point
+for mutation in friction_scaled friction_sign stale_memory; do
   holds 0 "$mutation leaves a free fall alone" \
     "$build/validate_$mutation" --case half-space/free-fall --out unharmed
 done

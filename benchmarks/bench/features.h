@@ -11,7 +11,8 @@ namespace stiction::bench {
 
 /// An optional feature, as it is measured: a scene that does not use it, and one that does.
 struct OptionalFeature {
-  std::string name;   ///< "self-collision": the program step_without_<name> is built without it
+  std::string
+      name;  ///< "self-collision": see solver/CMakeLists.txt; step_without_<name> is built without it
   std::string title;  ///< what is set to use it, or not
   Workload (*prepare)(bool used);
 };

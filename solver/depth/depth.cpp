@@ -8,7 +8,6 @@
 #include "solver/depth/face_choice.h"
 #include "solver/detection/detect_pairs.h"
 #include "solver/hash.h"
-#include "solver/mutation.h"
 
 namespace stiction {
 
@@ -137,11 +136,6 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
                                choice.unexplained - border / 3.0);
     contact.depth -= contact.excess;
     set_partners(triangle, options, state, projection, contact);
-    if constexpr (kMutation == Mutation::kWeightSum) contact.weight[0] += 0.02;
-    if constexpr (kMutation == Mutation::kLeverArm) {
-      contact.weight[0] += 0.02;
-      contact.weight[1] -= 0.02;
-    }
     contact.inverse_mass = inverse_mass(contact.vertex);
     for (int k = 0; options.pairs.friction_reaction && k < 4; ++k) {
       contact.inverse_mass +=
@@ -152,11 +146,6 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   }
   workspace.pairs.resize(kept);
   if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
-  if constexpr (kMutation == Mutation::kDepthFlipped) {
-    for (PairContact& contact : workspace.pairs) {
-      if (contact.triangle == workspace.pairs.front().triangle) contact.normal = -contact.normal;
-    }
-  }
   // A vertex that nothing can move on partners that nothing can move takes no force.
   if (immovable) {
     std::erase_if(workspace.pairs, [](const PairContact& c) { return c.inverse_mass == 0.0; });

@@ -7,7 +7,6 @@
 
 #include "solver/depth/depth.h"
 #include "solver/detection/detect_pairs.h"
-#include "solver/feature.h"
 
 namespace stiction {
 
@@ -133,7 +132,7 @@ EdgeContact contact_of(const Scene& scene, const State& state, const Workspace& 
 }  // namespace
 
 bool with_edges(const Options& options) {
-  return built_in(Feature::kEdgeContacts) && options.pairs.edges &&
+  return STICTION_HAS_EDGE_CONTACTS && options.pairs.edges &&
          options.pairs.gain == NormalGain::kHarmonic;
 }
 

@@ -9,7 +9,6 @@
 #include "solver/detection/edge_candidates.h"
 #include "solver/detection/outrun.h"
 #include "solver/detection/pair_candidates.h"
-#include "solver/mutation.h"
 
 namespace stiction {
 
@@ -143,9 +142,6 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
   merge_with_kept(scene, search, state.pair_geometry, options.pairs, workspace.pairs);
-  if constexpr (kMutation == Mutation::kLostContact) {
-    if (state.step % 100 == 99 && !workspace.pairs.empty()) workspace.pairs.pop_back();
-  }
 }
 
 }  // namespace stiction

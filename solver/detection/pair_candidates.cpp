@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "solver/depth/nearest.h"
-#include "solver/feature.h"
 
 namespace stiction {
 
@@ -20,7 +19,7 @@ namespace {
 constexpr double kSkin = 0.05;
 
 bool may_touch_itself(const Body& body) {
-  return built_in(Feature::kSelfCollision) && body.self_collision;
+  return STICTION_HAS_SELF_COLLISION && body.self_collision;
 }
 
 // Notes how far each body has moved; false as soon as that is too far for the lists.

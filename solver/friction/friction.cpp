@@ -8,31 +8,13 @@
 
 #include "solver/contact/slip.h"
 #include "solver/demand.h"
-#include "solver/feature.h"
 #include "solver/friction/catalog.h"
 #include "solver/friction/conjugate_directions.h"
-#include "solver/mutation.h"
 #include "solver/response/pair_normal_force.h"
 
 namespace stiction {
 
 namespace {
-
-double mutated(double mu) {
-  if constexpr (kMutation == Mutation::kFrictionScaled) return 1.02 * mu;
-  return mu;
-}
-
-RuleSettings mutated(const std::string& rule, RuleSettings given) {
-  for (const RuleParameter& one : friction_rule_parameters(rule)) {
-    const std::string name = one.name;
-    if (kMutation == Mutation::kGainReversed && !one.off && name != "slip-tolerance") {
-      given[name] = -value_of(one, given);
-    }
-    if (kMutation == Mutation::kStaleMemory && name == "memory") given[name] = 1.0;
-  }
-  return given;
-}
 
 // The contacts with obstacles, as the sweep sees them.
 struct ObstacleSide {
@@ -48,9 +30,7 @@ struct ObstacleSide {
     return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
   }
   const Vec3& normal(std::size_t c) const { return obstacle(c).normal; }
-  double bound(std::size_t c) const {
-    return mutated(obstacle(c).friction) * contacts.normal_force[c];
-  }
+  double bound(std::size_t c) const { return obstacle(c).friction * contacts.normal_force[c]; }
   double inverse_mass(std::size_t c, const std::vector<Velocity>& velocity) const {
     return dt * velocity[static_cast<std::size_t>(contacts.vertex[c])].inverse_mass;
   }
@@ -79,7 +59,7 @@ struct PairSide {
     const PairOptions& pair = options.pairs;
     const bool doubled =
         pair.literal_bound && pair.gain == NormalGain::kPaper && pair.post_correction;
-    return mutated(mu) * (doubled ? 2.0 : 1.0) * pairs[c].normal_force;
+    return mu * (doubled ? 2.0 : 1.0) * pairs[c].normal_force;
   }
   double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
     return options.time_step * pairs[c].inverse_mass;
@@ -89,11 +69,10 @@ struct PairSide {
   }
   void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
     const PairContact& contact = pairs[c];
-    Vec3 impulse = options.time_step * force;
+    const Vec3 impulse = options.time_step * force;
     Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
     own.v += own.inverse_mass * impulse;
     if (!options.pairs.friction_reaction) return;
-    if constexpr (kMutation == Mutation::kFrictionReaction) impulse *= 0.98;
     for (int k = 0; k < 4; ++k) {
       Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
       other.v -= contact.weight[k] * other.inverse_mass * impulse;
@@ -112,7 +91,7 @@ struct EdgeSide {
   Vec3& force(std::size_t c) const { return edges[c].friction_force; }
   ContactStatus& status(std::size_t c) const { return edges[c].status; }
   const Vec3& normal(std::size_t c) const { return edges[c].normal; }
-  double bound(std::size_t c) const { return mutated(mu) * edges[c].normal_force; }
+  double bound(std::size_t c) const { return mu * edges[c].normal_force; }
   double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
     return dt * edges[c].inverse_mass;
   }
@@ -120,7 +99,7 @@ struct EdgeSide {
     return slip_of(edges[c], velocity);
   }
   void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
-    stiction::apply(dt * force, edges[c], velocity);
+    apply_impulse(dt * force, edges[c], velocity);
   }
 };
 
@@ -138,7 +117,7 @@ void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
   for (std::size_t c = 0; c < count; ++c) {
     memory.key[c] = side.key(c);
     while (from < old.key.size() && old.key[from] < memory.key[c]) ++from;
-    const bool persists = built_in(Feature::kFrictionMemory) && from < old.key.size() &&
+    const bool persists = STICTION_HAS_FRICTION_MEMORY && from < old.key.size() &&
                           old.key[from] == memory.key[c] &&
                           old.value.size() == old.key.size() * kValues;
     double* const value = memory.value.data() + c * kValues;
@@ -182,11 +161,7 @@ Vec3 solve(const Rule& rule, const Side& side, std::size_t c, bool first, Contac
                             .normal = side.normal(c),
                             .first_sweep = first,
                             .force = side.force(c)};
-  SlipSolution solution = rule.solve(problem, memory);
-  if constexpr (kMutation == Mutation::kStaleMemory) {
-    if (was == ContactStatus::kStick) solution.status = ContactStatus::kStick;
-  }
-  if constexpr (kMutation == Mutation::kFrictionSign) solution.force = -solution.force;
+  const SlipSolution solution = rule.solve(problem, memory);
   const Vec3 change = solution.force - side.force(c);
   side.apply(c, change, velocity);
   side.force(c) = solution.force;
@@ -228,9 +203,7 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   const ObstacleSide obstacles{scene, options.time_step, workspace.contacts};
   const PairSide pairs{options, scene.friction, workspace.pairs};
   const EdgeSide edges{options.time_step, scene.friction, workspace.edges};
-  const RuleSettings friction =
-      kMutation == Mutation::kNone ? options.friction : mutated(options.rule, options.friction);
-  const bool known = with_friction_rule(options.rule, friction, [&](const auto& rule) {
+  const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
     carry_memory(rule, state.obstacle_friction, obstacles, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
     carry_memory(rule, state.edge_friction, edges, workspace.edge_friction);
@@ -271,10 +244,7 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   remember_status(pairs, workspace.pair_friction);
   remember_status(edges, workspace.edge_friction);
   std::swap(state.obstacle_friction, workspace.memory);
-  if (kMutation != Mutation::kStalePairMemory ||
-      state.pair_friction.key != workspace.pair_friction.key) {
-    std::swap(state.pair_friction, workspace.pair_friction);
-  }
+  std::swap(state.pair_friction, workspace.pair_friction);
   std::swap(state.edge_friction, workspace.edge_friction);
   workspace.contact_updates += obstacles.size() + pairs.size() + edges.size();
 }

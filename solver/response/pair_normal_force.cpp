@@ -1,54 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/response/pair_normal_force.h"
 
-#include "solver/feature.h"
-#include "solver/mutation.h"
+#include "solver/response/contact_load.h"
 
 namespace stiction {
 
 namespace {
 
 bool corrects(const PairOptions& options) {
-  return built_in(Feature::kPostCorrection) && options.post_correction;
-}
-
-// Σ over contacts of what each asks of its vertex and of its partners, per vertex.
-void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
-                std::vector<double>& load) {
-  for (const PairContact& contact : workspace.pairs) {
-    if (contact.depth == 0.0 && !count_kept) continue;
-    if (count_vertex) load[static_cast<std::size_t>(contact.vertex)] += 1.0;
-    for (int k = 0; k < 4; ++k) {
-      load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
-    }
-  }
-}
-
-void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<double>& load) {
-  for (const EdgeContact& contact : edges) {
-    if (contact.depth == 0.0 && !count_kept) continue;
-    for (int k = 0; k < 2; ++k) {
-      load[static_cast<std::size_t>(contact.vertex[k])] += contact.own_weight[k];
-    }
-    for (int k = 0; k < 4; ++k) {
-      load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
-    }
-  }
-}
-
-// Contacts with obstacles, of this step and, if kept ones count, those of the last that have just
-// opened. Both lists are in the order of their keys.
-void add_obstacles(Workspace& workspace, const FrictionMemory& last, bool count_kept) {
-  for (const std::int32_t v : workspace.contacts.vertex) {
-    workspace.load[static_cast<std::size_t>(v)] += 1.0;
-  }
-  if (!count_kept) return;
-  auto now = workspace.contacts.key.begin();
-  for (const ContactKey key : last.key) {
-    while (now != workspace.contacts.key.end() && *now < key) ++now;
-    if (now != workspace.contacts.key.end() && *now == key) continue;
-    workspace.load[static_cast<std::size_t>(second_of(key))] += 1.0;
-  }
+  return STICTION_HAS_POST_CORRECTION && options.post_correction;
 }
 
 // N/m of a vertex, 1/kg.
@@ -113,13 +73,7 @@ double paper_force(double dt, const Workspace& workspace, const PairContact& con
 void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
                         const FrictionMemory& last_obstacles) {
   const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
-  workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()), 0.0);
-  accumulate(workspace, harmonic, !harmonic || options.pairs.count_hysteresis, workspace.load);
-  accumulate(workspace.edges, options.pairs.count_hysteresis, workspace.load);
-  if (harmonic) add_obstacles(workspace, last_obstacles, options.pairs.count_hysteresis);
-  if constexpr (kMutation == Mutation::kLoadUncounted) {
-    workspace.load.assign(workspace.load.size(), harmonic ? 1.0 : 0.0);
-  }
+  contact_loads(scene, options, last_obstacles, workspace);
   for (PairContact& contact : workspace.pairs) {
     if (contact.depth == 0.0) {
       contact.normal_force = 0.0;
@@ -127,15 +81,15 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
       contact.normal_force = harmonic_force(options.pairs, options.time_step, workspace, contact);
     } else {
       const double force = paper_force(options.time_step, workspace, contact);
-      const double transmitted = kMutation == Mutation::kHalfLeftOut ? 1.0 : 0.5;
-      contact.normal_force = corrects(options.pairs) ? transmitted * force : force;
+      contact.normal_force = corrects(options.pairs) ? 0.5 * force : force;
     }
   }
   for (EdgeContact& contact : workspace.edges) {
     contact.normal_force =
         contact.depth > 0.0 ? harmonic_force(options.pairs, options.time_step, workspace, contact)
                             : 0.0;
-    apply(options.time_step * contact.normal_force * contact.normal, contact, workspace.velocity);
+    apply_impulse(options.time_step * contact.normal_force * contact.normal, contact,
+                  workspace.velocity);
   }
   if (!options.pairs.normals_first) return;
   for (const PairContact& contact : workspace.pairs) {
@@ -143,25 +97,24 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
   }
 }
 
-void apply(const Vec3& impulse, const EdgeContact& contact, std::vector<Velocity>& velocity) {
+void apply_impulse(const Vec3& impulse, const EdgeContact& contact,
+                   std::vector<Velocity>& velocity) {
   for (int k = 0; k < 2; ++k) {
     Velocity& own = velocity[static_cast<std::size_t>(contact.vertex[k])];
     own.v += contact.own_weight[k] * own.inverse_mass * impulse;
   }
-  const Vec3 reaction = kMutation == Mutation::kEdgeReaction ? Vec3(0.98 * impulse) : impulse;
   for (int k = 0; k < 4; ++k) {
     Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
-    other.v -= contact.weight[k] * other.inverse_mass * reaction;
+    other.v -= contact.weight[k] * other.inverse_mass * impulse;
   }
 }
 
 void apply_normal_force(const Options& options, const PairContact& contact,
                         std::vector<Velocity>& velocity) {
-  Vec3 impulse = options.time_step * contact.normal_force * contact.normal;
+  const Vec3 impulse = options.time_step * contact.normal_force * contact.normal;
   Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
   own.v += own.inverse_mass * impulse;
   if (!corrects(options.pairs)) return;
-  if constexpr (kMutation == Mutation::kNormalReaction) impulse *= 0.98;
   for (int k = 0; k < 4; ++k) {
     Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
     other.v -= contact.weight[k] * other.inverse_mass * impulse;

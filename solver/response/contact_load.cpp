@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/response/contact_load.h"
+
+namespace stiction {
+
+namespace {
+
+// Σ over contacts of what each asks of its vertex and of its partners, per vertex.
+void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
+                std::vector<double>& load) {
+  for (const PairContact& contact : workspace.pairs) {
+    if (contact.depth == 0.0 && !count_kept) continue;
+    if (count_vertex) load[static_cast<std::size_t>(contact.vertex)] += 1.0;
+    for (int k = 0; k < 4; ++k) {
+      load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
+    }
+  }
+}
+
+void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<double>& load) {
+  for (const EdgeContact& contact : edges) {
+    if (contact.depth == 0.0 && !count_kept) continue;
+    for (int k = 0; k < 2; ++k) {
+      load[static_cast<std::size_t>(contact.vertex[k])] += contact.own_weight[k];
+    }
+    for (int k = 0; k < 4; ++k) {
+      load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
+    }
+  }
+}
+
+// Contacts with obstacles, of this step and, if kept ones count, those of the last that have just
+// opened. Both lists are in the order of their keys.
+void add_obstacles(Workspace& workspace, const FrictionMemory& last, bool count_kept) {
+  for (const std::int32_t v : workspace.contacts.vertex) {
+    workspace.load[static_cast<std::size_t>(v)] += 1.0;
+  }
+  if (!count_kept) return;
+  auto now = workspace.contacts.key.begin();
+  for (const ContactKey key : last.key) {
+    while (now != workspace.contacts.key.end() && *now < key) ++now;
+    if (now != workspace.contacts.key.end() && *now == key) continue;
+    workspace.load[static_cast<std::size_t>(second_of(key))] += 1.0;
+  }
+}
+
+}  // namespace
+
+void contact_loads(const Scene& scene, const Options& options, const FrictionMemory& last_obstacles,
+                   Workspace& workspace) {
+  const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
+  const bool count_kept = options.pairs.count_hysteresis;
+  workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()), 0.0);
+  accumulate(workspace, harmonic, !harmonic || count_kept, workspace.load);
+  accumulate(workspace.edges, count_kept, workspace.load);
+  if (harmonic) add_obstacles(workspace, last_obstacles, count_kept);
+}
+
+}  // namespace stiction
