@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "solver/mesh/mesh.h"
-#include "validation/problems/crossed_bars_problem.h"
+#include "validation/problems/piles/crossed_bars_problem.h"
 #include "validation/problems/sheet_problem.h"
-#include "validation/problems/slab_poses.h"
-#include "validation/problems/stack_problem.h"
+#include "validation/problems/slopes/slab_poses.h"
+#include "validation/problems/piles/stack_problem.h"
 
 namespace stiction {
 namespace {

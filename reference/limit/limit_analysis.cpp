@@ -2,6 +2,7 @@
 #include "reference/limit/limit_analysis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -198,6 +199,12 @@ LimitBracket critical_load(const LimitProblem& problem, double friction,
     if (!refine(problem, friction, y, directions)) break;
   }
   return result;
+}
+
+double in_nine_digits(double value) {
+  if (value == 0.0 || !std::isfinite(value)) return value;
+  const double unit = std::pow(10.0, 8.0 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * unit) / unit;
 }
 
 }  // namespace stiction::reference

@@ -107,7 +107,12 @@ struct LimitBracket {
   double lower = 0.0;
   double upper = 0.0;
   LimitSizes sizes;
+  double middle() const { return 0.5 * (lower + upper); }
 };
+
+/// A value in nine significant digits, for what is begun at a limit or set a little below it: the
+/// last bits, which a solver of linear programs is free in, shall not decide what is simulated.
+double in_nine_digits(double value);
 
 /// Question A: is there an equilibrium at friction coefficient μ and load factor λ?
 /// Throws std::invalid_argument if the problem or the options are malformed (so do the others).

@@ -215,5 +215,12 @@ TEST(LimitAnalysis, RefusesWhatMakesNoSense) {
   EXPECT_THROW(equilibrium(bad, 0.3), std::invalid_argument);
 }
 
+TEST(InNineDigits, HidesTheLastBits) {
+  EXPECT_EQ(in_nine_digits(9.81 * (1.0 + 1e-15)), in_nine_digits(9.81 * (1.0 - 1e-15)));
+  EXPECT_EQ(in_nine_digits(0.3 + 1e-13), 0.3);
+  EXPECT_DOUBLE_EQ(in_nine_digits(-123456.789123), -123456.789);
+  EXPECT_EQ(in_nine_digits(0.0), 0.0);
+}
+
 }  // namespace
 }  // namespace stiction::reference

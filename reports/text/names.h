@@ -17,4 +17,9 @@ std::string listed_names(const Container& all, NameOf name_of) {
   return list;
 }
 
+template <typename Container>
+std::string listed_names(const Container& names) {
+  return listed_names(names, [](const auto& name) { return name; });
+}
+
 }  // namespace stiction

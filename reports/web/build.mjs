@@ -110,7 +110,7 @@ async function bundle() {
     });
   const results = await Promise.all([
     in_page("page/main.js", "page.js"),
-    in_page("page/plot_code.js", "plot.js"),
+    in_page("page/widgets/plot_code.js", "plot.js"),
     in_page("player/player.js", "player.js"),
     in_page("style/page.css", "page.css"),
     esbuild.build({

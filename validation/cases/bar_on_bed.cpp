@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "validation/core/case_run.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 

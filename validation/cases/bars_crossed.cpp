@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "validation/observe/rest_watch.h"
-#include "validation/problems/crossed_bars_problem.h"
+#include "validation/problems/piles/crossed_bars_problem.h"
 
 namespace stiction {
 

@@ -12,7 +12,7 @@
 #include "validation/core/case_run.h"
 #include "validation/core/shared_run.h"
 #include "validation/estimate/spread.h"
-#include "validation/problems/basket_problem.h"
+#include "validation/problems/piles/basket_problem.h"
 
 namespace stiction {
 

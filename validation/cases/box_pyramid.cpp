@@ -11,9 +11,10 @@
 #include "validation/core/shared_run.h"
 #include "validation/estimate/threshold.h"
 #include "validation/observe/observe.h"
-#include "validation/problems/incline_problem.h"
-#include "validation/problems/pyramid_problem.h"
+#include "validation/problems/piles/pyramid_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 #include "validation/protocols/paper_figure.h"
+#include "validation/protocols/pyramid_rest.h"
 
 namespace stiction {
 
@@ -21,118 +22,13 @@ namespace {
 
 constexpr const char* kSource = "[Lazarevych2009], Fig. 5 (right column) and sec. 5";
 
-std::vector<Vec3> places(const Engine& engine, const PyramidSetup& setup) {
-  std::vector<Vec3> all;
-  for (int b = 0; b < box_count(setup); ++b) {
-    all.push_back(engine.body(static_cast<std::size_t>(b)).position);
-  }
-  return all;
-}
-
-// The largest displacement of a box, and whose.
-struct Moved {
-  double distance = 0.0;  // m
-  int box = 0;
-};
-Moved farthest(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
-  Moved moved;
-  for (std::size_t b = 0; b < from.size(); ++b) {
-    const double distance = (to[b] - from[b]).norm();
-    if (distance > moved.distance) moved = {distance, static_cast<int>(b) + 1};
-  }
-  return moved;
-}
-
-// What Fig. 5 shows, over time.
-struct PyramidSeries {
-  std::vector<double> time, kinetic, slip, moved;
-  void sample(const Simulation& simulation, const PyramidSetup& setup,
-              const std::vector<Vec3>& start) {
-    const Engine& engine = simulation.engine();
-    time.push_back(simulation.time());
-    kinetic.push_back(engine.energies().kinetic);
-    slip.push_back(fastest_slip(engine));
-    moved.push_back(farthest(start, places(engine, setup)).distance);
-  }
-  void add_to(CaseRun& run) const {
-    run.add({"kinetic energy", "J", "time", "s", time, kinetic});
-    run.add({"fastest contact slip", "m/s", "time", "s", time, slip});
-    run.add({"farthest box", "m", "time", "s", time, moved});
-  }
-};
-
-// Slips of the joints along the slope over a window, downhill positive, m: each box against the
-// mean of those that it stands on (the slab is held).
-std::vector<double> joint_slips(const PyramidSetup& setup, const std::vector<Vec3>& from,
-                                const std::vector<Vec3>& to) {
-  std::vector<double> slips;
-  const auto moved = [&](int b) {
-    return (to[static_cast<std::size_t>(b)] - from[static_cast<std::size_t>(b)]).x();
-  };
-  int box = 0, first_below = 0;
-  for (int row = 0; row < setup.rows; ++row) {
-    const int first = box;
-    for (int k = 0; k < setup.rows - row; ++k, ++box) {
-      const double below =
-          row == 0 ? 0.0 : 0.5 * (moved(first_below + k) + moved(first_below + k + 1));
-      slips.push_back(moved(box) - below);
-    }
-    first_below = first;
-  }
-  return slips;
-}
-
-// What a run left: the joints' slips in the window at rest, and how far it came in all.
-struct Rested {
-  Moved whole;                // from the start
-  double broken_at = -1.0;    // time at which the pyramid was in pieces, s; −1: it is whole
-  double before_tilt = 0.0;   // of `whole`, m
-  std::vector<double> slips;  // of the joints over the window, m; empty when broken
-  double fastest = 0.0, kinetic = 0.0;
-  double dt = 0.0;
-  double downhill() const { return std::max(0.0, *std::max_element(slips.begin(), slips.end())); }
-  double uphill() const { return std::max(0.0, -*std::min_element(slips.begin(), slips.end())); }
-  double farthest() const { return std::max(downhill(), uphill()); }
-};
-
-Rested rest(CaseRun& run, const PyramidSetup& setup, double window, double finer,
-            PyramidSeries* series) {
-  const auto simulation = run.simulate(pyramid_problem(setup), {.finer = finer});
-  if (series) simulation->record_frames(0.05);
-  const Engine& engine = simulation->engine();
-  const std::vector<Vec3> start = places(engine, setup);
-  const auto moved = [&] { return farthest(start, places(engine, setup)); };
-  const auto advance_while_whole = [&](double end, int samples) {
-    const double begin = simulation->time();
-    for (int k = 1; k <= samples && moved().distance < 0.5 * setup.width; ++k) {
-      simulation->advance_to(begin + (end - begin) * k / samples);
-      if (series) series->sample(*simulation, setup, start);
-    }
-  };
-  Rested found;
-  found.dt = engine.time_step();
-  advance_while_whole(kTilts, 24);
-  found.before_tilt = moved().distance;
-  advance_while_whole(setup.settled, 76);
-  const std::vector<Vec3> settled = places(engine, setup);
-  advance_while_whole(setup.settled + window, 100);
-  found.whole = moved();
-  found.fastest = fastest_slip(engine);
-  found.kinetic = engine.energies().kinetic;
-  if (found.whole.distance > 0.5 * setup.width) {
-    found.broken_at = simulation->time();
-  } else {
-    found.slips = joint_slips(setup, settled, places(engine, setup));
-  }
-  return found;
-}
-
 // Whether the run is that of the paper's left column: its own method without the stabilisation.
 bool is_without_memory(const CaseRun& run) {
   return run.settings_without(Without::kStabilisation) == run.settings();
 }
 
-void check_rest(CaseRun& run, const PyramidSetup& setup, const Rested& found, double window) {
+void check_rest(CaseRun& run, const PyramidSetup& setup, const PyramidAtRest& found,
+                double window) {
   const bool whole = !found.slips.empty();
   const auto measured = [&](double value) { return whole ? value : std::nan(""); };
   const double slip = kStaticSlip * window;
@@ -159,7 +55,7 @@ void check_rest(CaseRun& run, const PyramidSetup& setup, const Rested& found, do
 // each contact by itself: later contacts that share its vertices push them on, and those stopped
 // before are left with a slip uphill. What a step can leave so is no more than what gravity has
 // brought in that step.
-void check_creep_without_memory(CaseRun& run, const PyramidSetup& setup, const Rested& found,
+void check_creep_without_memory(CaseRun& run, const PyramidSetup& setup, const PyramidAtRest& found,
                                 double window) {
   const double sine = setup.tan_slope / std::hypot(1.0, setup.tan_slope);
   const double gravity = kStandardGravity * found.dt * sine;  // of one step, m/s
@@ -175,14 +71,14 @@ void check_creep_without_memory(CaseRun& run, const PyramidSetup& setup, const R
             found.slips.empty() ? std::nan("") : found.uphill() / window / gravity);
 }
 
-using WithoutMemory = std::shared_ptr<SharedRun<Rested>>;
+using WithoutMemory = std::shared_ptr<SharedRun<PyramidAtRest>>;
 
 // The paper's claim in figures: what its iteration leaves of the creep with ξ = 1, all else equal.
-void check_against_no_memory(CaseRun& run, const PyramidSetup& setup, const Rested& found,
+void check_against_no_memory(CaseRun& run, const PyramidSetup& setup, const PyramidAtRest& found,
                              double window, double finer, const WithoutMemory& shared) {
-  const Rested without =
-      shared->get(run, *run.settings_without(Without::kFrictionMemory),
-                  [&](CaseRun& part) { return rest(part, setup, window, finer, nullptr); });
+  const PyramidAtRest without = shared->get(
+      run, *run.settings_without(Without::kFrictionMemory),
+      [&](CaseRun& part) { return pyramid_at_rest(part, setup, window, finer, nullptr); });
   const bool both = !found.slips.empty() && !without.slips.empty();
   run.check({.quantity = "farthest slip of a joint ÷ that with ξ = 1",
              .unit = "1",
@@ -199,7 +95,7 @@ void check_against_no_memory(CaseRun& run, const PyramidSetup& setup, const Rest
 void run_figure(CaseRun& run, const PyramidSetup& setup, double window, double finer,
                 const WithoutMemory& shared) {
   PyramidSeries series;
-  const Rested found = rest(run, setup, window, finer, &series);
+  const PyramidAtRest found = pyramid_at_rest(run, setup, window, finer, &series);
   run.check(
       zero_claim(kSource, "displacement", "m",
                  "the pyramid does not fall apart: farthest box from its place", 0.5 * setup.width,
@@ -239,9 +135,9 @@ bool stands(CaseRun& run, PyramidSetup setup, double tan_slope) {
   const auto simulation = run.simulate(pyramid_problem(setup));
   const Engine& engine = simulation->engine();
   simulation->advance_to(kTilted + 0.4);
-  const std::vector<Vec3> before = places(engine, setup);
+  const std::vector<Vec3> before = box_places(engine, setup);
   simulation->advance_to(kTilted + 1.0);
-  return farthest(before, places(engine, setup)).distance < 2e-4;
+  return farthest_box(before, box_places(engine, setup)).distance < 2e-4;
 }
 
 // Soft boxes lean down the slope, the lower ones under what they carry, and so the topmost stands
@@ -252,7 +148,7 @@ void run_threshold(CaseRun& run, const PyramidSetup& setup, double width) {
   run.bodies_are_thrown();
   constexpr double kStiffer = 4.0;
   const reference::LimitBracket exact = pyramid_limit(setup);
-  const double expected = 0.5 * (exact.lower + exact.upper);
+  const double expected = reference::in_nine_digits(exact.middle());
   const auto search = [&](double factor) {
     PyramidSetup stiff = setup;
     stiff.elasticity.youngs_modulus *= factor;
@@ -313,7 +209,7 @@ std::vector<Case> cases_box_pyramid() {
   PyramidSetup flush = slab;
   flush.flush = true;
   const auto figure = [](const PyramidSetup& setup, double window = 3.0, double finer = 1.0) {
-    const auto shared = std::make_shared<SharedRun<Rested>>();
+    const auto shared = std::make_shared<SharedRun<PyramidAtRest>>();
     return [=](CaseRun& run) { run_figure(run, setup, window, finer, shared); };
   };
   return {{.name = "paper/fig5-box-pyramid",

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "validation/observe/observe.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 #include "validation/protocols/clamp_threshold.h"
 #include "validation/protocols/paper_figure.h"
 

@@ -9,7 +9,7 @@
 #include "reference/limit/limit_scenes.h"
 #include "validation/core/case_run.h"
 #include "validation/estimate/threshold.h"
-#include "validation/problems/ball_pyramid_problem.h"
+#include "validation/problems/piles/ball_pyramid_problem.h"
 #include "validation/protocols/ball_pyramid_run.h"
 
 namespace stiction {

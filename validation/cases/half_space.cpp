@@ -6,7 +6,7 @@
 
 #include "reference/motion/incline.h"
 #include "validation/core/case_run.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 

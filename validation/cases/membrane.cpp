@@ -10,92 +10,17 @@
 #include <vector>
 
 #include "validation/core/case_run.h"
-#include "validation/problems/membrane_problem.h"
-#include "validation/protocols/membrane_reference.h"
+#include "validation/problems/slopes/membrane_problem.h"
+#include "validation/protocols/membrane_slide.h"
 
 namespace stiction {
 
 namespace {
 
-constexpr double kFrom = kMembraneLoaded;  // s: from here on the string model is held beside it
-constexpr int kSamples = 200;
-
-struct Slide {
-  std::vector<double> time, place, kinetic, slip;
-  std::size_t from = 0;  // first sample that the string model is held against
-};
-
-Slide slide(CaseRun& run, const MembraneSetup& setup, double time = 8e-5) {
-  const Problem problem = membrane_problem(setup);
-  const CaseRun::Running simulation = run.simulate(problem, {.fineness = 3, .time = time});
-  simulation->record_frames(0.02);
-  const Engine& engine = simulation->engine();
-  Slide found;
-  for (int k = 1; k <= kSamples; ++k) {
-    const double before = simulation->time();
-    simulation->advance_to(problem.duration * k / kSamples);
-    double fastest = 0.0;
-    for (const ContactSample& contact : engine.contacts()) {
-      if (contact.against_body && contact.normal_force > 0.0) {
-        fastest = std::max(fastest, contact.slip.norm());
-      }
-    }
-    const BodyMotion box = engine.body(1);
-    found.time.push_back(simulation->time());
-    found.place.push_back(box.position.x());
-    found.kinetic.push_back(0.5 * setup.box_mass * box.velocity.squaredNorm());
-    found.slip.push_back(fastest);
-    if (before > kFrom || simulation->time() <= kFrom) continue;
-    found.from = found.time.size() - 1;
-  }
-  return found;
-}
-
-// What the checks compare, from the moment on at which the string model starts.
-struct Curve {
-  std::vector<double> time, place, kinetic;  // s, m, J
-  double peak() const { return *std::max_element(kinetic.begin(), kinetic.end()); }
-  // Where the kinetic energy is, m: vibrations of the strip don't shift it as they do the place of
-  // the highest value.
-  double mean_place() const {
-    double sum = 0.0, weight = 0.0;
-    for (std::size_t k = 0; k < place.size(); ++k) {
-      sum += kinetic[k] * place[k];
-      weight += kinetic[k];
-    }
-    return sum / weight;
-  }
-};
-
-// The box on the strip beside the string model, each from its own start.
-struct Comparison {
-  Curve box, model;
-  double length = 0.0;  // of the stretched strip, m
-  // How far the string model is from the mesh. Its tension is the same all along, where the strip's
-  // own weight makes it T (1 ± ε): that moves the lowest point by ε ℓ/6.
-  double epsilon = 0.0;
-  double lowest() const { return epsilon / 6.0; }  // of ℓ
-};
-
-Comparison beside_model(const Slide& found, const MembraneSetup& setup) {
-  Comparison seen;
-  const auto from = static_cast<std::ptrdiff_t>(found.from);
-  seen.box = {{found.time.begin() + from, found.time.end()},
-              {found.place.begin() + from, found.place.end()},
-              {found.kinetic.begin() + from, found.kinetic.end()}};
-  const MembraneReference model =
-      membrane_reference(setup, seen.box.time.back(), seen.box.time[1] - seen.box.time[0]);
-  seen.model = {model.time, model.place, model.kinetic};
-  seen.length = model.length;
-  const reference::MembraneProblem string = membrane_string(setup);
-  seen.epsilon = 0.5 * string.own_load * model.length * std::tan(string.slope) / string.tension;
-  return seen;
-}
-
 // What the paper's figure shows: faster before the middle, slower after it.
-void check_shape(CaseRun& run, const Comparison& seen) {
+void check_shape(CaseRun& run, const BesideString& seen) {
   const double length = seen.length;
-  const Curve& box = seen.box;
+  const SlideCurve& box = seen.box;
   const double moving = 0.01 * box.peak();
   const auto first = static_cast<std::size_t>(
       std::find_if(box.kinetic.begin(), box.kinetic.end(), [&](double k) { return k > moving; }) -
@@ -120,7 +45,7 @@ void check_shape(CaseRun& run, const Comparison& seen) {
 }
 
 // One figure on two meshes of the strip, and on the string.
-struct Figure {
+struct OnTwoMeshes {
   double coarse = 0.0, fine = 0.0, model = 0.0;
 };
 
@@ -130,20 +55,20 @@ struct Figure {
 struct Extrapolated {
   double value = 0.0, doubt = 0.0;
 };
-Extrapolated without_mesh(const Figure& figure, double refinement) {
+Extrapolated without_mesh(const OnTwoMeshes& figure, double refinement) {
   const double change = figure.fine - figure.coarse;
   const double first = change / (refinement - 1.0);
   const double second = change / (refinement * refinement - 1.0);
   return {figure.fine + first, std::abs(first - second)};
 }
 
-Figure mean_places(const Comparison& coarse, const Comparison& fine) {
+OnTwoMeshes mean_places(const BesideString& coarse, const BesideString& fine) {
   return {coarse.box.mean_place(), fine.box.mean_place(), fine.model.mean_place()};
 }
-Figure peaks(const Comparison& coarse, const Comparison& fine) {
+OnTwoMeshes peaks(const BesideString& coarse, const BesideString& fine) {
   return {coarse.box.peak(), fine.box.peak(), fine.model.peak()};
 }
-Figure rests(const Comparison& coarse, const Comparison& fine) {
+OnTwoMeshes rests(const BesideString& coarse, const BesideString& fine) {
   return {coarse.box.place.back(), fine.box.place.back(), fine.model.place.back()};
 }
 
@@ -151,11 +76,11 @@ constexpr const char* kModel =
     "reference/motion/membrane.h, full law by GSL odeiv2, from rest where the box was laid "
     "(validation/protocols/membrane_reference.h)";
 
-void check_against_model(CaseRun& run, const Comparison& coarse, const Comparison& fine,
+void check_against_model(CaseRun& run, const BesideString& coarse, const BesideString& fine,
                          double refinement) {
   const double length = fine.length, lowest = fine.lowest() * length;
-  const Figure mean = mean_places(coarse, fine), peak = peaks(coarse, fine),
-               rest = rests(coarse, fine);
+  const OnTwoMeshes mean = mean_places(coarse, fine), peak = peaks(coarse, fine),
+                    rest = rests(coarse, fine);
   const Extrapolated mean_free = without_mesh(mean, refinement);
   run.check(
       {.quantity = "mean place of the kinetic energy",
@@ -217,8 +142,8 @@ void check_against_model(CaseRun& run, const Comparison& coarse, const Compariso
 
 // … then rest: judged by the mean speed over one swing of the strip, so that what shakes up and
 // down on it drops out.
-void check_stopped(CaseRun& run, const Comparison& seen, double box_mass) {
-  const Curve& box = seen.box;
+void check_stopped(CaseRun& run, const BesideString& seen, double box_mass) {
+  const SlideCurve& box = seen.box;
   constexpr std::size_t kLast = 10;  // samples, 0.26 s
   const std::size_t last = box.place.size() - 1;
   const double swing = seen.model.time[last] - seen.model.time[last - kLast];
@@ -241,7 +166,7 @@ void check_stopped(CaseRun& run, const Comparison& seen, double box_mass) {
       creep, std::sqrt(2.0 * box.kinetic.back() / box_mass)));
 }
 
-void note_figures(CaseRun& run, const Comparison& seen) {
+void note_figures(CaseRun& run, const BesideString& seen) {
   run.note(fmt::format(
       "strip {:.4f} m; laid at {:.4f} m (string {:.4f}). ε = {:.3f}; middle {:.4f} m", seen.length,
       seen.box.place.front(), seen.model.place.front(), seen.epsilon, 0.5 * seen.length));
@@ -262,10 +187,10 @@ double refinement(const MembraneSetup& coarse, const MembraneSetup& fine) {
 }
 
 void run_membrane(CaseRun& run) {
-  const Slide found = slide(run, kFine);
-  const Comparison seen = beside_model(found, kFine);
+  const MembraneSlide found = slide_down_membrane(run, kFine);
+  const BesideString seen = beside_string(found, kFine);
   check_shape(run, seen);
-  const Comparison coarse = beside_model(slide(run, kCoarse), kCoarse);
+  const BesideString coarse = beside_string(slide_down_membrane(run, kCoarse), kCoarse);
   check_against_model(run, coarse, seen, refinement(kCoarse, kFine));
   note_figures(run, seen);
   check_stopped(run, seen, kFine.box_mass);
@@ -294,11 +219,11 @@ double observed_order(const std::vector<double>& h, const std::vector<double>& f
 
 // The solver against itself and against the string on three meshes.
 void run_convergence(CaseRun& run) {
-  std::vector<Comparison> seen;
+  std::vector<BesideString> seen;
   std::vector<double> cells, rest, error;
   for (const MembraneSetup& setup : {kCoarse, kFine, kFinest}) {
     // Below the limit of the finest mesh, for all three.
-    seen.push_back(beside_model(slide(run, setup, 5e-5), setup));
+    seen.push_back(beside_string(slide_down_membrane(run, setup, 5e-5), setup));
     cells.push_back(1.0 / setup.cells_along);
     rest.push_back(seen.back().box.place.back());
     error.push_back(std::abs(rest.back() - seen.back().model.place.back()));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "validation/core/case_run.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {
 

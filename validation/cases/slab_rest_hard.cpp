@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "validation/observe/rest_watch.h"
-#include "validation/problems/slab_poses.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_poses.h"
+#include "validation/problems/slopes/slab_problem.h"
 #include "validation/protocols/slab_rest.h"
 
 namespace stiction {

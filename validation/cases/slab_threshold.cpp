@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "validation/estimate/threshold.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 #include "validation/protocols/incline_run.h"
 #include "validation/protocols/paper_figure.h"
 #include "validation/protocols/slope_search.h"

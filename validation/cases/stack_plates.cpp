@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "validation/observe/rest_watch.h"
-#include "validation/problems/stack_problem.h"
+#include "validation/problems/piles/stack_problem.h"
 
 namespace stiction {
 

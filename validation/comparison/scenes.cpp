@@ -9,13 +9,13 @@
 
 #include "solver/demand.h"
 #include "validation/observe/observe.h"
-#include "validation/problems/ball_pyramid_problem.h"
-#include "validation/problems/basket_problem.h"
+#include "validation/problems/piles/ball_pyramid_problem.h"
+#include "validation/problems/piles/basket_problem.h"
 #include "validation/problems/clamp_problem.h"
-#include "validation/problems/incline_problem.h"
-#include "validation/problems/membrane_problem.h"
-#include "validation/problems/pyramid_problem.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
+#include "validation/problems/slopes/membrane_problem.h"
+#include "validation/problems/piles/pyramid_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {
 

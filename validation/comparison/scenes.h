@@ -8,7 +8,7 @@
 #include "validation/engine/engine.h"
 #include "validation/engine/problem.h"
 #include "validation/observe/observe.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {
 

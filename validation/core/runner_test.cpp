@@ -11,7 +11,7 @@
 
 #include "solver/testing/test_refusal.h"
 #include "validation/core/case_run.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/engine/engine.h"
 
+#include "reports/text/names.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -34,12 +35,12 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
 }
 
 EngineKind find_engine(const std::string& name) {
-  std::string known;
-  for (const EngineKind& kind : engine_catalog()) {
+  const std::vector<EngineKind> all = engine_catalog();
+  for (const EngineKind& kind : all) {
     if (kind.name == name) return kind;
-    known += (known.empty() ? "" : ", ") + kind.name;
   }
-  throw InputError("unknown engine '" + name + "'; there are: " + known);
+  throw InputError("unknown engine '" + name + "'; there are: " +
+                   listed_names(all, [](const EngineKind& kind) { return kind.name; }));
 }
 
 }  // namespace stiction

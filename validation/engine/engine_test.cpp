@@ -6,7 +6,7 @@
 #include "validation/core/case_run.h"
 #include "validation/core/runner.h"
 #include "validation/observe/observe.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 namespace {

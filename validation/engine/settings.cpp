@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "reports/text/names.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -48,9 +49,8 @@ int SettingsReader::count(const std::string& name, int fallback) {
 void SettingsReader::refuse_unknown(const std::string& engine) const {
   for (const auto& [name, value] : settings_) {
     if (known_.count(name) > 0) continue;
-    std::string list;
-    for (const auto& [word, used] : known_) list += (list.empty() ? "" : ", ") + word;
-    throw InputError("engine '" + engine + "' has no setting '" + name + "'; there are: " + list);
+    throw InputError("engine '" + engine + "' has no setting '" + name + "'; there are: " +
+                     listed_names(known_, [](const auto& word) { return word.first; }));
   }
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "validation/observe/mean_contacts.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 

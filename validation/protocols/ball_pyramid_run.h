@@ -5,7 +5,7 @@
 
 #include "reports/record/record.h"
 #include "validation/core/case_run.h"
-#include "validation/problems/ball_pyramid_problem.h"
+#include "validation/problems/piles/ball_pyramid_problem.h"
 
 namespace stiction {
 

@@ -104,7 +104,7 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
                            double width, bool half_step) {
   run.bodies_are_thrown();
   const ClampLimit limit = clamp_limit(setup);
-  const double rigid = 0.5 * (limit.lower + limit.upper);
+  const double rigid = reference::in_nine_digits(0.5 * (limit.lower + limit.upper));
   const ClampSetup middle = stiffer(setup, kStiffer), hard = stiffer(middle, kStiffer);
   // Begun where a clamp of rigid bodies would need no more; then, stiffer, at the force found; then
   // where the trend of the two leads.

@@ -3,7 +3,7 @@
 
 #include "validation/core/case_run.h"
 #include "validation/estimate/threshold.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 

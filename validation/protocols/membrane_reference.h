@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "validation/problems/membrane_problem.h"
+#include "validation/problems/slopes/membrane_problem.h"
 
 namespace stiction {
 

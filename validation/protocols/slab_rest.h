@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {
 

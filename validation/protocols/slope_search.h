@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "validation/estimate/threshold.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {
 

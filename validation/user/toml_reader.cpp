@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <sstream>
 
+#include "reports/text/names.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -45,9 +46,8 @@ void TomlTable::finish() const {
   for (const auto& [key, node] : table_) {
     const std::string word(key.str());
     if (known_.count(word) > 0) continue;
-    std::string list;
-    for (const std::string& name : known_) list += (list.empty() ? "" : ", ") + name;
-    refuse_at(file_, node, fmt::format("{} has no key '{}'; there are: {}", what_, word, list));
+    refuse_at(file_, node,
+              fmt::format("{} has no key '{}'; there are: {}", what_, word, listed_names(known_)));
   }
 }
 

@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "reference/meshes/closed_surface.h"
+#include "reports/text/names.h"
 #include "solver/demand.h"
-#include "validation/core/case_run.h"
-#include "validation/observe/observe.h"
 #include "validation/user/toml_reader.h"
+#include "validation/user/user_run.h"
 
 namespace stiction {
 
@@ -20,32 +20,14 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-struct UserCheck {
-  Claim claim;
-  const Observable* observable;
-  std::size_t body;
-  Vec3 direction = Vec3::Zero();
-  double from = 0.0;  // s
-  double at = 0.0;    // s
-};
-
-struct UserProblem {
-  Problem problem;
-  std::vector<Vec3> downhill;  // one an obstacle
-  Settings settings;
-  std::vector<UserCheck> checks;
-  std::string title;
-};
-
 template <class Named>
 std::size_t find_named(const std::vector<Named>& all, TomlTable& table, const std::string& key) {
   const std::string name = table.text(key);
-  std::string known;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (all[k].name == name) return k;
-    known += (known.empty() ? "" : ", ") + all[k].name;
   }
-  table.refuse(key, fmt::format("there is no {} '{}'; there are: {}", key, name, known));
+  table.refuse(key, fmt::format("there is no {} '{}'; there are: {}", key, name,
+                                listed_names(all, [](const Named& one) { return one.name; })));
 }
 
 template <class Named>
@@ -229,14 +211,15 @@ void read_check(TomlTable table, UserProblem& user) {
   UserCheck one;
   const std::string name = table.text("observable");
   one.observable = nullptr;
-  std::string known;
   for (const Observable& observable : observables()) {
     if (observable.name == name) one.observable = &observable;
-    known += (known.empty() ? "" : ", ") + observable.name;
   }
   if (!one.observable) {
     table.refuse("observable",
-                 fmt::format("there is no observable '{}'; there are: {}", name, known));
+                 fmt::format("there is no observable '{}'; there are: {}", name,
+                             listed_names(observables(), [](const Observable& observable) {
+                               return observable.name;
+                             })));
   }
   one.body = table.has("body") ? find_named(user.problem.bodies, table, "body") : 0;
   one.at = table.number("at", user.problem.duration);
@@ -299,40 +282,6 @@ UserProblem read(const std::string& file, const toml::table& root) {
   if (user.checks.empty()) top.refuse("check", "the file has no [[check]], so nothing could fail");
   top.finish();
   return user;
-}
-
-void run_user_problem(CaseRun& run, const UserProblem& user) {
-  constexpr int kSeriesSamples = 200;
-  const double duration = user.problem.duration;
-  std::vector<double> times;
-  for (int k = 0; k <= kSeriesSamples; ++k) times.push_back(duration * k / kSeriesSamples);
-  for (const UserCheck& one : user.checks) times.insert(times.end(), {one.from, one.at});
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-
-  const CaseRun::Running simulation = run.simulate(user.problem);
-  Series kinetic{"kinetic energy", "J", "time", "s", {}, {}};
-  Series slip{"fastest contact slip", "m/s", "time", "s", {}, {}};
-  std::vector<std::pair<Sample, Sample>> seen(user.checks.size());
-  for (const double time : times) {
-    simulation->advance_to(time);
-    const Engine& engine = simulation->engine();
-    kinetic.x.push_back(simulation->time());
-    kinetic.y.push_back(engine.energies().kinetic);
-    slip.x.push_back(simulation->time());
-    slip.y.push_back(fastest_slip(engine));
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-      const UserCheck& one = user.checks[k];
-      if (time == one.from) seen[k].first = sample_of(engine, simulation->time(), one.body);
-      if (time == one.at) seen[k].second = sample_of(engine, simulation->time(), one.body);
-    }
-  }
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const UserCheck& one = user.checks[k];
-    run.check(one.claim, one.observable->measure(seen[k].first, seen[k].second, one.direction));
-  }
-  run.add(std::move(kinetic));
-  run.add(std::move(slip));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "benchmarks/workloads/workload.h"
 #include "validation/engines/stiction/stiction_scene.h"
-#include "validation/problems/plates_problem.h"
+#include "validation/problems/piles/plates_problem.h"
 
 namespace stiction::bench {
 

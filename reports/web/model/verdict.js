@@ -2,7 +2,7 @@
 import { to_number } from "./number.js";
 
 // Verdicts, worst first, each with the words that people read. Colour never stands alone: each has a
-// shape of its own too (page/glyph.js, plots/verdict_scale.js).
+// shape of its own too (page/widgets/glyph.js, plots/verdict_scale.js).
 export const VERDICTS = ["error", "fail", "expected-shortfall", "refuted", "pass", "for-information", "not-applicable"];
 
 export const VERDICT_WORDS = {

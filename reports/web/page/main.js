@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: reads the index, shows the view that the address names.
-import { show_about } from "./about_view.js";
+import { show_about } from "./views/about_view.js";
 import { json_of } from "./asset.js";
-import { show_case } from "./case_view.js";
-import { cases_view } from "./cases_view.js";
-import { show_compare } from "./compare_view.js";
+import { show_case } from "./views/case_view.js";
+import { cases_view } from "./views/cases_view.js";
+import { show_compare } from "./views/compare_view.js";
 import { h, replace } from "./dom.js";
-import { show_family } from "./family_view.js";
-import { page_header, warnings_box } from "./header.js";
-import { start_keys } from "./keys.js";
-import { draw_all } from "./plot_figure.js";
-import { show_plots } from "./plots_view.js";
+import { show_family } from "./views/family_view.js";
+import { page_header, warnings_box } from "./widgets/header.js";
+import { start_keys } from "./widgets/keys.js";
+import { draw_all } from "./widgets/plot_figure.js";
+import { show_plots } from "./views/plots_view.js";
 import { hash_of, parse_hash } from "./route.js";
 import { rows_of } from "./rows.js";
-import { summary_view } from "./summary_view.js";
-import { start_theme } from "./theme.js";
-import { hide_tip } from "./tip.js";
+import { summary_view } from "./views/summary_view.js";
+import { start_theme } from "./widgets/theme.js";
+import { hide_tip } from "./widgets/tip.js";
 
 const MOST_ON_PAPER = 1000;
 

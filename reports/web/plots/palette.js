@@ -95,7 +95,7 @@ export const SERIES_SHAPES = [
 /** The name of the i-th body's colour: pale, so that contacts and forces stand out. */
 export const body_colour = (i) => `$b${i % 6}`;
 
-// A saltire in Vega's square from −1 to 1, as in page/glyph.js.
+// A saltire in Vega's square from −1 to 1, as in page/widgets/glyph.js.
 const SALTIRE =
   "M-1,-0.6L-0.6,-1L0,-0.4L0.6,-1L1,-0.6L0.4,0L1,0.6L0.6,1L0,0.4L-0.6,1L-1,0.6L-0.4,0Z";
 

@@ -17,8 +17,8 @@ import {
 import { rules_on_contacts } from "../model/rule.js";
 import { variant_labels } from "../model/variant.js";
 import { fewest_digits, worst_check } from "../model/verdict.js";
-import { filtered, sorted } from "../page/filter.js";
-import { instant, place_at, view_of } from "../page/playback.js";
+import { filtered, sorted } from "../page/widgets/filter.js";
+import { instant, place_at, view_of } from "../page/player/playback.js";
 import { hash_of, parse_hash } from "../page/route.js";
 import { signed_axis } from "../plots/axes.js";
 import { pareto_front, power_law } from "../plots/fit.js";

@@ -5,7 +5,7 @@
 
 #include "solver/demand.h"
 #include "validation/engine/engine.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 namespace {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/text/names.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 
@@ -44,15 +45,15 @@ template <class Value>
 void read_word(SettingsReader& reader, const std::string& name, const Words<Value>& words,
                Value& value) {
   const std::string given = reader.text(name, word_of(words, value));
-  std::string known;
   for (const auto& [word, meaning] : words) {
     if (word == given) {
       value = meaning;
       return;
     }
-    known += (known.empty() ? "" : ", ") + word;
   }
-  throw InputError(fmt::format("setting '{}' is one of {}, not '{}'", name, known, given));
+  throw InputError(fmt::format("setting '{}' is one of {}, not '{}'", name,
+                               listed_names(words, [](const auto& one) { return one.first; }),
+                               given));
 }
 
 double read_parameter(SettingsReader& reader, const RuleParameter& parameter) {

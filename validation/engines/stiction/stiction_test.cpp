@@ -12,7 +12,7 @@
 #include "solver/testing/test_refusal.h"
 #include "solver/workspace.h"
 #include "validation/engine/engine.h"
-#include "validation/problems/incline_problem.h"
+#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 namespace {

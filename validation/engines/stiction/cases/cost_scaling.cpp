@@ -9,7 +9,7 @@
 
 #include "reference/statistics/power_law.h"
 #include "validation/core/case_run.h"
-#include "validation/problems/plates_problem.h"
+#include "validation/problems/piles/plates_problem.h"
 
 namespace stiction {
 

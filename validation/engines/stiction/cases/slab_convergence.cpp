@@ -7,7 +7,7 @@
 
 #include "solver/demand.h"
 #include "validation/engines/stiction/step_rate.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 #include "validation/protocols/paper_figure.h"
 
 namespace stiction {

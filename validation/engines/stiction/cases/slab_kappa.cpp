@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "validation/engines/stiction/solver_view.h"
-#include "validation/problems/slab_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {
 

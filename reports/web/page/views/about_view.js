@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the numbers come from, and whose work the page holds.
+import { json_of } from "../asset.js";
+import { h, replace } from "../dom.js";
+
+export async function show_about(element, _, { index }) {
+  const licences = await json_of("licences");
+  const run_row = (run) =>
+    h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, run.name, run.role === "against" && " (earlier)"),
+      h("td", {}, run.date),
+      h("td", {}, run.revision),
+      h("td", {}, run.toolchain),
+      h("td", {}, run.machine),
+      h("td", { class: "number" }, String(run.records)),
+    );
+  replace(
+    element,
+    h("h1", {}, "About this page"),
+    h("h2", {}, "Runs"),
+    h(
+      "div",
+      { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Runs" },
+      h(
+        "table",
+        {},
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            ["Run", "Date", "Revision", "Toolchain", "Machine", "Records"].map((name) =>
+              h("th", { scope: "col" }, name),
+            ),
+          ),
+        ),
+        h("tbody", {}, index.runs.map(run_row)),
+      ),
+    ),
+    h("h2", {}, "How to read it"),
+    h(
+      "p",
+      {},
+      "A check holds when |error| ≤ tolerance. An expected shortfall does not hold, but its value lies in a band that was stated beforehand with its measured cause; refuted says the same of a claim of the paper, which was tested and found not to hold. Outside its band, on either side, a check fails. The bars show |error| ÷ tolerance on a logarithmic scale with the limit marked. Digits are −log₁₀ of the error over the size of the quantity, at most 16; where zero is expected and nothing says of what size there are none. Times are CPU seconds of the engine's steps. Unless a unit stands beside it, a number is dimensionless; all units are SI.",
+    ),
+    h(
+      "p",
+      {},
+      "The page was made from records alone and holds everything it shows; it opens no connection, and its policy forbids any.",
+    ),
+    h("h2", {}, "Third-party software in this page"),
+    h(
+      "p",
+      {},
+      "The page's own code and stiction's programs are GPL-3.0-or-later. It holds these packages:",
+    ),
+    h(
+      "div",
+      { class: "licences" },
+      licences.map((one) =>
+        h(
+          "details",
+          {},
+          h("summary", {}, `${one.name} ${one.version}, ${one.licence}`),
+          h("pre", {}, one.text || "The package carries no licence text."),
+        ),
+      ),
+    ),
+  );
+}

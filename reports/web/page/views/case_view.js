@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One case: what it claims, what was measured, how it went, what it cost.
+import { is_comparison } from "../../model/figure.js";
+import { format_count, format_value, to_number } from "../../model/number.js";
+import { rules_on_contacts } from "../../model/rule.js";
+import { attributes_of, variant_labels } from "../../model/variant.js";
+import { is_bad, rank } from "../../model/verdict.js";
+import { checks_height, checks_section } from "./checks_section.js";
+import { compared_mark, comparison_part } from "./comparison_part.js";
+import { cost_table } from "./cost_table.js";
+import { breakable, h, replace } from "../dom.js";
+import { verdict_mark } from "../widgets/glyph.js";
+import { player_figure } from "../player/player_figure.js";
+import { plot_figure } from "../widgets/plot_figure.js";
+import { plots_of_case, records_of_case } from "../records.js";
+import { case_hash, hash_of } from "../route.js";
+import { sketch } from "../sketch/sketch.js";
+
+function notes_of(entries) {
+  const by_note = new Map();
+  for (const { record, label } of entries) {
+    const all = record.error ? [`broke off: ${record.error}`, ...record.notes] : record.notes;
+    for (const note of all) by_note.set(note, [...(by_note.get(note) ?? []), label]);
+  }
+  return [...by_note].map(([note, labels]) => [
+    note,
+    labels.length === entries.length ? "" : labels.filter(Boolean).join(", "),
+  ]);
+}
+
+// Meshes of the bodies, each once.
+function meshes_of(records) {
+  const texts = records.flatMap(({ meshes }) =>
+    meshes.map(
+      (mesh) =>
+        `Mesh of ${mesh.bodies}: ${format_count(mesh.vertices)} vertices, ${format_count(mesh.tetrahedra)} tetrahedra, ` +
+        `dihedral angles ${format_angle(mesh.min_dihedral_angle)} to ${format_angle(mesh.max_dihedral_angle)}, ` +
+        `shortest altitude ${format_value(Number(to_number(mesh.min_altitude).toPrecision(3)))} m.`,
+    ),
+  );
+  return [...new Set(texts)].map((text) => h("p", { class: "provenance" }, text));
+}
+
+const format_angle = (value) => `${to_number(value).toFixed(1)}°`;
+
+function environment_of(records, runs) {
+  const told = records.map((record) => ({ ...record.environment, run: runs[record.run] }));
+  const unique = [
+    ...new Map(
+      told.map((one) => [`${one.revision} ${one.toolchain} ${one.machine} ${one.run.name}`, one]),
+    ).values(),
+  ];
+  return unique.map((one) =>
+    h(
+      "p",
+      { class: "provenance" },
+      [
+        one.run.role === "against" ? "earlier run" : "",
+        one.date.replace("T", " ").replace("Z", " UTC"),
+        `revision ${one.revision}`,
+        one.toolchain,
+        one.machine,
+      ]
+        .filter(Boolean)
+        .join(" · "),
+    ),
+  );
+}
+
+// Old and new method stand at the ends of a run's variants.
+function first_and_last(recorded, runs) {
+  const places = recorded.flatMap(({ record }, i) =>
+    runs[record.run].role === "shown" ? [i] : [],
+  );
+  return places.length > 1 ? [places[0], places.at(-1)] : [0, recorded.length - 1];
+}
+
+function neighbours(name, list) {
+  const names = [...new Set(list.map((row) => row.case))];
+  const place = names.indexOf(name);
+  const link = (target, text, rel) =>
+    target === undefined
+      ? h("span", { class: "off" }, text)
+      : h("a", { href: case_hash(target), rel }, text);
+  return h(
+    "nav",
+    { class: "neighbours", "aria-label": "Neighbouring cases" },
+    link(place > 0 ? names[place - 1] : undefined, "← previous", "prev"),
+    link(place >= 0 ? names[place + 1] : undefined, "next →", "next"),
+  );
+}
+
+// How many plots stand beside the claims and notes: as many as these leave room for.
+function plots_beside(entries, notes, with_player) {
+  const height =
+    checks_height(entries) +
+    notes.reduce((sum, [note, who]) => sum + 23 * Math.ceil((note.length + who.length) / 78), 0);
+  return Math.max(0, Math.round((height - (with_player ? 340 : 200)) / 340));
+}
+
+/** Fills `element` with the case; `list` are the rows among which previous and next are meant. */
+export async function show_case(element, name, { index, rows }, list) {
+  const all = await records_of_case(name, rows);
+  const shown = all.filter((record) => index.runs[record.run].role === "shown");
+  const compared = is_comparison(all);
+  // A comparison is told of the runs shown; the view that compares runs has the earlier ones.
+  const records = compared && shown.length > 0 ? shown : all;
+  if (records.length === 0) {
+    replace(
+      element,
+      h("h1", {}, "There is no such case"),
+      h(
+        "p",
+        {},
+        "The page holds no case named ",
+        h("code", {}, name),
+        ". ",
+        h("a", { href: hash_of("cases") }, "All cases"),
+        ".",
+      ),
+    );
+    return;
+  }
+  const several_runs = new Set(records.map((record) => record.run)).size > 1;
+  const run_of = (i) => (several_runs ? index.runs[records[i].run].short : "");
+  const variants = compared ? rules_on_contacts(records, run_of) : [];
+  const labels = compared
+    ? variants.map(({ label }) => label)
+    : variant_labels(records.map((record) => attributes_of(record, index.runs[record.run].short)));
+  const entries = records.map((record, i) => ({
+    record,
+    label: labels[i],
+    run: run_of(i),
+    variant: variants[i],
+  }));
+  const worst = (shown.length > 0 ? shown : records).reduce((a, b) =>
+    rank(b.verdict) < rank(a.verdict) ? b : a,
+  ).verdict;
+  const family = rows.find((row) => row.case === name).family;
+  const notes = notes_of(entries);
+  const recorded = entries.filter(
+    ({ record }) => record.frames && index.assets.includes(`frames/${record.frames}`),
+  );
+  const plots = await plots_of_case(name, rows, index);
+  const figures =
+    plots === null
+      ? [
+          h(
+            "p",
+            { class: "message" },
+            "The plots of this case were left out to keep the page small.",
+          ),
+        ]
+      : plots.map((plot) => plot_figure(plot));
+  const beside = plots_beside(entries, notes, recorded.length > 0);
+
+  replace(
+    element,
+    h(
+      "div",
+      { class: "case-head" },
+      h(
+        "p",
+        { class: "crumbs" },
+        h("a", { href: hash_of("cases") }, "Cases"),
+        " / ",
+        h("a", { href: hash_of("family", family) }, family),
+      ),
+      neighbours(name, list),
+      h("h1", { id: "case-title" }, breakable(name)),
+      h(
+        "p",
+        { class: "case-title" },
+        compared && !is_bad(worst) ? compared_mark(records) : verdict_mark(worst, 20),
+        records[0].title,
+      ),
+    ),
+    compared && comparison_part(entries, figures),
+    !compared &&
+      h(
+        "div",
+        { class: recorded.length > 0 ? "case-columns with-player" : "case-columns" },
+        h(
+          "div",
+          { class: "case-claims" },
+          h("h2", {}, "What must hold"),
+          entries.some(({ record }) => record.checks.length > 0)
+            ? checks_section(entries)
+            : h("p", {}, "Nothing was checked."),
+          notes.length > 0 &&
+            h(
+              "div",
+              { class: "notes" },
+              h("h2", {}, "Notes"),
+              h(
+                "ul",
+                {},
+                notes.map(([note, who]) => h("li", {}, who && h("strong", {}, `${who}: `), note)),
+              ),
+            ),
+        ),
+        h(
+          "div",
+          { class: "case-pictures" },
+          recorded.length > 0
+            ? player_figure(recorded, first_and_last(recorded, index.runs))
+            : sketch(name),
+          figures.slice(0, beside),
+        ),
+      ),
+    !compared && figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
+    h("h2", {}, "Cost"),
+    compared && entries.length > 4
+      ? h("details", {}, h("summary", {}, "Engine, settings and cost of each"), cost_table(entries))
+      : cost_table(entries),
+    meshes_of(records),
+    environment_of(records, index.runs),
+  );
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each variant of a case cost, with what and where.
+import { format_count, format_seconds, format_value, to_number } from "../../model/number.js";
+import { h } from "../dom.js";
+import { verdict_mark } from "../widgets/glyph.js";
+
+const settings_text = (settings) =>
+  Object.entries(settings)
+    .map(([name, value]) => `${name}=${value}`)
+    .join(" ");
+
+export function cost_table(entries) {
+  const heading = (name, unit, number = true) =>
+    h(
+      "th",
+      { scope: "col", class: number ? "number" : "" },
+      name,
+      unit && h("span", { class: "unit" }, ` ${unit}`),
+    );
+  return h(
+    "div",
+    { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Cost" },
+    h(
+      "table",
+      { class: "costs" },
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          heading("Verdict", "", false),
+          heading("Engine and settings", "", false),
+          heading("CPU", "s"),
+          heading("Steps"),
+          heading("Contact updates"),
+          heading("Per contact update", "ns"),
+          heading("State hash", "", false),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        entries.map(({ record, run }) =>
+          h(
+            "tr",
+            {},
+            h("td", {}, verdict_mark(record.verdict, 15)),
+            h(
+              "th",
+              { scope: "row" },
+              `${run ? `${run} · ` : ""}${record.engine} `,
+              h("span", { class: "variant" }, settings_text(record.settings)),
+            ),
+            h("td", { class: "number" }, format_seconds(to_number(record.cost.cpu_seconds))),
+            h("td", { class: "number" }, format_count(record.cost.steps)),
+            h("td", { class: "number" }, format_count(record.cost.contact_updates)),
+            h(
+              "td",
+              { class: "number" },
+              to_number(record.cost.ns_per_contact_update) > 0
+                ? format_value(Number(to_number(record.cost.ns_per_contact_update).toPrecision(3)))
+                : "–",
+            ),
+            h("td", {}, h("code", {}, record.state_hash || "–")),
+          ),
+        ),
+      ),
+    ),
+  );
+}

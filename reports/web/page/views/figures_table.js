@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A comparison as one table: a row a rule on contacts, a column a figure, the least of each marked, and
+// a bar for how much more the others have. Best first; a heading sorts by its column.
+import { compared_quantities, failure_of, figure_of, figure_text } from "../../model/figure.js";
+import { h, replace } from "../dom.js";
+
+// Of these less is not better: they tell where, among how many, or whether.
+const NO_AMOUNT = /^(best|contacts|diagonal dominance)\b/;
+
+const columns_of = (records) =>
+  compared_quantities(records).map(({ quantity, unit, meaning }) => ({
+    name: quantity,
+    unit: unit === "1" ? "" : unit,
+    meaning,
+    of: (record) => figure_of(record, quantity),
+  }));
+
+// {least, most} of what a column holds, of the variants that did not fail; null when all is the same
+// or something is negative, so that there is no least of a magnitude.
+function range_of(rows, place, name) {
+  if (NO_AMOUNT.test(name)) return null;
+  const values = rows
+    .filter(({ failure }) => !failure)
+    .map(({ values: list }) => list[place])
+    .filter(Number.isFinite);
+  const least = values.reduce((a, b) => Math.min(a, b), Infinity);
+  const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
+  return values.length > 0 && least >= 0 && most > least ? { least, most } : null;
+}
+
+// On a logarithmic scale from the least to the largest, or to ten times the least where that is less;
+// never so short that it is not seen.
+function bar_part(value, { least, most }) {
+  if (value <= least || least <= 0) return value <= least ? 0.06 : value / most;
+  return 0.06 + 0.94 * (Math.log(value / least) / Math.log(Math.max(10, most / least)));
+}
+
+function cell(value, range, failed) {
+  const text = figure_text(value);
+  const best = range !== null && !failed && value === range.least;
+  const bar = range !== null && Number.isFinite(value) && !failed;
+  return h(
+    "td",
+    {
+      class: ["number", best && "best", !Number.isFinite(value) && "never", bar && "with-bar"]
+        .filter(Boolean)
+        .join(" "),
+      style: bar ? { "--part": `${(100 * bar_part(value, range)).toFixed(1)}%` } : {},
+    },
+    best
+      ? [h("span", { class: "best-mark", "aria-hidden": "true" }, "◆ "), h("strong", {}, text)]
+      : text,
+    best && h("span", { class: "sr" }, " least of its column"),
+  );
+}
+
+// What failed comes last; what was not measured after what was never reached.
+function ordered(rows, place, places) {
+  const kind = (value) => (Number.isNaN(value) ? 2 : Number.isFinite(value) ? 0 : 1);
+  const by = [place, ...places.filter((other) => other !== place)];
+  return [...rows].sort((a, b) => {
+    if (!a.failure !== !b.failure) return a.failure ? 1 : -1;
+    for (const column of by) {
+      const [left, right] = [a.values[column], b.values[column]];
+      if (kind(left) !== kind(right)) return kind(left) - kind(right);
+      if (kind(left) === 0 && left !== right) return left - right;
+    }
+    return 0;
+  });
+}
+
+/** `entries`: [{record, variant}], variants as rules_on_contacts() gives them. */
+export function figures_table(entries) {
+  const columns = columns_of(entries.map(({ record }) => record));
+  const rows = entries.map(({ record, variant }) => ({
+    variant,
+    failure: failure_of(record),
+    values: columns.map(({ of }) => of(record)),
+  }));
+  const places = columns.map((_, i) => i);
+  const ranges = columns.map(({ name }, place) => range_of(rows, place, name));
+  const body = h("tbody");
+  const heads = columns.map(({ name, unit, meaning }, place) =>
+    h(
+      "th",
+      { scope: "col", class: "number", title: meaning },
+      h(
+        "button",
+        { type: "button", onclick: () => sort(place) },
+        name,
+        unit && h("span", { class: "unit" }, ` ${unit}`),
+      ),
+    ),
+  );
+  const row = ({ variant, failure, values }) =>
+    h(
+      "tr",
+      { class: failure ? "failed" : "" },
+      h(
+        "th",
+        { scope: "row" },
+        variant.words,
+        failure && [" ", h("span", { class: "failed-why" }, `✕ ${failure}`)],
+      ),
+      h("td", {}, variant.contacts),
+      values.map((value, place) => cell(value, ranges[place], failure !== "")),
+    );
+  function sort(place) {
+    heads.forEach((head, i) =>
+      i === place ? head.setAttribute("aria-sort", "ascending") : head.removeAttribute("aria-sort"),
+    );
+    replace(body, ordered(rows, place, places).map(row));
+  }
+  sort(0);
+  const failures = rows.filter(({ failure }) => failure).length;
+  return h(
+    "div",
+    { class: "figures" },
+    h(
+      "div",
+      { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Figures side by side" },
+      h(
+        "table",
+        { class: "compared" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            h("th", { scope: "col" }, "Rule"),
+            h("th", { scope: "col" }, "Contacts"),
+            heads,
+          ),
+        ),
+        body,
+      ),
+    ),
+    h(
+      "p",
+      { class: "figures-words" },
+      "◆ least of its column; bars: logarithmic, from the least to the largest. “never”: not reached ",
+      "within the run. A heading sorts. ",
+      failures > 0 &&
+        h(
+          "strong",
+          {},
+          `${failures} of ${rows.length} fail (✕); they are last and compete for no mark.`,
+        ),
+    ),
+  );
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The findings of a comparison as lists, with the cases that they name as links.
+import { by_topic, parted } from "../../model/finding.js";
+import { h } from "../dom.js";
+import { case_hash } from "../route.js";
+
+// The lead in bold; a case's name at its start leads there.
+function sentence(note, cases) {
+  const [lead, rest] = parted(note);
+  const name = cases.find((one) => lead === `${one}:` || lead.startsWith(`${one},`));
+  const bold = name ? [h("a", { href: case_hash(name) }, name), lead.slice(name.length)] : lead;
+  return h("li", {}, lead && h("strong", {}, bold), rest);
+}
+
+const list = (notes, cases) =>
+  h(
+    "ul",
+    {},
+    notes.map((note) => sentence(note, cases)),
+  );
+
+const box = (id, title, ...parts) =>
+  h("section", { class: "findings", "aria-labelledby": id }, h("h2", { id }, title), ...parts);
+
+/**
+ * `findings`: [{run, notes}]. {chief, others}: what they say of all, and of single cases; null where
+ * there is nothing.
+ */
+export function findings_parts(findings, rows, runs) {
+  const cases = [...new Set(rows.map((row) => row.case))];
+  const told = findings.map(({ run, notes }) => ({
+    run: findings.length > 1 && h("h3", {}, runs[run].short),
+    topics: by_topic(notes),
+  }));
+  const of = (is_wanted, write) =>
+    told.flatMap(({ run, topics }) => {
+      const wanted = topics.filter(([topic]) => is_wanted(topic));
+      return wanted.length > 0 ? [run && run.cloneNode(true), wanted.map(write)] : [];
+    });
+  const chief = of(
+    (topic) => topic === "",
+    ([, notes]) => list(notes, cases),
+  );
+  const others = of(
+    (topic) => topic !== "",
+    ([topic, notes]) => h("section", {}, h("h3", {}, `${topic}/…`), list(notes, cases)),
+  );
+  return {
+    chief: chief.length > 0 ? box("findings-title", "Findings", chief) : null,
+    others:
+      others.length > 0
+        ? box(
+            "findings-cases-title",
+            "Findings, case by case",
+            h("div", { class: "findings-topics" }, others),
+          )
+        : null,
+  };
+}

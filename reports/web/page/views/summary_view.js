@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds, what doesn't, by how much, at what cost: one screen.
+import { short_margin } from "../../model/check_text.js";
+import { group_by } from "../../model/family.js";
+import {
+  format_count,
+  format_digits,
+  format_seconds,
+  format_short,
+  format_value,
+} from "../../model/number.js";
+import { counted, rank, VERDICTS } from "../../model/verdict.js";
+import { compared_headline, compared_parts } from "./compared_part.js";
+import { h } from "../dom.js";
+import { failures_list } from "./failures.js";
+import { family_table } from "./family_table.js";
+import { glyph } from "../widgets/glyph.js";
+import { plot_figure } from "../widgets/plot_figure.js";
+import { case_hash, hash_of } from "../route.js";
+import { tally_of } from "../tally.js";
+
+const plural = (count, one, many = `${one}s`) =>
+  `${format_count(count)} ${count === 1 ? one : many}`;
+
+const has_history = ({ families }) =>
+  families.some(({ plots }) => plots.some(({ kind }) => kind === "trend"));
+
+function headline(tally, index) {
+  if (tally["not-applicable"] === tally.records && has_history(index))
+    return ["for-information", "Measured over runs, and judged by nobody."];
+  if (tally.bad === 0 && tally.pass === 0) return ["for-information", "Nothing was decided."];
+  if (tally.bad === 0 && tally["expected-shortfall"] + tally.refuted > 0) {
+    const parts = [
+      `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}`,
+      tally["expected-shortfall"] > 0 &&
+        `${format_count(tally["expected-shortfall"])} fall${tally["expected-shortfall"] === 1 ? "s" : ""} short as known`,
+      tally.refuted > 0 &&
+        `${format_count(tally.refuted)} refute${tally.refuted === 1 ? "s" : ""} a claim of the paper`,
+    ];
+    return ["pass", `${parts.filter(Boolean).join(", ")}.`];
+  }
+  if (tally.bad === 0)
+    return [
+      "pass",
+      tally.pass === 1 ? "The one record holds." : `All ${format_count(tally.pass)} records hold.`,
+    ];
+  const verdict = tally.error > 0 ? "error" : "fail";
+  const parts = [
+    tally.fail > 0 && `${format_count(tally.fail)} ${tally.fail === 1 ? "fails" : "fail"}`,
+    tally.error > 0 && `${format_count(tally.error)} broke off`,
+  ];
+  return [
+    verdict,
+    `${parts.filter(Boolean).join(", ")}, ${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}.`,
+  ];
+}
+
+const fact = (name, value, note, href) =>
+  h(
+    "div",
+    { class: "fact" },
+    h("dt", {}, name),
+    h(
+      "dd",
+      {},
+      h("span", { class: "fact-value" }, href ? h("a", { href }, value) : value),
+      note && h("span", { class: "fact-note" }, note),
+    ),
+  );
+
+function facts(tally, index) {
+  const checks = index.check_counts;
+  const total = Object.values(checks).reduce((a, b) => a + b, 0);
+  return h(
+    "dl",
+    { class: "facts" },
+    fact(
+      "Checks",
+      format_count(total),
+      VERDICTS.filter((verdict) => checks[verdict] > 0)
+        .map((verdict) => counted(verdict, checks[verdict], format_count(checks[verdict])))
+        .join(", "),
+    ),
+    tally.closest &&
+      fact(
+        tally.closest.check.margin > 1
+          ? "Furthest beyond its tolerance"
+          : "Closest to its tolerance",
+        short_margin(tally.closest.check.margin),
+        tally.closest.case,
+        case_hash(tally.closest.case),
+      ),
+    fact(
+      "Fewest digits",
+      Number.isFinite(tally.fewest) ? format_digits(tally.fewest) : "–",
+      "of the deciding checks",
+    ),
+    fact("CPU time", `${format_seconds(tally.seconds)} s`, `${format_short(tally.steps)} steps`),
+    fact(
+      "Contact update",
+      tally.median_ns > 0 ? `${format_value(Number(tally.median_ns.toPrecision(3)))} ns` : "–",
+      `median; ${format_short(tally.updates)} updates`,
+    ),
+  );
+}
+
+function change_line(comparison) {
+  if (!comparison) return null;
+  const { counts } = comparison;
+  const said = [
+    ["worse", "verdict worse", "verdicts worse"],
+    ["better", "verdict better", "verdicts better"],
+    ["fewer-digits", "with fewer digits"],
+    ["more-digits", "with more digits"],
+    ["new", "new"],
+    ["gone", "gone"],
+  ]
+    .filter(([name]) => counts[name] > 0)
+    .map(([name, one, many]) => `${counts[name]} ${counts[name] === 1 || !many ? one : many}`);
+  return h(
+    "p",
+    { class: "change-line" },
+    "Against the earlier run: ",
+    h("a", { href: hash_of("compare") }, said.join(", ") || "nothing changed"),
+    ".",
+  );
+}
+
+// Cases that were recorded, one a family, the failing ones first.
+function play_line(rows, index, most = 4) {
+  const recorded = rows.filter(({ frames }) => frames && index.assets.includes(`frames/${frames}`));
+  const first = [...recorded].sort((a, b) => rank(a.verdict) - rank(b.verdict));
+  const names = [...group_by(first, (row) => row.family).values()].map(([row]) => row.case);
+  if (names.length === 0) return null;
+  const all = new Set(first.map((row) => row.case)).size;
+  const links = names.slice(0, most).map((name) => [h("a", { href: case_hash(name) }, name), " "]);
+  const more =
+    all > Math.min(names.length, most) &&
+    h("a", { href: hash_of("cases", "", { q: "recorded" }) }, `all ${all}`);
+  return h(
+    "p",
+    { class: "play-line" },
+    h("span", { "aria-hidden": "true" }, "▶ "),
+    "Recorded in 3-D: ",
+    links,
+    more,
+  );
+}
+
+// Where and with what: of the first run, and how many more there are.
+function provenance(runs) {
+  const shown = runs.filter(({ role }) => role === "shown");
+  const [run] = shown;
+  const more =
+    shown.length > 1 ? `and ${shown.length - 1} more run${shown.length > 2 ? "s" : ""}` : "";
+  return [
+    run.date.replace("T", " ").replace("Z", " UTC"),
+    `revision ${run.revision}`,
+    run.toolchain,
+    run.machine,
+    more,
+  ]
+    .filter(Boolean)
+    .join(" · ");
+}
+
+const overview_part = (index, current) =>
+  h(
+    "div",
+    { class: "overview" },
+    h("div", { class: "overview-table" }, h("h2", {}, "By family"), family_table(current)),
+    index.overview &&
+      h(
+        "div",
+        { class: "overview-plot" },
+        plot_figure(index.overview, {
+          heading: "h2",
+          on_click: (datum) => datum.family && (location.hash = hash_of("family", datum.family)),
+        }),
+      ),
+  );
+
+export function summary_view({ index, rows, comparison }) {
+  const current = rows.filter((row) => index.runs[row.run].role === "shown");
+  const tally = tally_of(current);
+  const [verdict, sentence] =
+    index.compared && tally.bad === 0
+      ? ["for-information", compared_headline(index.compared)]
+      : headline(tally, index);
+  const families = new Set(current.map((row) => row.case)).size;
+  return h(
+    "section",
+    { class: "view view-summary", "aria-labelledby": "summary-title" },
+    h(
+      "div",
+      { class: "headline" },
+      glyph(verdict, 44),
+      h(
+        "div",
+        {},
+        h("h1", { id: "summary-title", class: `verdict-${verdict}` }, sentence),
+        h(
+          "p",
+          { class: "subline" },
+          `${plural(tally.records, "record")} of ${plural(families, "case")}`,
+          VERDICTS.filter((name) => tally[name] > 0).map((name) =>
+            h(
+              "a",
+              { class: `tally verdict-${name}`, href: hash_of("cases", "", { verdict: name }) },
+              glyph(name, 13),
+              ` ${counted(name, tally[name], format_count(tally[name]))}`,
+            ),
+          ),
+        ),
+        h("p", { class: "provenance" }, provenance(index.runs)),
+        play_line(current, index),
+        change_line(comparison),
+      ),
+    ),
+    index.compared
+      ? [failures_list(current), compared_parts(index, current)]
+      : [
+          Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
+          failures_list(current),
+          overview_part(index, current),
+        ],
+  );
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The box that tells what a mark of a plot stands for.
+import { h, replace } from "../dom.js";
+
+const box = h("div", { class: "tip", hidden: true, "aria-hidden": "true" });
+
+export function show_tip(event, value) {
+  if (!box.isConnected) document.body.append(box);
+  const entries =
+    typeof value === "object"
+      ? Object.entries(value).filter(([, entry]) => entry !== "")
+      : [["", value]];
+  replace(
+    box,
+    entries.map(([name, entry]) =>
+      h("div", {}, name && h("span", { class: "tip-name" }, `${name} `), String(entry)),
+    ),
+  );
+  box.hidden = false;
+  const { clientX, clientY } = event;
+  const { width, height } = box.getBoundingClientRect();
+  const left = Math.max(4, Math.min(clientX + 14, innerWidth - width - 8));
+  const top = clientY + 18 + height > innerHeight ? clientY - height - 10 : clientY + 18;
+  box.style.setProperty("transform", `translate(${left}px, ${top}px)`);
+}
+
+export function hide_tip() {
+  box.hidden = true;
+}
