@@ -201,7 +201,9 @@ FigureValue value_of(const FigureRule& rule, const std::vector<Record>& records)
 std::string sample_of(const SampleRule& rule, const std::vector<Record>& records) {
   const TableStyle style;
   std::string text = table_header(style);
-  for (const auto& [case_name, settings] : rule.records) {
+  for (const auto& wanted : rule.records) {
+    const auto& case_name = wanted.first;  // no bindings: clang 14 can't capture them
+    const auto& settings = wanted.second;
     const auto found = std::find_if(records.begin(), records.end(), [&](const Record& record) {
       return record.case_name == case_name && has(record, settings);
     });

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWindow = 0.2;  // s
 
-void run_work(CaseRun& run, ComparisonScene scene, double slope) {
+void run_work(CaseRun& run, const ComparisonScene& scene, double slope) {
   const double free_slide = 0.5 * kStandardGravity * std::sin(slope) * kWindow * kWindow;
   const RuleHistory history = run_rule(run, scene);
   check_same_hash(run, history.same_hash);
