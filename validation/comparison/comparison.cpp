@@ -96,7 +96,7 @@ std::string rule_words(const Settings& settings) {
     if (found == settings.end()) continue;
     const auto known = usual.find(parameter.name);
     if (known != usual.end() && known->second == found->second) continue;
-    words += fmt::format(", {}={}", parameter.name, found->second);
+    words += fmt::format(", {} = {}", parameter.name, found->second);
   }
   const auto sweeps = settings.find("sweeps");
   if (sweeps != settings.end()) {

@@ -56,7 +56,7 @@ std::vector<Settings> scalar_and_vector();
 /// method's own.
 std::string contacts_words(const Settings& settings);
 
-/// "secant", "secant, memory=keep", "stored-vector, 4 sweeps": what tells a variant from others on the same contacts.
+/// "secant", "secant, memory = keep", "stored-vector, 4 sweeps": what tells a variant from others on the same contacts.
 std::string rule_words(const Settings& settings);
 
 }  // namespace stiction

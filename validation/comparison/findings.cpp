@@ -35,7 +35,7 @@ std::string cost_words(const Figures& figures, const RuleOnContacts& who) {
   return std::isnan(ratio) ? "" : fmt::format(", {:.2g} × the friction cost", ratio);
 }
 
-// The readings of a rule on some contacts: "secant", "secant, memory=keep", …
+// The readings of a rule on some contacts: "secant", "secant, memory = keep", …
 std::vector<RuleOnContacts> readings(const Figures& figures, const RuleOnContacts& of,
                                      const std::string& contacts) {
   std::vector<RuleOnContacts> all;

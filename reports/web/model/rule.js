@@ -5,7 +5,7 @@
 const NO_PARAMETER = new Set(["method", "depth", "rule", "sweeps"]);
 
 /**
- * As rule_words() in validation/comparison/comparison.cpp: "secant, memory=keep", "stored-vector, 4 sweeps". A
+ * As rule_words() in validation/comparison/comparison.cpp: "secant, memory = keep", "stored-vector, 4 sweeps". A
  * rule's own number of sweeps, which its variant does not set, is the most that it does.
  */
 export function rule_words({ variant = "", settings: { rule = "", sweeps } }) {
@@ -15,7 +15,7 @@ export function rule_words({ variant = "", settings: { rule = "", sweeps } }) {
     rule,
     ...set
       .filter(([name, value]) => value !== undefined && !NO_PARAMETER.has(name))
-      .map(([name, value]) => `${name}=${value}`),
+      .map(([name, value]) => `${name} = ${value}`),
     sweeps !== undefined && `${most}${sweeps} sweeps`,
   ]
     .filter(Boolean)

@@ -94,6 +94,7 @@ const sweep = () =>
     record({
       case: "gain/slab",
       settings: { method: "paper", rule, memory: "keep" },
+      variant: variant_of({ memory: "keep", method: "paper", rule }),
       checks: [hash_check()],
       figures: [figure("least final creep", "m/s", 1e-5 * (i + 1))],
       failures:

@@ -74,7 +74,7 @@ test("a case: one table, the least of each column marked, 'never' for what was n
   assert.equal(await table.locator('th[aria-sort="ascending"]').innerText(), "final creep m/s");
   assert.match(
     await table.locator("tbody tr").first().innerText(),
-    /fixed-point, memory=keep\s+quiet/,
+    /fixed-point, memory = keep\s+quiet/,
   );
   const marks = await draw_plots(page);
   assert.equal(marks.length, 2);

@@ -70,11 +70,11 @@ test("rules are called as the findings call them", () => {
   assert.equal(words("", resolved), "secant");
   assert.equal(
     words("depth=projection memory=keep method=paper rule=secant safeguard=off", resolved),
-    "secant, memory=keep, safeguard=off",
+    "secant, memory = keep, safeguard = off",
   );
   assert.equal(
     words("method=paper rule=new-rule stiffness=3", { rule: "new-rule", stiffness: "3" }),
-    "new-rule, stiffness=3",
+    "new-rule, stiffness = 3",
   );
   assert.equal(
     words("method=quiet rule=stored-vector sweeps=4", { rule: "stored-vector", sweeps: "4" }),
@@ -90,9 +90,7 @@ test("variants are named in short where that is enough, and never alike", () => 
   const variant_of = ({ rule, memory }) =>
     [memory && `memory=${memory}`, `rule=${rule}`].filter(Boolean).join(" ");
   const of = (...settings) =>
-    rules_on_contacts(
-      settings.map((one) => record({ settings: one, variant: variant_of(one) })),
-    );
+    rules_on_contacts(settings.map((one) => record({ settings: one, variant: variant_of(one) })));
   const told = of(
     { rule: "conjugate-vector", sweeps: "64", method: "paper" },
     { rule: "secant", method: "paper" },
@@ -102,9 +100,9 @@ test("variants are named in short where that is enough, and never alike", () => 
   );
   assert.deepEqual(
     told.map(({ name }) => name),
-    ["conjugate-vector", "secant", "secant, memory=keep", "secant", "secant #2"],
+    ["conjugate-vector", "secant", "secant, memory = keep", "secant", "secant #2"],
   );
-  assert.equal(told[2].label, "secant, memory=keep · paper");
+  assert.equal(told[2].label, "secant, memory = keep · paper");
 });
 
 test("names beside curves keep their order and their distance, within the plot", () => {
@@ -140,7 +138,7 @@ test("histories: every variant is drawn, both axes are logarithmic, failures are
       .at(-1)
       .data.values.map(({ name }) => name);
     assert.equal(names.length, 7);
-    assert.ok(names.includes("✕ secant") && names.includes("fixed-point, memory=keep"));
+    assert.ok(names.includes("✕ secant") && names.includes("fixed-point, memory = keep"));
     assert.match(plot.caption, /1 of 7 that fail/);
   }
   const domain = (plot) => plot.spec.layer[0].encoding.y.scale.domain;
@@ -231,7 +229,7 @@ test("rules by case: best rule on top, least of a column marked, failures crosse
     best.map((cell) => [cell.case, cell.rule, cell.row_key]),
     ["slab", "clamp", "membrane"].map((scene) => [
       `rules/${scene}`,
-      "fixed-point, memory=keep",
+      "fixed-point, memory = keep",
       0,
     ]),
   );
