@@ -5,7 +5,7 @@
 
 #include "solver/contact/pair_options.h"
 #include "solver/friction/parameter.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/contact/contacts.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/options.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "solver/state.h"
 #include "solver/workspace.h"
 

@@ -8,7 +8,7 @@
 
 #include "reports/record/record.h"
 #include "solver/options.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "solver/state.h"
 #include "solver/workspace.h"
 

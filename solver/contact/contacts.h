@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/mesh/mesh_links.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

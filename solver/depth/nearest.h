@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "solver/gravity.h"
+#include "solver/scene/gravity.h"
 
 namespace stiction {
 

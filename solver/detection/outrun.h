@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "solver/workspace.h"
 
 namespace stiction {

@@ -6,7 +6,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

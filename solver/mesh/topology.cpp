@@ -8,7 +8,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

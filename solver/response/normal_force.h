@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/contact/contacts.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "solver/state.h"
 
 namespace stiction {

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "solver/state.h"
 #include "solver/testing/test_refusal.h"
 

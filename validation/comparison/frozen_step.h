@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/options.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "solver/state.h"
 #include "solver/workspace.h"
 #include "validation/comparison/scenes.h"

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "solver/gravity.h"
 #include "solver/mesh/mesh.h"
+#include "solver/scene/gravity.h"
 
 namespace stiction {
 

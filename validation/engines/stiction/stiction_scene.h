@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/record/record.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "validation/engine/problem.h"
 
 namespace stiction {

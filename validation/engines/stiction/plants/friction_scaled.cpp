@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A planted fault: μ is 2 % too large.
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 namespace stiction {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "solver/gravity.h"
 #include "solver/mesh/mesh.h"
 #include "solver/mesh/topology.h"
+#include "solver/scene/gravity.h"
 
 namespace stiction {
 

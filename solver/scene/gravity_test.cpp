@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solver/gravity.h"
+#include "solver/scene/gravity.h"
 
 #include <gtest/gtest.h>
 

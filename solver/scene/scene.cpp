@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "solver/mesh/numbering.h"
-#include "solver/scene_check.h"
+#include "solver/scene/scene_check.h"
 
 namespace stiction {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solver/scene_check.h"
+#include "solver/scene/scene_check.h"
 
 #include <cmath>
 #include <sstream>

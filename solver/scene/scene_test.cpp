@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 
 #include <gtest/gtest.h>
 
