@@ -7,9 +7,9 @@
 
 #include "solver/mesh/mesh.h"
 #include "validation/problems/piles/crossed_bars_problem.h"
+#include "validation/problems/piles/stack_problem.h"
 #include "validation/problems/sheet_problem.h"
 #include "validation/problems/slopes/slab_poses.h"
-#include "validation/problems/piles/stack_problem.h"
 
 namespace stiction {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "solver/demand.h"
 #include "validation/observe/observe.h"
+#include "validation/problems/clamp_problem.h"
 #include "validation/problems/piles/ball_pyramid_problem.h"
 #include "validation/problems/piles/basket_problem.h"
-#include "validation/problems/clamp_problem.h"
+#include "validation/problems/piles/pyramid_problem.h"
 #include "validation/problems/slopes/incline_problem.h"
 #include "validation/problems/slopes/membrane_problem.h"
-#include "validation/problems/piles/pyramid_problem.h"
 #include "validation/problems/slopes/slab_problem.h"
 
 namespace stiction {

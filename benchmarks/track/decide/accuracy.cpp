@@ -163,7 +163,7 @@ CaseAccuracy accuracy_of(const std::vector<Record>& records) {
 }
 
 CaseAccuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
-                          bool fresh) {
+                              bool fresh) {
   std::string key = content_hash(tree.program("validate"));
   for (const std::string& option : options) key += " " + option;
   const std::string text = remembered(project.work / "accuracy", key, fresh,

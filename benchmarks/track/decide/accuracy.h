@@ -25,7 +25,7 @@ using CaseOptions = std::vector<std::string>;
 /// Runs `validate`; deterministic, so remembered by the program's content and the machine unless
 /// `fresh`. Throws TrackError when it could not run; cases that fail are no such failure.
 CaseAccuracy measure_accuracy(const Tree& tree, const CaseOptions& options, const Project& project,
-                          bool fresh);
+                              bool fresh);
 
 /// The metrics of records. A subject is a case and as few settings as tell its records from each
 /// other, "case@rule=none": a default that changes with a revision is compared all the same.

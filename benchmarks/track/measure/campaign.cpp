@@ -38,7 +38,7 @@ StoredRun run_of(const Project& project, const Tree& tree) {
 
 // Everything but times.
 CaseAccuracy measure_counts(const Project& project, const Tree& tree, const Names& names,
-                        const Scope& scope, StoredRun& run) {
+                            const Scope& scope, StoredRun& run) {
   CaseAccuracy accuracy;
   if (scope.accuracy) {
     fmt::print(stderr, "stiction track: cases of {}\n", tree.label);

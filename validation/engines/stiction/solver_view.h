@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/options.h"
-#include "solver/scene.h"
+#include "solver/scene/scene.h"
 #include "solver/workspace.h"
 #include "validation/engine/engine.h"
 
