@@ -114,8 +114,8 @@ bites "$bars" quiet 'linear momentum, largest change'
 # ---- no fault of the build is left out ----------------------------------------------------------
 here=$(dirname "$checks")
 [ "$(wc -l <"$build/planted_faults")" -ge 15 ] || failed "planted faults" "the build's list is not read rightly"
-while IFS=: read -r fault words; do
-  sed 's/#.*//' "$here/mutants_test.sh" "$here/validate_test.sh" | grep -qw -e "$fault" -e "validate_$fault" ||
+while IFS=: read -r fault words; do # grep -q would break the pipe
+  sed 's/#.*//' "$here/mutants_test.sh" "$here/validate_test.sh" | grep -w -e "$fault" -e "validate_$fault" >/dev/null ||
     failed "$fault" "nothing tries it:$words"
 done <"$build/planted_faults"
 passed "every planted fault of the build is tried, here or in validate_test.sh"
