@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/contact/slip.h"
 #include "solver/demand.h"
 #include "solver/elasticity/corotational.h"
 #include "solver/observables.h"
@@ -13,6 +12,7 @@
 #include "validation/engine/engine.h"
 #include "validation/engine/settings.h"
 #include "validation/engines/stiction/configurations.h"
+#include "validation/engines/stiction/contact_samples.h"
 #include "validation/engines/stiction/solver_view.h"
 #include "validation/engines/stiction/step_cost.h"
 #include "validation/engines/stiction/stiction_expectations.h"
@@ -102,30 +102,7 @@ class StictionEngine final : public Engine {
   }
 
   std::vector<ContactSample> contacts() const override {
-    std::vector<ContactSample> samples;
-    const OneSidedContacts& contacts = workspace_.contacts;
-    const double time = static_cast<double>(state_.step) * options_.time_step;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const auto v = static_cast<std::size_t>(contacts.vertex[c]);
-      const auto o = static_cast<std::size_t>(contacts.obstacle[c]);
-      const HalfSpace& obstacle = scene_.half_spaces[o];
-      const Vec3 velocity = state_.velocity[v].v - contacts.obstacle_velocity[c];
-      samples.push_back({.body = body_of(contacts.vertex[c]),
-                         .obstacle = o,
-                         .against_body = false,
-                         .point = contacts.vertex[c],
-                         .normal = obstacle.normal,
-                         .gap = obstacle.normal.dot(state_.position[v].x - obstacle.point -
-                                                    obstacle.motion.at(time)),
-                         .normal_force = contacts.normal_force[c],
-                         .friction_force = contacts.friction_force[c],
-                         .slip = velocity - obstacle.normal.dot(velocity) * obstacle.normal,
-                         .sticks = contacts.status[c] == ContactStatus::kStick,
-                         .position = state_.position[v].x});
-    }
-    for (const PairContact& contact : workspace_.pairs) samples.push_back(sample_of(contact));
-    for (const EdgeContact& contact : workspace_.edges) samples.push_back(sample_of(contact));
-    return samples;
+    return contact_samples(scene_, state_, workspace_, options_.time_step);
   }
 
   Eigen::Matrix3Xi surface(std::size_t index) const override {
@@ -183,69 +160,6 @@ class StictionEngine final : public Engine {
   }
 
  private:
-  std::size_t body_of(int vertex) const {
-    const auto after =
-        std::upper_bound(scene_.bodies.begin(), scene_.bodies.end(), vertex,
-                         [](int v, const Body& body) { return v < body.first_vertex; });
-    return static_cast<std::size_t>(after - scene_.bodies.begin()) - 1;
-  }
-
-  ContactSample sample_of(const PairContact& contact) const {
-    const auto i = static_cast<std::size_t>(contact.vertex);
-    const double dt = options_.time_step;
-    Vec3 arm = state_.position[i].x - dt * state_.velocity[i].v;
-    for (int k = 0; k < 4; ++k) {
-      const auto j = static_cast<std::size_t>(contact.partner[k]);
-      arm -= contact.weight[k] * (state_.position[j].x - dt * state_.velocity[j].v);
-    }
-    return {.body = body_of(contact.vertex),
-            .obstacle = static_cast<std::size_t>(
-                scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
-            .against_body = true,
-            .point = contact.vertex,
-            .facet = contact.triangle,
-            .normal = contact.normal,
-            .gap = -(contact.depth + contact.excess),
-            .normal_force = contact.normal_force,
-            .friction_force = contact.friction_force,
-            .slip = slip_of(contact, state_.velocity),
-            .sticks = contact.status == ContactStatus::kStick,
-            .position = state_.position[i].x,
-            .arm = arm};
-  }
-
-  ContactSample sample_of(const EdgeContact& contact) const {
-    const double dt = options_.time_step;
-    Vec3 position = Vec3::Zero(), arm = Vec3::Zero();
-    const auto add = [&](double weight, std::int32_t vertex) {
-      const auto v = static_cast<std::size_t>(vertex);
-      arm += weight * (state_.position[v].x - dt * state_.velocity[v].v);
-    };
-    for (int k = 0; k < 2; ++k) {
-      position +=
-          contact.own_weight[k] * state_.position[static_cast<std::size_t>(contact.vertex[k])].x;
-      add(contact.own_weight[k], contact.vertex[k]);
-    }
-    for (int k = 0; k < 4; ++k) add(-contact.weight[k], contact.partner[k]);
-    // Edges are numbered behind the vertices.
-    const auto edge_a = static_cast<std::int64_t>(first_of(contact.key));
-    const auto edge_b = static_cast<std::int64_t>(second_of(contact.key));
-    return {.body = body_of(contact.vertex[0]),
-            .obstacle = static_cast<std::size_t>(
-                scene_.topology.element_body[static_cast<std::size_t>(contact.element)]),
-            .against_body = true,
-            .point = scene_.vertex_count() + edge_a,
-            .facet = static_cast<std::int64_t>(scene_.topology.triangle.size()) + edge_b,
-            .normal = contact.normal,
-            .gap = -contact.depth,
-            .normal_force = contact.normal_force,
-            .friction_force = contact.friction_force,
-            .slip = slip_of(contact, state_.velocity),
-            .sticks = contact.status == ContactStatus::kStick,
-            .position = position,
-            .arm = arm};
-  }
-
   [[noreturn]] void refuse_outrun() const {
     const PairSearch::Outrun& outrun = workspace_.search.outrun;
     const auto name = [&](std::int32_t b) -> const std::string& {
@@ -265,7 +179,7 @@ class StictionEngine final : public Engine {
         "'{}' has sunk {:.3g} mm into '{}', {:.2g} of the width of its least element ({:.3g} mm), "
         "at "
         "t = {:.4g} s: it is passing through; a smaller time step or stiffer bodies may hold",
-        scene_.bodies[body_of(deep.vertex)].name, 1e3 * deep.depth,
+        scene_.bodies[body_of(scene_, deep.vertex)].name, 1e3 * deep.depth,
         scene_.bodies[static_cast<std::size_t>(deep.body)].name, deep.depth / deep.width,
         1e3 * deep.width, static_cast<double>(state_.step) * options_.time_step));
   }
