@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/engine/kit/problem_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "validation/engine/kit/array_json.h"
+
+namespace stiction::kit {
+
+namespace {
+
+using nlohmann::json;
+
+using Three = std::array<double, 3>;
+
+struct Keyframes {
+  std::vector<double> time;
+  std::vector<Three> value;
+  stiction_keyframes view() const {
+    return {time.size(), time.data(), reinterpret_cast<const double(*)[3]>(value.data())};
+  }
+};
+
+// A force through the centre and a couple, over time; a spring from the centre to an anchor.
+struct Load {
+  std::size_t body;
+  Keyframes force, couple;
+};
+
+struct Spring {
+  std::size_t body;
+  Three anchor, anchor_velocity, axis;
+  double stiffness;
+};
+
+const json& field(const json& object, const char* name, const std::string& of) {
+  if (!object.is_object() || !object.contains(name)) {
+    throw std::runtime_error(of + " has no '" + name + "'");
+  }
+  return object.at(name);
+}
+
+double number(const json& object, const char* name, const std::string& of, double fallback) {
+  if (!object.contains(name)) return fallback;
+  if (!object.at(name).is_number()) {
+    throw std::runtime_error("'" + std::string(name) + "' of " + of + " is no number");
+  }
+  return object.at(name).get<double>();
+}
+
+template <std::size_t Count>
+void fill(const json& object, const char* name, const std::string& of, double (&out)[Count]) {
+  if (!object.contains(name)) return;
+  const std::vector<double> all =
+      read_array(object.at(name), "'" + std::string(name) + "' of " + of);
+  if (all.size() != Count) {
+    throw std::runtime_error("'" + std::string(name) + "' of " + of + " needs " +
+                             std::to_string(Count) + " numbers");
+  }
+  std::copy(all.begin(), all.end(), out);
+}
+
+Three three(const json& object, const char* name, const std::string& of) {
+  double out[3] = {};
+  fill(object, name, of, out);
+  return {out[0], out[1], out[2]};
+}
+
+std::vector<Three> triples(const json& value, const std::string& what) {
+  const std::vector<double> all = read_array(value, what);
+  if (all.size() % 3 != 0) throw std::runtime_error(what + " is no list of vectors");
+  std::vector<Three> out(all.size() / 3);
+  for (std::size_t k = 0; k < all.size(); ++k) out[k / 3][k % 3] = all[k];
+  return out;
+}
+
+Keyframes keyframes(const json& object, const char* name, const std::string& of) {
+  Keyframes out;
+  if (!object.contains(name)) return out;
+  const json& frames = object.at(name);
+  const std::string what = "'" + std::string(name) + "' of " + of;
+  out.time = read_array(field(frames, "time", what), "'time' of " + what);
+  out.value = triples(field(frames, "value", what), "'value' of " + what);
+  if (out.time.size() != out.value.size()) {
+    throw std::runtime_error(what + " has not as many values as times");
+  }
+  return out;
+}
+
+class Owned final : public OwnedProblem {
+ public:
+  explicit Owned(const json& message) {
+    const json& problem = field(message, "problem", "the message");
+    problem_.loads = this;
+    problem_.name = keep(problem.value("name", ""));
+    for (const json& body : field(problem, "bodies", "the problem")) add_body(body);
+    const json obstacles = problem.value("obstacles", json::array());
+    for (const json& obstacle : obstacles) add_obstacle(obstacle);
+    problem_.body_count = bodies_.size();
+    problem_.bodies = bodies_.data();
+    problem_.obstacle_count = obstacles_.size();
+    problem_.obstacles = obstacles_.data();
+    problem_.gravity = keep_frames(keyframes(problem, "gravity", "the problem"));
+    const json drag = problem.value("drag", json::object());
+    problem_.drag_rate = number(drag, "rate", "drag", 0.0);
+    problem_.drag_full_until = number(drag, "full_until", "drag", 0.0);
+    problem_.drag_ends = number(drag, "ends", "drag", 0.0);
+    problem_.friction = number(problem, "friction", "the problem", 0.0);
+    problem_.duration = number(problem, "duration", "the problem", 1.0);
+    const json loads = problem.value("loads", json::array());
+    for (const json& load : loads) {
+      loads_.push_back({body_index(load, "a load"), keyframes(load, "force", "a load"),
+                        keyframes(load, "couple", "a load")});
+    }
+    const json springs = problem.value("springs", json::array());
+    for (const json& spring : springs) {
+      springs_.push_back({body_index(spring, "a spring"), three(spring, "anchor", "a spring"),
+                          three(spring, "anchor_velocity", "a spring"),
+                          three(spring, "axis", "a spring"),
+                          number(spring, "stiffness", "a spring", 0.0)});
+    }
+    const json accuracy = message.value("accuracy", json::object());
+    problem_.fineness = accuracy.value("fineness", 0);
+    problem_.roundness = accuracy.value("roundness", 0);
+    problem_.time = accuracy.value("time", 0.0);
+    problem_.finer = accuracy.value("finer", 1.0);
+  }
+
+  const stiction_problem& problem() const override { return problem_; }
+
+  bool is_loaded(std::size_t body) const {
+    for (const Load& load : loads_) {
+      if (load.body == body) return true;
+    }
+    for (const Spring& spring : springs_) {
+      if (spring.body == body) return true;
+    }
+    return false;
+  }
+
+  void add_loads(std::size_t body, double t, const double position[3], double force[3],
+                 double couple[3]) const {
+    for (const Load& load : loads_) {
+      if (load.body != body) continue;
+      double now[3];
+      const stiction_keyframes forces = load.force.view(), couples = load.couple.view();
+      stiction_at(&forces, t, now);
+      for (int i = 0; i < 3; ++i) force[i] += now[i];
+      stiction_at(&couples, t, now);
+      for (int i = 0; i < 3; ++i) couple[i] += now[i];
+    }
+    for (const Spring& spring : springs_) {
+      if (spring.body != body) continue;
+      double stretch = 0.0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        stretch +=
+            spring.axis[i] * (spring.anchor[i] + t * spring.anchor_velocity[i] - position[i]);
+      }
+      for (std::size_t i = 0; i < 3; ++i) force[i] += spring.stiffness * stretch * spring.axis[i];
+    }
+  }
+
+  static const Owned& of(const stiction_problem* problem) {
+    // The problem that an engine is given is always the member of an Owned.
+    return *static_cast<const Owned*>(problem->loads);
+  }
+
+ private:
+  const char* keep(const std::string& text) { return texts_.emplace_back(text).c_str(); }
+
+  stiction_keyframes keep_frames(Keyframes frames) {
+    return frames_.emplace_back(std::move(frames)).view();
+  }
+
+  std::size_t body_index(const json& object, const std::string& of) const {
+    const json& index = field(object, "body", of);
+    if (!index.is_number_unsigned() || index.get<std::size_t>() >= bodies_.size()) {
+      throw std::runtime_error("'body' of " + of + " names no body");
+    }
+    return index.get<std::size_t>();
+  }
+
+  void add_body(const json& body) {
+    stiction_body one{};
+    one.name = keep(body.value("name", ""));
+    const std::string of = "body '" + std::string(one.name) + "'";
+    one.mass = number(body, "mass", of, 1.0);
+    const json elasticity = body.value("elasticity", json::object());
+    one.youngs_modulus = number(elasticity, "youngs_modulus", of, 5e5);
+    one.poisson_ratio = number(elasticity, "poisson_ratio", of, 0.3);
+    one.damping_time = number(elasticity, "damping_time", of, 0.0);
+    one.rotation[0] = 1.0;
+    fill(body, "position", of, one.position);
+    fill(body, "rotation", of, one.rotation);
+    fill(body, "velocity", of, one.velocity);
+    fill(body, "angular_velocity", of, one.angular_velocity);
+    if (body.contains("held")) {
+      one.held = 1;
+      fill(body.at("held"), "point", of, one.held_point);
+      fill(body.at("held"), "normal", of, one.held_normal);
+    }
+    one.motion = keep_frames(keyframes(body, "motion", of));
+    one.self_collision = body.value("self_collision", false);
+    one.must_deform = body.value("must_deform", false);
+    add_shape(field(body, "shape", of), of, one);
+    bodies_.push_back(one);
+  }
+
+  void add_shape(const json& shape, const std::string& of, stiction_body& one) {
+    if (shape.contains("box")) {
+      one.shape = STICTION_BOX;
+      fill(shape.at("box"), "size", of, one.size);
+      for (int i = 0; i < 3; ++i) {
+        const double a = one.size[(i + 1) % 3], b = one.size[(i + 2) % 3];
+        one.inertia[i][i] = one.mass / 12.0 * (a * a + b * b);
+      }
+    } else if (shape.contains("ball")) {
+      one.shape = STICTION_BALL;
+      one.radius = number(shape.at("ball"), "radius", of, 0.0);
+      for (int i = 0; i < 3; ++i) one.inertia[i][i] = 0.4 * one.mass * one.radius * one.radius;
+    } else if (shape.contains("mesh")) {
+      add_mesh(shape.at("mesh"), of, one);
+    } else if (shape.contains("point")) {
+      one.shape = STICTION_POINT;
+    } else {
+      throw std::runtime_error(of + " has a shape that is none of box, ball, mesh and point");
+    }
+  }
+
+  void add_mesh(const json& mesh, const std::string& of, stiction_body& one) {
+    one.shape = STICTION_MESH;
+    one.convex = mesh.value("convex", false);
+    const std::vector<Three>& vertices =
+        vertices_.emplace_back(triples(field(mesh, "vertices", of), "'vertices' of " + of));
+    const std::vector<double> corners =
+        read_array(field(mesh, "tetrahedra", of), "'tetrahedra' of " + of);
+    std::vector<std::uint32_t>& tetrahedra = tetrahedra_.emplace_back();
+    for (const double corner : corners) {
+      if (!(corner >= 0.0) || corner >= static_cast<double>(vertices.size())) {
+        throw std::runtime_error("'tetrahedra' of " + of + " name vertices that are not there");
+      }
+      tetrahedra.push_back(static_cast<std::uint32_t>(corner));
+    }
+    if (tetrahedra.size() % 4 != 0) {
+      throw std::runtime_error("'tetrahedra' of " + of + " are no list of four each");
+    }
+    one.vertex_count = vertices.size();
+    one.vertices = reinterpret_cast<const double(*)[3]>(vertices.data());
+    one.tetrahedron_count = tetrahedra.size() / 4;
+    one.tetrahedra = reinterpret_cast<const std::uint32_t(*)[4]>(tetrahedra.data());
+    add_mesh_inertia(one);
+  }
+
+  // Of a tetrahedron of mass m with corners a about the origin: ∫ x xᵀ dm = m/20 (Σ a aᵀ + s sᵀ),
+  // s = Σ a; the inertia is tr(C) 1 − C.
+  static void add_mesh_inertia(stiction_body& one) {
+    double volume = 0.0, second[3][3] = {};
+    for (std::size_t e = 0; e < one.tetrahedron_count; ++e) {
+      const double* a[4];
+      for (int k = 0; k < 4; ++k) a[k] = one.vertices[one.tetrahedra[e][k]];
+      double d[3][3];
+      for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < 3; ++i) d[k][i] = a[k + 1][i] - a[0][i];
+      }
+      const double part = (d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) +
+                           d[0][1] * (d[1][2] * d[2][0] - d[1][0] * d[2][2]) +
+                           d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0])) /
+                          6.0;
+      volume += part;
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          double sum =
+              (a[0][i] + a[1][i] + a[2][i] + a[3][i]) * (a[0][j] + a[1][j] + a[2][j] + a[3][j]);
+          for (int k = 0; k < 4; ++k) sum += a[k][i] * a[k][j];
+          second[i][j] += part / 20.0 * sum;
+        }
+      }
+    }
+    const double density = volume > 0.0 ? one.mass / volume : 0.0;
+    const double trace = second[0][0] + second[1][1] + second[2][2];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        one.inertia[i][j] = density * ((i == j ? trace : 0.0) - second[i][j]);
+      }
+    }
+  }
+
+  void add_obstacle(const json& obstacle) {
+    stiction_obstacle one{};
+    one.name = keep(obstacle.value("name", ""));
+    const std::string of = "obstacle '" + std::string(one.name) + "'";
+    one.normal[2] = 1.0;
+    fill(obstacle, "point", of, one.point);
+    fill(obstacle, "normal", of, one.normal);
+    one.friction = number(obstacle, "friction", of, 0.0);
+    one.motion = keep_frames(keyframes(obstacle, "motion", of));
+    obstacles_.push_back(one);
+  }
+
+  // Deques, so that what is pointed to stays where it is.
+  std::deque<std::string> texts_;
+  std::deque<Keyframes> frames_;
+  std::deque<std::vector<Three>> vertices_;
+  std::deque<std::vector<std::uint32_t>> tetrahedra_;
+  std::vector<stiction_body> bodies_;
+  std::vector<stiction_obstacle> obstacles_;
+  std::vector<Load> loads_;
+  std::vector<Spring> springs_;
+  stiction_problem problem_{};
+};
+
+double smooth_step(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
+
+}  // namespace
+
+std::unique_ptr<OwnedProblem> read_problem(const json& message) {
+  return std::make_unique<Owned>(message);
+}
+
+}  // namespace stiction::kit
+
+void stiction_at(const stiction_keyframes* keyframes, double t, double value[3]) {
+  const std::size_t count = keyframes->count;
+  for (int i = 0; i < 3; ++i) value[i] = 0.0;
+  if (count == 0) return;
+  std::size_t next = 0;
+  while (next < count && keyframes->time[next] <= t) ++next;
+  const std::size_t before = next == 0 ? 0 : next - 1, after = next == count ? count - 1 : next;
+  double s = 0.0;
+  if (before != after) {
+    s = stiction::kit::smooth_step((t - keyframes->time[before]) /
+                                   (keyframes->time[after] - keyframes->time[before]));
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double from = keyframes->value[before][i], to = keyframes->value[after][i];
+    value[i] = from + s * (to - from);
+  }
+}
+
+double stiction_drag(const stiction_problem* problem, double t) {
+  if (t <= problem->drag_full_until) return problem->drag_rate;
+  if (t >= problem->drag_ends) return 0.0;
+  const double s = (t - problem->drag_full_until) / (problem->drag_ends - problem->drag_full_until);
+  return problem->drag_rate * (1.0 - stiction::kit::smooth_step(s));
+}
+
+int stiction_has_loads(const stiction_problem* problem, size_t body) {
+  return stiction::kit::Owned::of(problem).is_loaded(body) ? 1 : 0;
+}
+
+void stiction_load(const stiction_problem* problem, size_t body, double t, const double position[3],
+                   double force[3], double couple[3]) {
+  for (int i = 0; i < 3; ++i) force[i] = couple[i] = 0.0;
+  stiction::kit::Owned::of(problem).add_loads(body, t, position, force, couple);
+}
