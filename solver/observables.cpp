@@ -2,6 +2,7 @@
 #include "solver/observables.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 
 #include "solver/elasticity/rotation.h"
@@ -62,6 +63,25 @@ Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body) {
 
 Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body) {
   return mass_mean(scene, body, [&](std::size_t k) -> const Vec3& { return state.velocity[k].v; });
+}
+
+Mat3 inertia(const Scene& scene, const State& state, const Body& body) {
+  const Vec3 c = centre_of_mass(scene, state, body);
+  Mat3 second = Mat3::Zero();
+  const auto first = static_cast<std::size_t>(body.first_vertex);
+  for (std::size_t k = first; k < first + static_cast<std::size_t>(body.vertex_count); ++k) {
+    const Vec3 r = state.position[k].x - c;
+    second += scene.mass[k] * r * r.transpose();
+  }
+  return second.trace() * Mat3::Identity() - second;
+}
+
+Vec3 angular_velocity(const Scene& scene, const State& state, const Body& body) {
+  const Vec3 c = centre_of_mass(scene, state, body);
+  const Vec3 momentum = body.mass * mass_mean(scene, body, [&](std::size_t k) -> Vec3 {
+                          return (state.position[k].x - c).cross(state.velocity[k].v);
+                        });
+  return inertia(scene, state, body).completeOrthogonalDecomposition().solve(momentum);
 }
 
 Mat3 fitted_rotation(const Scene& scene, const State& state, const Body& body) {

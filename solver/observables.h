@@ -24,6 +24,12 @@ Vec3 angular_momentum(const Scene& scene, const State& state);
 Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body);
 Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body);
 
+/// Σ m (|r|² 1 − r rᵀ) of one body's vertices about its centre of mass, kg m².
+Mat3 inertia(const Scene& scene, const State& state, const Body& body);
+
+/// Of the rigid motion with the body's angular momentum about its centre, rad/s; zero for a point.
+Vec3 angular_velocity(const Scene& scene, const State& state, const Body& body);
+
 /// Rotation from the initial positions that fits a body's present ones best, mass-weighted: the
 /// polar rotation of Σ m (x − c)(X − C)ᵀ. The identity for a point.
 Mat3 fitted_rotation(const Scene& scene, const State& state, const Body& body);

@@ -8,6 +8,7 @@
 #include "solver/elasticity/corotational.h"
 #include "solver/friction/friction.h"
 #include "solver/motion/integrate.h"
+#include "solver/motion/loads.h"
 #include "solver/motion/predict.h"
 #include "solver/response/normal_force.h"
 #include "solver/response/pair_normal_force.h"
@@ -22,6 +23,7 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
     case Phase::kForces:
       gravity_forces(scene, time, workspace.force);
       add_drag_forces(scene, time, state.velocity, workspace.force);
+      add_load_forces(scene, time, state, workspace.force);
       if constexpr (STICTION_HAS_ELASTICITY) {
         add_corotational_forces(scene.elements, state, workspace.force);
       }

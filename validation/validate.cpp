@@ -24,8 +24,10 @@
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
 #include "solver/demand.h"
+#include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/core/runner.h"
+#include "validation/engine/conformance/conformance.h"
 #include "validation/judge/show_expectations.h"
 #include "validation/user/user_problem.h"
 
@@ -46,6 +48,7 @@ struct Arguments {
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   double tolerance_scale = 1.0;
   std::string show_expectations;
+  ProgramLimits limits;
 };
 
 std::string engine_help() {
@@ -55,6 +58,11 @@ std::string engine_help() {
     for (const auto& [name, meaning] : kind.settings_help) {
       text += fmt::format("    {:<10} {}\n", name, meaning);
     }
+  }
+  text +=
+      "Programs, built when they are first called for (settings: ./stiction engine show NAME):\n";
+  for (const EngineProgram& one : engine_programs()) {
+    text += fmt::format("  {} (Debian: {})\n", one.name, one.packages);
   }
   return text;
 }
@@ -69,8 +77,12 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--list", arguments.list, "Show the names of the cases and end");
   app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind");
   app.add_flag("--full", arguments.full, "The long cases as well");
-  app.add_option("--engine", arguments.selection.engine, "The engine to validate")
+  app.add_option("--engine", arguments.selection.engine,
+                 "The engine to validate: a name from below, or a program that speaks the engine "
+                 "protocol, e.g. \"python3 my_engine.py\"")
+      ->type_name("NAME|COMMAND")
       ->capture_default_str();
+  add_engine_limits(app, arguments.limits);
   app.add_option("--set", arguments.settings, "A setting of the engine, over that of each case")
       ->type_name("NAME=VALUE");
   app.add_option("--out", arguments.out,
@@ -189,6 +201,7 @@ void refuse_settings(const std::vector<Job>& jobs) {
 }
 
 int validate(Arguments& arguments) {
+  set_program_limits(arguments.limits);
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
   if (!arguments.show_expectations.empty()) {
     const RecordFile file = read_records(std::filesystem::path(arguments.show_expectations));
@@ -210,6 +223,7 @@ int validate(Arguments& arguments) {
   }
   const std::vector<Job> jobs = select_jobs(cases, selection);
   refuse_settings(jobs);
+  demand_conformance(find_engine(selection.engine), selection.settings);
 
   RecordStore store = RecordStore::create(arguments.out);
   const TableStyle style = terminal_style();

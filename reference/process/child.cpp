@@ -7,93 +7,20 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <csignal>
-#include <cstring>
 #include <sstream>
-#include <string_view>
 #include <thread>
+
+#include "reference/process/pipe.h"
 
 namespace stiction::reference {
 
 namespace {
 
 constexpr int kSignalled = 128;
-
-using Clock = std::chrono::steady_clock;
-
-[[noreturn]] void fail(const std::string& what, int number) {
-  throw ChildError(what + ": " + std::strerror(number));
-}
-
-// Both ends are closed at exec, so that no child keeps another's pipe open.
-class Pipe {
- public:
-  Pipe() {
-    if (pipe2(end_.data(), O_CLOEXEC) != 0) fail("no pipe to a child process", errno);
-  }
-  ~Pipe() {
-    close_end(0);
-    close_end(1);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  int end(std::size_t which) const { return end_[which]; }
-  void close_end(std::size_t which) {
-    if (end_[which] >= 0) close(end_[which]);
-    end_[which] = -1;
-  }
-
- private:
-  std::array<int, 2> end_{-1, -1};
-};
-
-class Actions {
- public:
-  Actions() { posix_spawn_file_actions_init(&actions_); }
-  ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
-  Actions(const Actions&) = delete;
-  Actions& operator=(const Actions&) = delete;
-  posix_spawn_file_actions_t* get() { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-};
-
-std::vector<char*> environment_of_child() {
-  constexpr std::string_view kNotPassedOn = "STICTION_RUN_FILE=";
-  std::vector<char*> variables;
-  for (char** one = environ; *one != nullptr; ++one) {
-    if (!std::string_view(*one).starts_with(kNotPassedOn)) variables.push_back(*one);
-  }
-  variables.push_back(nullptr);
-  return variables;
-}
-
-class Deadline {
- public:
-  explicit Deadline(double seconds) : seconds_(seconds), start_(Clock::now()) {}
-
-  bool passed() const { return left() <= 0.0; }
-  /// For poll, ms: −1 waits as long as it takes.
-  int wait() const {
-    if (std::isinf(seconds_)) return -1;
-    return static_cast<int>(std::ceil(1e3 * std::clamp(left(), 0.0, 1e3)));
-  }
-
- private:
-  double left() const {
-    return seconds_ - std::chrono::duration<double>(Clock::now() - start_).count();
-  }
-
-  double seconds_;
-  Clock::time_point start_;
-};
 
 // Reads until the child has closed both, or its time is over.
 void drain(Pipe& output, Pipe& errors, const Deadline& deadline, Ended& ended) {

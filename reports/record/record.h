@@ -49,11 +49,12 @@ struct Mesh {
 
 /// What a run cost. All zero when nothing was counted.
 struct Cost {
-  double cpu_seconds = 0.0;            ///< process or thread CPU time of the engine's steps, s
-  std::uint64_t steps = 0;             ///< time steps
+  double cpu_seconds = 0.0;       ///< process or thread CPU time of the engine's steps, s
+  double told_cpu_seconds = 0.0;  ///< what an engine of its own process says of itself; 0: nothing
+  std::uint64_t steps = 0;        ///< time steps
   std::uint64_t contact_updates = 0;   ///< contacts summed over steps, whatever the sweeps
   double ns_per_contact_update = 0.0;  ///< contact phases only, ns; 0 when not timed
-  std::map<std::string, double> phase_seconds{};  ///< CPU time by phase, s; empty when not timed
+  std::map<std::string, double> phase_seconds{};  ///< wall-clock, s; empty when not timed
 };
 
 /// Where and with what a record was made.

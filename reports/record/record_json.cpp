@@ -97,6 +97,7 @@ OrderedJson cost_json(const Cost& cost) {
           {"steps", cost.steps},
           {"contact_updates", cost.contact_updates},
           {"ns_per_contact_update", number(cost.ns_per_contact_update)},
+          {"told_cpu_seconds", number(cost.told_cpu_seconds)},
           {"phase_seconds", std::move(phases)}};
 }
 
@@ -197,6 +198,7 @@ Cost read_cost(const JsonField& field) {
   cost.steps = field["steps"].count();
   cost.contact_updates = field["contact_updates"].count();
   cost.ns_per_contact_update = field["ns_per_contact_update"].real();
+  if (field.has("told_cpu_seconds")) cost.told_cpu_seconds = field["told_cpu_seconds"].real();
   if (field.has("phase_seconds")) cost.phase_seconds = field["phase_seconds"].map(read_real);
   return cost;
 }

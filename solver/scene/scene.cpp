@@ -205,6 +205,8 @@ Scene build_scene(const SceneDescription& description) {
   scene.half_spaces = description.half_spaces;
   scene.gravity = description.gravity;
   scene.drag = description.drag;
+  scene.loads = description.loads;
+  scene.springs = description.springs;
   scene.stable_time_step = std::numeric_limits<double>::infinity();
   for (const BodyDescription& body : description.bodies) add_body(body, scene);
   scene.friction = description.friction;

@@ -10,6 +10,7 @@
 #include "solver/mesh/mesh.h"
 #include "solver/mesh/topology.h"
 #include "solver/scene/gravity.h"
+#include "solver/scene/load.h"
 
 namespace stiction {
 
@@ -51,6 +52,8 @@ struct SceneDescription {
   Gravity gravity;
   Drag drag{};
   double friction = 0.0;  ///< μ between bodies, dimensionless, ≥ 0
+  std::vector<Load> loads{};
+  std::vector<Spring> springs{};
 };
 
 /// One tetrahedron as the force kernel reads it: two cache lines.
@@ -107,7 +110,9 @@ struct Scene {
   Gravity gravity;
   Drag drag{};
   double friction = 0.0;  ///< μ between bodies
-  Topology topology;      ///< for two-sided contact; empty when no two bodies can touch
+  std::vector<Load> loads{};
+  std::vector<Spring> springs{};
+  Topology topology;  ///< for two-sided contact; empty when no two bodies can touch
   bool pairs_possible = false;
   bool anything_moves_by_plan = false;  ///< a body or half-space has a motion
 
@@ -130,7 +135,8 @@ struct Scene {
 /// Throws InputError with one sentence for: NaN or infinite numbers, indices out of range, inverted
 /// or zero-volume tetrahedra, vertices without mass, negative density, stiffness, damping or μ,
 /// a Poisson ratio outside (−1, ½), normals that are not unit vectors, keyframes out of order, and
-/// bodies that start inside an obstacle.
+/// loads of
+/// bodies that are not there, and bodies that start inside an obstacle.
 Scene build_scene(const SceneDescription& description);
 
 /// Largest stable time step of one element, s: symplectic Euler with viscous damping β needs

@@ -130,6 +130,29 @@ void check_obstacle(const HalfSpace& obstacle) {
   }
 }
 
+void check_loads(const SceneDescription& description) {
+  const auto check_body_of = [&](const char* who, std::size_t body) {
+    if (body < description.bodies.size()) return;
+    refuse(who, " acts on body ", body, ", but there are only ", description.bodies.size());
+  };
+  for (const Load& load : description.loads) {
+    check_body_of("a load", load.body);
+    check_keyframes("a load", "forces", load.force.time, load.force.value);
+    check_keyframes("a load", "couples", load.couple.time, load.couple.value);
+  }
+  for (const Spring& spring : description.springs) {
+    check_body_of("a spring", spring.body);
+    if (!(spring.stiffness >= 0.0) || !std::isfinite(spring.stiffness)) {
+      refuse("the stiffness of a spring must be non-negative and finite, not ", spring.stiffness,
+             " N/m");
+    }
+    if (!spring.anchor.allFinite() || !spring.anchor_velocity.allFinite() ||
+        !(std::abs(spring.axis.norm() - 1.0) < 1e-9)) {
+      refuse("a spring needs an anchor of finite numbers and an axis of unit length");
+    }
+  }
+}
+
 }  // namespace
 
 void check_description(const SceneDescription& description) {
@@ -149,6 +172,7 @@ void check_description(const SceneDescription& description) {
   if (drag.rate > 0.0 && !(drag.full_until < drag.ends && std::isfinite(drag.ends))) {
     refuse("the drag must fade out after ", drag.full_until, " s, not at ", drag.ends, " s");
   }
+  check_loads(description);
 }
 
 void check_start(const Scene& scene) {

@@ -143,6 +143,7 @@ void CaseRun::ended(Simulated outcome) {
 void CaseRun::bill(const Cost& cost) {
   Cost& total = record_.cost;
   total.cpu_seconds += cost.cpu_seconds;
+  total.told_cpu_seconds += cost.told_cpu_seconds;
   total.steps += cost.steps;
   total.contact_updates += cost.contact_updates;
   for (const auto& [phase, seconds] : cost.phase_seconds) total.phase_seconds[phase] += seconds;

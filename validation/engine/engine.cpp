@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/engine/engine.h"
 
+#include "reference/process/child.h"
 #include "reports/text/names.h"
 #include "solver/demand.h"
+#include "validation/engine/protocol/program_kind.h"
 
 namespace stiction {
 
@@ -20,7 +22,11 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
     need(point, manifest.point_masses, "point masses");
     need(std::holds_alternative<BoxShape>(body.shape), manifest.boxes, "boxes");
     need(std::holds_alternative<BallShape>(body.shape), manifest.balls, "balls");
-    need(std::holds_alternative<MeshShape>(body.shape), manifest.meshes, "bodies given as meshes");
+    if (const auto* const mesh = std::get_if<MeshShape>(&body.shape)) {
+      need(true, manifest.meshes || (mesh->convex && manifest.convex_meshes),
+           "bodies given as meshes");
+    }
+    need(!body.angular_velocity.isZero(0.0), manifest.spin, "bodies that turn");
     need(body.must_deform, manifest.deformable, "bodies that deform");
     need(body.held.has_value(), manifest.held_parts, "held parts");
     need(body.self_collision, manifest.self_contact, "a body's contact with itself");
@@ -30,17 +36,27 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
     need(!obstacle.motion.time.empty(), manifest.moving_obstacles, "moving obstacles");
   }
   need(problem.drag.rate > 0.0, manifest.drag, "a medium that damps");
+  need(!problem.loads.empty() || !problem.springs.empty(), manifest.loads, "loads on bodies");
   need(problem.gravity.time.size() > 1, manifest.varying_gravity, "gravity that changes");
   return words;
 }
 
-EngineKind find_engine(const std::string& name) {
+EngineKind find_engine(const std::string& words) {
   const std::vector<EngineKind> all = engine_catalog();
   for (const EngineKind& kind : all) {
-    if (kind.name == name) return kind;
+    if (kind.name == words) return kind;
   }
-  throw InputError("unknown engine '" + name + "'; there are: " +
-                   listed_names(all, [](const EngineKind& kind) { return kind.name; }));
+  const std::vector<std::string> program = program_words(words);
+  // A lone word that is no program is rather a name mistyped.
+  if (program.size() == 1 && program[0].find('/') == std::string::npos &&
+      reference::find_program(program[0], reference::folders_of_path()).empty()) {
+    throw InputError(
+        "unknown engine '" + words + "'; there are: " +
+        listed_names(all, [](const EngineKind& kind) { return kind.name; }) + "; programs: " +
+        listed_names(engine_programs(), [](const EngineProgram& one) { return one.name; }) +
+        "; or a command that speaks the protocol");
+  }
+  return program_kind(program, program_limits());
 }
 
 }  // namespace stiction

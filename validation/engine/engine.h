@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,14 +24,18 @@ struct Manifest {
   bool point_masses = false;
   bool boxes = false;
   bool balls = false;
-  bool meshes = false;        ///< bodies of any shape, given as tetrahedra
-  bool deformable = false;    ///< bodies deform; else they are rigid
-  bool held_parts = false;    ///< parts of a body that are held, or moved
-  bool body_contact = false;  ///< bodies touch each other
-  bool self_contact = false;  ///< … and themselves
+  bool meshes = false;         ///< bodies of any shape, given as tetrahedra
+  bool convex_meshes = false;  ///< … of any convex shape
+  bool deformable = false;     ///< bodies deform; else they are rigid
+  bool held_parts = false;     ///< parts of a body that are held, or moved
+  bool body_contact = false;   ///< bodies touch each other
+  bool self_contact = false;   ///< … and themselves
   bool moving_obstacles = false;
   bool drag = false;             ///< a medium that damps all motion
   bool varying_gravity = false;  ///< over time
+  bool loads = false;            ///< forces, couples and springs on bodies
+  bool spin = false;             ///< bodies turn
+  bool contacts = false;         ///< contacts() tells them
   bool snapshots = false;        ///< save() and restore()
 };
 
@@ -40,6 +45,8 @@ struct BodyMotion {
   Vec3 velocity;  ///< m/s
   /// Rotation from the initial pose that fits the body best (mass-weighted).
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  /// Of the rigid motion with the body's angular momentum about its centre, rad/s.
+  Vec3 angular_velocity = Vec3::Zero();
 };
 
 struct Momenta {
@@ -99,7 +106,7 @@ class Engine {
 
   virtual BodyMotion body(std::size_t index) const = 0;
   /// Those at the end of the last step. An engine that does not tell them leaves this out: a case
-  /// that asks is not applicable.
+  /// that asks is not applicable. Manifest::contacts says which.
   virtual std::vector<ContactSample> contacts() const {
     throw NotApplicable("the engine does not tell its contacts");
   }
@@ -125,6 +132,8 @@ class Engine {
 /// A way to run an engine that it brings with it.
 struct Configuration {
   Settings settings{};
+  std::string name{};    ///< "default", "best"; may be empty
+  std::string source{};  ///< where the values come from; may be empty
   /// It stands for a method that is known to break: beside an expectation nothing of it is judged,
   /// and bodies that pass through each other are a note in the record, not an error.
   bool contrast = false;
@@ -145,25 +154,30 @@ enum class Without {
 
 struct Case;
 
-/// A maker of engines: what the folder validation/engines/<name>/ returns from `engine_<name>()`.
+/// A maker of engines: what the folder validation/engines/<name>/ returns from `engine_<name>()`, or
+/// a program says of itself (program_kind.h).
 struct EngineKind {
   std::string name;
   std::string description;  ///< one line
+  std::string program{};    ///< the command that starts it; empty: it is of this build
   Manifest manifest;
   std::map<std::string, std::string> settings_help;  ///< name → meaning, unit, default
-  std::unique_ptr<Engine> (*make)(const Settings& settings);
+  std::function<std::unique_ptr<Engine>(const Settings& settings)> make;
   Expectations expectations{};  ///< where the engine is known to fall short, and how far
   /// With what it runs a case by default, by the case's name; null: once, without settings.
-  std::vector<Configuration> (*configurations)(const std::string& case_name) = nullptr;
+  std::function<std::vector<Configuration>(const std::string& case_name)> configurations{};
   /// What of the run of these settings is judged how; null: all, strictly.
-  Configuration (*configuration)(const Settings& settings) = nullptr;
+  std::function<Configuration(const Settings& settings)> configuration{};
   /// Those of the settings that have no effect beside the others, each with a sentence that says
   /// why; null: all have. A run whose user gives such a one is refused, unless some of its jobs use
   /// it.
-  std::map<std::string, std::string> (*idle)(const Settings& settings) = nullptr;
+  std::function<std::map<std::string, std::string>(const Settings& settings)> idle{};
   /// Settings, over a run's own, that leave something out; null or none: the engine can't.
-  std::optional<Settings> (*without)(Without what) = nullptr;
-  std::vector<Case> (*studies)() = nullptr;  ///< cases about this engine alone; null: none
+  std::function<std::optional<Settings>(Without what)> without{};
+  std::function<std::vector<Case>()> studies{};  ///< cases about this engine alone; null: none
+  /// Efforts from the usual to the most, each laid over a configuration: smaller steps, more
+  /// iterations. A work-precision curve has a point at each. Empty: the usual alone.
+  std::vector<Settings> ladder{};
 };
 
 /// What the engine lacks for a problem, in words: "bodies that deform, a medium"; empty: nothing.
@@ -172,7 +186,8 @@ std::string missing(const Manifest& manifest, const Problem& problem);
 /// All engines of the build, by name. Written by the build from validation/engines/.
 std::vector<EngineKind> engine_catalog();
 
-/// Throws InputError naming the engines there are.
-EngineKind find_engine(const std::string& name);
+/// One of the build's, or a program: `words` is a name, or a command (program_kind.h). Throws
+/// InputError naming the engines there are.
+EngineKind find_engine(const std::string& words);
 
 }  // namespace stiction

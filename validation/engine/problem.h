@@ -10,6 +10,7 @@
 
 #include "solver/mesh/mesh.h"
 #include "solver/scene/gravity.h"
+#include "solver/scene/load.h"
 
 namespace stiction {
 
@@ -29,7 +30,8 @@ struct BallShape {
 
 /// Any volume, given as tetrahedra about the centre of mass: for shapes without a formula.
 struct MeshShape {
-  TetMesh mesh;  ///< m
+  TetMesh mesh;         ///< m
+  bool convex = false;  ///< it is the convex hull of its vertices
 };
 
 /// A mass without extension.
@@ -58,11 +60,12 @@ struct ProblemBody {
   Elasticity elasticity;
   Vec3 position = Vec3::Zero();  ///< of the centre of mass, m
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  Vec3 velocity = Vec3::Zero();    ///< of every point, m/s
-  std::optional<HeldPart> held{};  ///< fixed, or moved by `motion`
-  Motion motion{};                 ///< of the held part
-  bool self_collision = false;     ///< it may touch itself
-  bool must_deform = false;        ///< what is claimed of it is not true of a rigid body
+  Vec3 velocity = Vec3::Zero();          ///< of the centre of mass, m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< about it, rad/s
+  std::optional<HeldPart> held{};        ///< fixed, or moved by `motion`
+  Motion motion{};                       ///< of the held part
+  bool self_collision = false;           ///< it may touch itself
+  bool must_deform = false;              ///< what is claimed of it is not true of a rigid body
 };
 
 /// A fixed half-space: x with (x − point)·normal < 0 is inside.
@@ -78,10 +81,12 @@ struct Problem {
   std::string name;
   std::vector<ProblemBody> bodies;
   std::vector<Obstacle> obstacles;
-  Gravity gravity;        ///< m/s², constant or ramped
-  Drag drag{};            ///< while the scene settles
-  double friction = 0.0;  ///< μ between bodies, dimensionless
-  double duration = 1.0;  ///< s
+  Gravity gravity;                ///< m/s², constant or ramped
+  Drag drag{};                    ///< while the scene settles
+  std::vector<Load> loads{};      ///< forces and couples on bodies
+  std::vector<Spring> springs{};  ///< from bodies to anchors
+  double friction = 0.0;          ///< μ between bodies, dimensionless
+  double duration = 1.0;          ///< s
 };
 
 /// How finely a case needs its problem resolved. An engine makes of it what it has: a mesh, a time

@@ -83,7 +83,7 @@ class PlainEngine final : public Engine {
   }
 
   BodyMotion body(std::size_t index) const override {
-    return {state_.position.at(index), state_.velocity.at(index), Eigen::Quaterniond::Identity()};
+    return {.position = state_.position.at(index), .velocity = state_.velocity.at(index)};
   }
 
   std::vector<ContactSample> contacts() const override {
@@ -209,7 +209,11 @@ EngineKind engine_plain() {
       .name = "plain",
       .description =
           "rigid bodies that slide on half-spaces and do not turn: Coulomb's law, step by step",
-      .manifest = {.point_masses = true, .boxes = true, .varying_gravity = true, .snapshots = true},
+      .manifest = {.point_masses = true,
+                   .boxes = true,
+                   .varying_gravity = true,
+                   .contacts = true,
+                   .snapshots = true},
       .settings_help = {{"dt", "time step, s (default 2e-4)"},
                         {"creep",
                          "slip speed below which friction fades, m/s (default 0: Coulomb's law)"}},

@@ -98,7 +98,8 @@ class StictionEngine final : public Engine {
   BodyMotion body(std::size_t index) const override {
     const Body& body = scene_.bodies.at(index);
     return {centre_of_mass(scene_, state_, body), centre_velocity(scene_, state_, body),
-            Eigen::Quaterniond(fitted_rotation(scene_, state_, body))};
+            Eigen::Quaterniond(fitted_rotation(scene_, state_, body)),
+            angular_velocity(scene_, state_, body)};
   }
 
   std::vector<ContactSample> contacts() const override {
@@ -240,6 +241,9 @@ EngineKind engine_stiction() {
                    .moving_obstacles = true,
                    .drag = true,
                    .varying_gravity = true,
+                   .loads = true,
+                   .spin = true,
+                   .contacts = true,
                    .snapshots = true},
       .settings_help = settings_help(),
       .make = make,

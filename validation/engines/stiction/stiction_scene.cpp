@@ -86,6 +86,12 @@ BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
   description.self_collision = body.self_collision;
   vertices = (body.rotation.toRotationMatrix() * vertices).colwise() + body.position;
   description.initial_velocity = body.velocity.replicate(1, vertices.cols());
+  if (!body.angular_velocity.isZero(0.0)) {
+    for (Eigen::Index v = 0; v < vertices.cols(); ++v) {
+      description.initial_velocity.col(v) +=
+          body.angular_velocity.cross(vertices.col(v) - body.position);
+    }
+  }
   return description;
 }
 
@@ -107,6 +113,8 @@ SceneDescription scene_description(const Problem& problem, const Discretisation&
   description.friction = problem.friction;
   description.gravity = problem.gravity;
   description.drag = problem.drag;
+  description.loads = problem.loads;
+  description.springs = problem.springs;
   return description;
 }
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "reference/process/conversation.h"
+#include "reports/record/json_field.h"
+#include "validation/engine/engine.h"
+
+namespace stiction {
+
+/// How an engine that is a program is started, and how long it may take.
+struct ProgramLimits {
+  double reply_seconds = 60.0;  ///< for each answer, wall-clock
+  double memory_gib = 4.0;      ///< of its data
+};
+
+/// The protocol with one engine process. Every complaint is an InputError of one sentence that names
+/// the program, the request and what came instead of an answer.
+class Dialogue {
+ public:
+  Dialogue(const std::vector<std::string>& words, const ProgramLimits& limits);
+
+  /// The answer to a request, {"do": verb, …}. Throws NotApplicable for {"lacks": …}.
+  nlohmann::json ask(const char* verb, nlohmann::json request = nlohmann::json::object());
+
+  /// Fields of such an answer, for complaints in words.
+  JsonField fields(const nlohmann::json& answer, const char* verb) const;
+
+  double cpu_seconds() const { return conversation_.cpu_seconds(); }
+
+ private:
+  std::string name_;  // of the program, as it was called
+  reference::Conversation conversation_;
+};
+
+/// A finite number, else JsonField's complaint.
+double finite(const JsonField& field);
+
+}  // namespace stiction

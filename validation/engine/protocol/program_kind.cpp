@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/engine/protocol/program_kind.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "reference/process/child.h"
+#include "reports/text/names.h"
+#include "solver/demand.h"
+#include "validation/engine/kit/stiction_engine.h"
+#include "validation/engine/protocol/program_engine.h"
+
+namespace stiction {
+
+namespace {
+
+ProgramLimits& limits_of_all() {
+  static ProgramLimits limits;
+  return limits;
+}
+
+// Words of `can`, each with what it stands for.
+std::map<std::string, bool*> words_of(ProgramTraits& traits) {
+  Manifest& has = traits.manifest;
+  return {{"points", &has.point_masses},
+          {"boxes", &has.boxes},
+          {"balls", &has.balls},
+          {"meshes", &has.meshes},
+          {"convex_meshes", &has.convex_meshes},
+          {"deformable", &has.deformable},
+          {"held_parts", &has.held_parts},
+          {"body_contact", &has.body_contact},
+          {"self_contact", &has.self_contact},
+          {"moving_obstacles", &has.moving_obstacles},
+          {"drag", &has.drag},
+          {"varying_gravity", &has.varying_gravity},
+          {"loads", &has.loads},
+          {"spin", &has.spin},
+          {"contacts", &has.contacts},
+          {"snapshots", &has.snapshots},
+          {"energies", &traits.tells_energies},
+          {"momenta", &traits.tells_momenta},
+          {"surface", &traits.tells_surface}};
+}
+
+Settings settings_of(const JsonField& field) {
+  return field.map([](const JsonField& one) { return one.text(); });
+}
+
+void refuse_unknown(const EngineKind& kind, const Settings& settings) {
+  for (const auto& [name, value] : settings) {
+    if (kind.settings_help.count(name) > 0) continue;
+    throw InputError(
+        fmt::format("engine '{}' has no setting '{}'; there are: {}", kind.name, name,
+                    listed_names(kind.settings_help, [](const auto& one) { return one.first; })));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> command_words(const std::string& command) {
+  std::vector<std::string> words;
+  char quote = 0;
+  bool inside = false;
+  for (const char sign : command) {
+    const bool begins = quote == 0 && (sign == '\'' || sign == '"');
+    if (quote != 0 && sign == quote) {
+      quote = 0;
+    } else if (begins || (sign != ' ' && sign != '\t') || quote != 0) {
+      if (!inside) words.emplace_back();
+      inside = true;
+      if (begins) {
+        quote = sign;
+      } else {
+        words.back() += sign;
+      }
+    } else {
+      inside = false;
+    }
+  }
+  if (quote != 0) throw InputError(fmt::format("a quote does not end in: {}", command));
+  return words;
+}
+
+EngineKind program_kind(const std::vector<std::string>& words, const ProgramLimits& limits) {
+  ProgramTraits traits{.words = words, .limits = limits, .manifest = {}};
+  EngineKind kind;
+  std::vector<Configuration> configurations;
+  try {
+    Dialogue dialogue(words, limits);
+    const nlohmann::json answer = dialogue.ask("hello", {{"protocol", STICTION_PROTOCOL}});
+    const JsonField told = dialogue.fields(answer, "hello");
+    if (told["protocol"].count() != STICTION_PROTOCOL) {
+      told["protocol"].fail(fmt::format("this suite speaks version {}", int{STICTION_PROTOCOL}));
+    }
+    kind.name = told["name"].text();
+    if (kind.name.empty()) told["name"].fail("must not be empty");
+    kind.description = told["description"].text();
+    const std::string version = told["version"].text();
+    if (!version.empty()) kind.description += " (" + version + ")";
+    const auto known = words_of(traits);
+    told["can"].list([&](const JsonField& word) {
+      const auto found = known.find(word.text());
+      if (found == known.end()) {
+        word.fail(fmt::format("'{}' is no word of the protocol; there are: {}", word.text(),
+                              listed_names(known, [](const auto& one) { return one.first; })));
+      }
+      return *found->second = true;
+    });
+    if (told.has("symplectic_euler")) traits.symplectic_euler = told["symplectic_euler"].boolean();
+    if (told.has("settings")) kind.settings_help = settings_of(told["settings"]);
+    if (told.has("ladder")) kind.ladder = told["ladder"].list(settings_of);
+    if (told.has("configurations")) {
+      configurations = told["configurations"].list([](const JsonField& one) {
+        return Configuration{.settings = settings_of(one["settings"]),
+                             .name = one["name"].text(),
+                             .source = one["source"].text()};
+      });
+    }
+  } catch (const std::runtime_error& what) {
+    throw InputError(what.what());
+  }
+  for (const Configuration& one : configurations) refuse_unknown(kind, one.settings);
+  for (const Settings& one : kind.ladder) refuse_unknown(kind, one);
+  kind.manifest = traits.manifest;
+  for (const std::string& word : words) kind.program += (kind.program.empty() ? "" : " ") + word;
+  kind.make = [traits, kind](const Settings& settings) {
+    refuse_unknown(kind, settings);
+    return make_program_engine(traits, settings);
+  };
+  if (!configurations.empty()) {
+    kind.configurations = [configurations](const std::string&) { return configurations; };
+  }
+  return kind;
+}
+
+std::vector<std::string> program_words(const std::string& words) {
+  const std::vector<EngineProgram> ours = engine_programs();
+  const auto found = std::find_if(ours.begin(), ours.end(),
+                                  [&](const EngineProgram& one) { return one.name == words; });
+  if (found != ours.end()) {
+    const auto program =
+        reference::find_program("engine_" + words, {reference::folder_of_this_program()});
+    if (!program.empty()) return {program.string()};
+    throw InputError(
+        fmt::format("the engine '{}' is not built; './stiction validate --engine {}' "
+                    "does that, from Debian's {}",
+                    words, words, found->packages));
+  }
+  return command_words(words);
+}
+
+void set_program_limits(const ProgramLimits& limits) {
+  if (!(limits.reply_seconds > 0.0) || !(limits.memory_gib > 0.0)) {
+    throw InputError("the limits of an engine's time and memory must be above 0");
+  }
+  limits_of_all() = limits;
+}
+
+ProgramLimits program_limits() { return limits_of_all(); }
+
+}  // namespace stiction

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program behind `./stiction engine`: what engines there are, what one is and can, and whether
+// its adapter speaks right.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "reports/text/exit_code.h"
+#include "solver/demand.h"
+#include "validation/core/engine_options.h"
+#include "validation/core/program.h"
+#include "validation/engine/conformance/conformance.h"
+#include "validation/engine/engine.h"
+
+namespace stiction {
+
+namespace {
+
+struct Arguments {
+  std::string engine;
+  std::vector<std::string> settings;
+  ProgramLimits limits;
+};
+
+ExitCode list_engines() {
+  for (const EngineKind& kind : engine_catalog()) {
+    fmt::print("{:<20} {}\n", kind.name, kind.description);
+  }
+  for (const EngineProgram& one : engine_programs()) {
+    try {
+      fmt::print("{:<20} {}\n", one.name, find_engine(one.name).description);
+    } catch (const std::exception&) {
+      fmt::print("{:<20} not built yet; from Debian's {}\n", one.name, one.packages);
+    }
+  }
+  return kHolds;
+}
+
+std::string text_of(const Settings& settings) {
+  std::string text;
+  for (const auto& [name, value] : settings) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value);
+  }
+  return text;
+}
+
+ExitCode show(const Arguments& arguments) {
+  const EngineKind kind = find_engine(arguments.engine);
+  fmt::print("{}: {}\n", kind.name, kind.description);
+  if (!kind.settings_help.empty()) fmt::print("\nSettings (--set NAME=VALUE):\n");
+  for (const auto& [name, meaning] : kind.settings_help) {
+    fmt::print("  {:<18} {}\n", name, meaning);
+  }
+  if (kind.configurations) {
+    fmt::print("\nConfigurations:\n");
+    for (const Configuration& one : kind.configurations("")) {
+      fmt::print("  {:<18} {}\n", one.name, text_of(one.settings));
+      if (!one.source.empty()) fmt::print("  {:<18} {}\n", "", one.source);
+    }
+  }
+  if (!kind.ladder.empty()) fmt::print("\nEfforts:\n");
+  for (const Settings& one : kind.ladder) fmt::print("  {}\n", text_of(one));
+  return kHolds;
+}
+
+ExitCode check(const Arguments& arguments) {
+  const EngineKind kind = find_engine(arguments.engine);
+  fmt::print("{}: {}\n\n", kind.name, kind.description);
+  ExitCode code = kHolds;
+  int failed = 0, held = 0;
+  for (const Finding& one : check_conformance(kind, parse_settings(arguments.settings))) {
+    const bool fails = one.conformity == Conformity::kFails;
+    const char* const word = fails ? "FAIL" : one.conformity == Conformity::kHolds ? "ok" : "n/a";
+    failed += fails ? 1 : 0;
+    held += one.conformity == Conformity::kHolds ? 1 : 0;
+    if (fails) code = kDoesNotHold;
+    fmt::print("{:<5} {:<24} {}\n", word, one.name, one.sentence);
+  }
+  fmt::print("\n{} checks hold, {} fail{}\n", held, failed,
+             failed > 0 ? ": such an engine is not graded" : "");
+  if (std::fflush(stdout) != 0) throw InputError("the checks could not be written to stdout");
+  return code;
+}
+
+}  // namespace
+
+}  // namespace stiction
+
+int main(int argc, char** argv) {
+  CLI::App app("Engines, and whether an adapter speaks right.", "stiction engine");
+  stiction::Arguments arguments;
+  app.require_subcommand(1);
+  CLI::App* const list = app.add_subcommand("list", "The engines that this project knows");
+  CLI::App* const show = app.add_subcommand("show", "Settings, configurations and efforts of one");
+  CLI::App* const check = app.add_subcommand(
+      "check", "Try an adapter against known answers; each failure in one sentence");
+  for (CLI::App* const one : {show, check}) {
+    one->add_option("engine", arguments.engine,
+                    "A name, or a program that speaks the engine protocol "
+                    "(validation/engine/protocol/README.md)")
+        ->required();
+    stiction::add_engine_limits(*one, arguments.limits);
+  }
+  check->add_option("--set", arguments.settings, "A setting of the engine")
+      ->type_name("NAME=VALUE");
+  app.footer("Exit code: 0 all checks hold, 1 some fail, 2 could not run.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
+  }
+  try {
+    stiction::set_program_limits(arguments.limits);
+    if (list->parsed()) return stiction::list_engines();
+    return show->parsed() ? stiction::show(arguments) : stiction::check(arguments);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stiction engine: {}\n", error.what());
+    return stiction::kCouldNotRun;
+  }
+}
