@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MuJoCo behind the engine protocol.
+#include <cstdio>
+#include <cstdlib>
+
+#include "validation/engines/mujoco/simulation.h"
+
+namespace {
+
+using stiction_mujoco::Saved, stiction_mujoco::Simulation;
+
+Simulation& as_simulation(void* self) { return *static_cast<Simulation*>(self); }
+
+void* load(const stiction_problem* problem) { return new Simulation(*problem); }
+void end(void* self) { delete static_cast<Simulation*>(self); }
+double time_step(void* self) { return as_simulation(self).time_step(); }
+double engine_time(void* self) { return as_simulation(self).time(); }
+void advance(void* self, uint64_t steps) { as_simulation(self).advance(steps); }
+void body(void* self, size_t index, stiction_body_state* state) {
+  as_simulation(self).body(index, *state);
+}
+size_t contacts(void* self, stiction_contact* contacts, size_t room) {
+  return as_simulation(self).contacts(contacts, room);
+}
+void* save(void* self) { return as_simulation(self).save(); }
+void restore(void* self, const void* saved) {
+  as_simulation(self).restore(*static_cast<const Saved*>(saved));
+}
+void forget(void*, void* saved) { delete static_cast<Saved*>(saved); }
+
+// In place of MuJoCo's own, which write a file into the working folder.
+void warn(const char* words) { std::fprintf(stderr, "MuJoCo: %s\n", words); }
+void fail(const char* words) {
+  warn(words);
+  std::exit(1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  mju_user_warning = warn;
+  mju_user_error = fail;
+  const stiction_setting settings[] = {
+      {"dt", "time step, s (default 0.002)"},
+      {"integrator", "Euler (default), implicit"},
+      {"cone", "of friction: pyramidal (default), elliptic"},
+      {"solver", "Newton (default), CG, PGS"},
+      {"iterations", "of the solver, at most (default 100)"},
+      {"tolerance", "at which the solver ends (default 1e-8)"},
+      {"noslip_iterations", "of the pass that removes slip, at most (default 0)"},
+      {"noslip_tolerance", "at which that pass ends (default 1e-6)"},
+      {"impratio", "frictional over normal impedance (default 1)"},
+      {"solref", "of contacts: time constant in s, damping ratio (default 0.02,1)"},
+      {"solimp", "of contacts (default 0.9,0.95,0.001,0.5,2)"},
+      {}};
+  const stiction_configuration configurations[] = {
+      {"default", "", "the defaults of its XML"},
+      {"best", "cone=elliptic noslip_iterations=10", "to be searched"},
+      {}};
+  const char* const ladder[] = {"dt=0.002",   "dt=0.001",    "dt=0.0005",
+                                "dt=0.00025", "dt=0.000125", nullptr};
+  const stiction_engine engine = {
+      .name = "mujoco",
+      .version = "2.2.2 (Debian, double precision)",
+      .description = "MuJoCo: soft contacts by convex optimisation, optionally without slip",
+      .can = "boxes balls body_contact varying_gravity drag loads spin",
+      .settings = settings,
+      .configurations = configurations,
+      .ladder = ladder,
+      .symplectic_euler = 1,
+      .load = load,
+      .time_step = time_step,
+      .advance = advance,
+      .time = engine_time,
+      .body = body,
+      .contacts = contacts,
+      .energies = nullptr,
+      .momenta = nullptr,
+      .surface = nullptr,
+      .vertices = nullptr,
+      .save = save,
+      .restore = restore,
+      .forget = forget,
+      .end = end};
+  return stiction_engine_main(&engine, argc, argv);
+}
