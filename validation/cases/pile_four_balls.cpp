@@ -26,7 +26,7 @@ ProblemBody ball(const std::string& name, double radius, const Vec3& position) {
   body.name = name;
   body.shape = BallShape{radius};
   body.mass = kDensity * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-  body.elasticity = {.youngs_modulus = 1e6, .poisson_ratio = 0.3, .damping_time = 1e-3};
+  body.elasticity = {.youngs_modulus = 1e6, .poisson_ratio = 0.3, .damping_time = 1e-5};
   body.position = position;
   return body;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "validation/engine/conformance/probe.h"
 
@@ -14,7 +15,7 @@ namespace stiction {
 namespace {
 
 constexpr double kGravity = 9.81;  // m/s²
-constexpr double kForces = 0.02;   // relative: of a weight at rest, which may still ring a little
+constexpr double kForces = 0.1;    // relative: of a weight at rest, where soft contacts still ring
 
 struct HalfHeight {
   double operator()(const BoxShape& box) const { return 0.5 * box.size.z(); }
@@ -72,11 +73,13 @@ double measured_friction(const Probe& probe, const Problem& problem) {
 std::string check_pair(const Probe& probe, const std::string& pair,
                        const std::function<Problem(double, double)>& problem) {
   constexpr double kGiven = 0.3, kOthers[] = {0.8, 0.15};
-  constexpr double kMore[] = {0.2, 0.25};                       // all stop within a window
-  constexpr double kSame = 0.01, kUniform = 2e-3, kWild = 0.3;  // relative to μ
+  constexpr double kMore[] = {0.2, 0.25};  // all stop within a window
+  constexpr double kOther = 0.2, kSame = 0.01, kUniform = 2e-3, kWild = 0.3;  // relative
   const double measured = measured_friction(probe, problem(kGiven, kOthers[0]));
   const double again = measured_friction(probe, problem(kGiven, kOthers[1]));
-  if (!(std::abs(measured - again) <= kSame * kGiven)) {
+  // Of the usual ways to combine two coefficients the gentlest, the lesser or the larger of them,
+  // would halve or double it.
+  if (!(std::abs(measured - again) <= kOther * kGiven)) {
     throw Nonconformity(
         fmt::format("{} with μ = {} for this pair slides as with {:.4g} where others have {} and "
                     "as with {:.4g} "
@@ -109,11 +112,19 @@ void need_flat(const Probe& probe) {
              "bodies that slide without rolling");
 }
 
-void check_told_forces(const Engine& engine, const Problem& problem) {
+// Their mean over some steps.
+void check_told_forces(Engine& engine, const Problem& problem) {
+  constexpr int kSteps = 20;
   const double weight = problem.bodies[0].mass * kGravity;
   Vec3 force = Vec3::Zero();
   double deepest = 0.0;
-  for (const ContactSample& contact : engine.contacts()) {
+  std::vector<ContactSample> all;
+  for (int k = 0; k < kSteps; ++k) {
+    engine.advance(1);
+    const std::vector<ContactSample> now = engine.contacts();
+    all.insert(all.end(), now.begin(), now.end());
+  }
+  for (const ContactSample& contact : all) {
     force += contact.normal_force * contact.normal + contact.friction_force;
     deepest = std::max(deepest, std::abs(contact.position.z()));
     if (contact.normal_force < 0.0 || contact.normal.z() < 0.0) {
@@ -124,7 +135,7 @@ void check_told_forces(const Engine& engine, const Problem& problem) {
           contact.normal.x(), contact.normal.y(), contact.normal.z(), contact.normal_force));
     }
   }
-  const double share = force.z() / weight;
+  const double share = force.z() / (kSteps * weight);
   if (std::abs(share + 1.0) <= kForces) {
     throw Nonconformity(
         "the contact forces of a body at rest pull it down: they have the wrong sign");
@@ -145,7 +156,9 @@ void check_told_forces(const Engine& engine, const Problem& problem) {
 std::string check_weight(const Probe& probe) {
   const Problem problem = on_ground(probe, 0.5);
   const auto engine = probe.start(problem);
-  const double time = advance_to(*engine, 1.0);
+  advance_to(*engine, 1.0);
+  if (probe.manifest().contacts) check_told_forces(*engine, problem);
+  const double time = static_cast<double>(engine->steps_done()) * engine->time_step();
   const BodyMotion motion = engine->body(0);
   const double height = half_height(problem.bodies[0]);
   const double rise = motion.position.z() - height;
@@ -156,8 +169,6 @@ std::string check_weight(const Probe& probe) {
         motion.position.z(), time, height,
         twice ? ": are edge lengths taken for half edges?" : ""));
   }
-  // Mean over the last tenth of a second, as an elastic body may still ring.
-  if (probe.manifest().contacts) check_told_forces(*engine, problem);
   return fmt::format("{:+.2g} m from where it was put, {:.2g} m/s", rise, motion.velocity.norm());
 }
 

@@ -13,6 +13,7 @@
 #include <valijson/validator.hpp>
 #include <vector>
 
+#include "reference/process/child.h"
 #include "reference/process/conversation.h"
 #include "validation/engine/protocol/problem_json.h"
 
@@ -20,6 +21,10 @@ namespace stiction {
 namespace {
 
 using nlohmann::json;
+
+std::string program(const char* name) {
+  return (reference::folder_of_this_program() / name).string();
+}
 
 const std::filesystem::path kFolder = std::filesystem::path(__FILE__).parent_path();
 
@@ -104,12 +109,12 @@ Problem slide() {
 }
 
 TEST(ProtocolSchema, HoldsForAllThatTheSuiteAndAnEngineOfTheCKitSay) {
-  talk({"./hosted_engine"}, full_problem(),
+  talk({program("hosted_engine")}, full_problem(),
        {"bodies", "contacts", "energies", "momenta", "surface", "vertices"}, true);
 }
 
 TEST(ProtocolSchema, HoldsForTheMinimalEnginesOfBothLanguages) {
-  talk({"./minimal_engine"}, slide(), {"bodies"}, false);
+  talk({program("minimal_engine")}, slide(), {"bodies"}, false);
   const auto python = kFolder.parent_path() / "kit/examples/minimal_engine.py";
   talk({"python3", python.string()}, slide(), {"bodies"}, false);
 }
