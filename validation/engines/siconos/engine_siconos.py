@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Siconos behind the engine protocol: its Moreau–Jean time stepping, its NSGS solver and its Bullet
 collision, by its Python interface. Debian's python3-siconos is for the system's Python."""
+import os
 import pathlib
 import sys
 
+os.environ["OPENBLAS_NUM_THREADS"] = "1"  # threads wait for one another far longer than such small systems take
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "engine" / "kit"))
 import numpy
 import stiction_engine
