@@ -17,7 +17,9 @@
 #include "solver/friction/catalog.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
+#include "validation/comparison/engines/compare_engines.h"
 #include "validation/comparison/findings.h"
+#include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/core/runner.h"
 #include "validation/engines/stiction/stiction_method.h"
@@ -36,6 +38,30 @@ struct Arguments {
   std::string out = "comparison-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
+
+void define_engines(CLI::App& app, EngineComparison& asked) {
+  app.add_option("--engine", asked.engines,
+                 "Only this engine: a name, or a program that speaks the engine protocol; "
+                 "repeatable")
+      ->type_name("NAME|COMMAND");
+  app.add_option("--question", asked.questions, "Only questions whose id matches; repeatable")
+      ->type_name("GLOB");
+  app.add_flag("--list", asked.list, "Show the questions and end");
+  app.add_flag("--quick", asked.quick, "Under three minutes: the chief questions");
+  add_engine_limits(app, asked.limits);
+  app.add_option("--out", asked.out,
+                 "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
+                 "to the last")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_flag("--no-page", asked.no_page,
+               "Leave out report.html, which ./stiction makes from the records with node");
+  app.add_option("--jobs", asked.jobs, "Questions to ask at a time; more than one disturbs times")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.footer("Exit code: 0 compared (an engine that breaks is a result), 2 could not run.");
+}
 
 std::string rule_help() {
   std::string text =
@@ -199,12 +225,17 @@ int main(int argc, char** argv) {
                "stiction compare");
   stiction::Arguments arguments;
   stiction::define(app, arguments);
+  stiction::EngineComparison engines;
+  CLI::App* const of_engines = app.add_subcommand(
+      "engines", "Sets engines side by side: who holds, who creeps, at which cost");
+  stiction::define_engines(*of_engines, engines);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
+    if (of_engines->parsed()) return stiction::compare_engines(engines);
     return stiction::compare(arguments);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction compare: {}\n", error.what());

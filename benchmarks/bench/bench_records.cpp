@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "reports/record/environment.h"
 #include "validation/engines/stiction/stiction_method.h"
 #include "validation/judge/verdict.h"

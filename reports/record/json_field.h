@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -62,6 +63,14 @@ class JsonField {
       if (word == "-inf") return -std::numeric_limits<double>::infinity();
     }
     expected("a number, \"nan\", \"inf\" or \"-inf\"");
+  }
+
+  // Of a field that may be missing.
+  std::string optional_text(const char* name) const {
+    return has(name) ? (*this)[name].text() : std::string();
+  }
+  std::optional<double> optional_real(const char* name) const {
+    return has(name) ? std::optional((*this)[name].real()) : std::nullopt;
   }
 
   template <typename Read>

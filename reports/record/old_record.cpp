@@ -1,28 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/record/old_record.h"
 
+#include <charconv>
 #include <cmath>
-#include <regex>
-#include <sstream>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace stiction {
 namespace {
 
-std::string optional_text(const JsonField& parent, const char* name) {
-  return parent.has(name) ? parent[name].text() : std::string();
+// A decimal number that neither overflows nor underflows.
+std::optional<double> real_of(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (stop != end || error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  return value;
 }
 
-// "gain = -0.5, 2.3": values of a parameter, not the whole record.
-Failure failure_of(const std::string& text) {
-  static const std::regex values(R"((\S+) = ([-+\d.e]+(?:, [-+\d.e]+)*))");
-  std::smatch found;
-  if (!std::regex_match(text, found, values)) return {text, "", {}};
-  Failure failure{"it broke", found[1], {}};
-  std::istringstream list(found[2]);
-  for (std::string value; std::getline(list, value, ',');) {
-    failure.values.push_back(std::stod(value));
+// "gain = -0.5, 2.3": values of a parameter, not the whole record. By hand: libstdc++'s regular
+// expressions take stack for each character, and a line of any length may come.
+Failure failure_of(const std::string& words) {
+  constexpr std::string_view kEquals = " = ", kComma = ", ";
+  const Failure as_text{words, "", {}};
+  const std::string_view text = words;
+  const std::size_t blank = text.find_first_of(" \t\n\v\f\r");
+  if (blank == 0 || blank == text.npos || !text.substr(blank).starts_with(kEquals)) return as_text;
+  Failure failure{"it broke", std::string(text.substr(0, blank)), {}};
+  std::size_t end = blank;
+  for (std::size_t begin = blank + kEquals.size(); end != text.npos; begin = end + kComma.size()) {
+    end = text.find(kComma, begin);
+    const std::optional<double> value = real_of(text.substr(begin, end - begin));
+    if (!value) return as_text;
+    failure.values.push_back(*value);
   }
   return failure;
 }
@@ -33,7 +46,7 @@ Judgement read_old_check(const JsonField& field) {
   Claim claim{.quantity = field["quantity"].text(),
               .unit = field["unit"].text(),
               .statement = field["claim"].text(),
-              .formula = optional_text(field, "formula"),
+              .formula = field.optional_text("formula"),
               .source = field["source"].text(),
               .kind = field["kind"].word(parse_reference_kind),
               .expected = field["expected"].real(),
@@ -46,10 +59,10 @@ Judgement read_old_check(const JsonField& field) {
   Judgement check;
   check.value = field["value"].real();
   check.error = field["error"].real();
-  check.worst = optional_text(field, "worst");
+  check.worst = field.optional_text("worst");
   check.of_tolerance = share_of_tolerance(check.error, claim.tolerance);
   if (scale_of(claim)) check.digits = field["digits"].real();
-  check.cause = optional_text(field, field.has("limit") ? "limit" : "cause");
+  check.cause = field.optional_text(field.has("limit") ? "limit" : "cause");
   if (field.has("expected_low") || field.has("expected_high")) {
     check.band = Band{field["expected_low"].real(), field["expected_high"].real()};
   }

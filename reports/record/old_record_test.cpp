@@ -97,6 +97,45 @@ TEST(OldRecord, FiguresAndFailuresWereChecksAndNotes) {
   EXPECT_EQ(record.notes, (std::vector<std::string>{"a note", "it failed: no"}));
 }
 
+Failure only_failure(const std::string& text) {
+  return read(3, old_check(), {"failed: " + text}).failures.at(0);
+}
+
+TEST(OldRecord, ValuesOfAFailureAreDecimalNumbers) {
+  const Failure failure = only_failure("gain = 1e+20, 1e-05, -0.5, 5e-324, 1E3, .5");
+  EXPECT_EQ(failure.parameter, "gain");
+  EXPECT_EQ(failure.values, (std::vector<double>{1e20, 1e-5, -0.5, 5e-324, 1e3, 0.5}));
+}
+
+TEST(OldRecord, AFailureWithoutSuchValuesIsATextAsItStands) {
+  for (const char* text : {"gain = ...",    "gain = .",
+                           "gain = -",      "gain = e",
+                           "gain = 1e",     "gain = +1",
+                           "gain = --1",    "gain = 1.2.3",
+                           "gain = 0x10",   "gain = nan",
+                           "gain = -inf",   "gain = 1e999",
+                           "gain = 1e-999", "gain = 1, 1e999",
+                           "gain = 1,2",    "gain = 1 ",
+                           "gain = 1, ",    "gain = ",
+                           "gain  = 1",     "gain\t= 1",
+                           "the gain = 1",  " = 1",
+                           "gain",          ""}) {
+    const Failure failure = only_failure(text);
+    EXPECT_EQ(failure.reason, text);
+    EXPECT_EQ(failure.parameter, "") << text;
+    EXPECT_TRUE(failure.values.empty()) << text;
+  }
+}
+
+TEST(OldRecord, AFailureMayBeOfAnyLength) {
+  constexpr std::size_t kMany = 300'000;
+  const std::string word(kMany, 'a');
+  EXPECT_EQ(only_failure(word).reason, word);
+  std::string list = word + " = 1";
+  for (std::size_t k = 1; k < kMany; ++k) list += ", 1";
+  EXPECT_EQ(only_failure(list).values.size(), kMany);
+}
+
 TEST(OldRecord, AShownCheckWithAToleranceStaysACheck) {
   auto json = old_check();
   json["verdict"] = "shown";

@@ -120,14 +120,6 @@ OrderedJson array_of(const std::vector<Element>& elements, ToJson to_json) {
 std::string read_text(const JsonField& field) { return field.text(); }
 double read_real(const JsonField& field) { return field.real(); }
 
-std::string optional_text(const JsonField& parent, const char* name) {
-  return parent.has(name) ? parent[name].text() : std::string();
-}
-
-std::optional<double> optional_real(const JsonField& parent, const char* name) {
-  return parent.has(name) ? std::optional(parent[name].real()) : std::nullopt;
-}
-
 Band read_band(const JsonField& field) {
   const std::vector<double> ends = field.list(read_real);
   if (ends.size() != 2) field.fail(fmt::format("expected 2 numbers, found {}", ends.size()));
@@ -139,21 +131,21 @@ Judgement read_check(const JsonField& field) {
   check.claim.quantity = field["quantity"].text();
   check.claim.unit = field["unit"].text();
   check.claim.statement = field["claim"].text();
-  check.claim.formula = optional_text(field, "formula");
+  check.claim.formula = field.optional_text("formula");
   check.claim.source = field["source"].text();
   check.claim.kind = field["kind"].word(parse_reference_kind);
   check.claim.expected = field["expected"].real();
   check.claim.relative = field["relative"].boolean();
-  check.claim.scale = optional_real(field, "scale");
+  check.claim.scale = field.optional_real("scale");
   check.claim.tolerance = field["tolerance"].real();
   check.claim.reason = field["reason"].text();
   check.value = field["value"].real();
-  check.worst = optional_text(field, "worst");
+  check.worst = field.optional_text("worst");
   check.error = field["error"].real();
   check.of_tolerance = field["of_tolerance"].real();
-  check.digits = optional_real(field, "digits");
+  check.digits = field.optional_real("digits");
   if (field.has("band")) check.band = read_band(field["band"]);
-  check.cause = optional_text(field, "cause");
+  check.cause = field.optional_text("cause");
   check.verdict = field["verdict"].word(parse_verdict);
   return check;
 }
@@ -164,7 +156,7 @@ Figure read_figure(const JsonField& field) {
 }
 
 Failure read_failure(const JsonField& field) {
-  Failure failure{field["reason"].text(), optional_text(field, "parameter"), {}};
+  Failure failure{field["reason"].text(), field.optional_text("parameter"), {}};
   if (field.has("values")) failure.values = field["values"].list(read_real);
   return failure;
 }
@@ -218,12 +210,12 @@ Record read_record(const JsonField& field) {
   const bool is_old = version < 4;
   Record record;
   record.case_name = field["case"].text();
-  record.title = optional_text(field, "title");
+  record.title = field.optional_text("title");
   record.engine = field["engine"].text();
   if (field.has("settings")) record.settings = field["settings"].map(read_text);
-  record.variant = optional_text(field, "variant");
+  record.variant = field.optional_text("variant");
   record.verdict = field["verdict"].word(parse_verdict);
-  record.error = optional_text(field, "error");
+  record.error = field.optional_text("error");
   record.checks = field["checks"].list(is_old ? read_old_check : read_check);
   if (field.has("figures")) record.figures = field["figures"].list(read_figure);
   if (field.has("failures")) record.failures = field["failures"].list(read_failure);
@@ -231,10 +223,10 @@ Record read_record(const JsonField& field) {
   if (is_old) split_old_checks_and_notes(record);
   if (field.has("meshes")) record.meshes = field["meshes"].list(read_mesh);
   record.cost = read_cost(field["cost"]);
-  record.state_hash = optional_text(field, "state_hash");
+  record.state_hash = field.optional_text("state_hash");
   record.environment = read_environment(field["environment"]);
   if (field.has("series")) record.series = field["series"].list(read_series);
-  record.frames = optional_text(field, "frames");
+  record.frames = field.optional_text("frames");
   return record;
 }
 

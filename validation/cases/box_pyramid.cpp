@@ -2,7 +2,6 @@
 // A pyramid of boxes on a slope, as in the paper's Fig. 5: μ = 0.3, tan θ = 0.2.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>

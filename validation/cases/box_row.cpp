@@ -2,7 +2,6 @@
 // A row of boxes between two jaws, held up by friction alone.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "validation/observe/observe.h"

@@ -29,12 +29,18 @@ std::size_t letters(const std::string& text) {
   }));
 }
 
-std::string drawn(const std::vector<Row>& rows) {
+std::string heading(const Figure& figure) {
+  return figure.unit == "1" ? figure.quantity : figure.quantity + ", " + figure.unit;
+}
+
+}  // namespace
+
+std::string aligned_table(const std::vector<std::vector<std::string>>& rows, std::size_t texts) {
   std::vector<std::size_t> width(rows.front().size(), 0);
   for (const Row& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], letters(row[c]));
   }
-  const auto is_text = [](std::size_t column) { return column < 2; };
+  const auto is_text = [&](std::size_t column) { return column < texts; };
   std::string text;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
@@ -50,12 +56,6 @@ std::string drawn(const std::vector<Row>& rows) {
   }
   return text;
 }
-
-std::string heading(const Figure& figure) {
-  return figure.unit == "1" ? figure.quantity : figure.quantity + ", " + figure.unit;
-}
-
-}  // namespace
 
 double friction_nanoseconds(const Record& record) {
   const auto found = record.cost.phase_seconds.find("friction");
@@ -91,7 +91,7 @@ std::string comparison_table(const std::vector<const Record*>& records) {
                               row[1], failure_text(failure));
     }
   }
-  return drawn(rows) + (failures.empty() ? "" : "\n" + failures + "\n");
+  return aligned_table(rows, 2) + (failures.empty() ? "" : "\n" + failures + "\n");
 }
 
 }  // namespace stiction

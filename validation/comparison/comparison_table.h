@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@ namespace stiction {
 /// One comparison as a table in Markdown that reads well on a terminal: a row a record (rule and
 /// contacts), a column a measured figure, then what friction cost. `records` are those of one case.
 std::string comparison_table(const std::vector<const Record*>& records);
+
+/// Rows of cells, the first the headings, as a table in Markdown whose columns are aligned; the first
+/// `texts` columns to the left, the others, numbers, to the right.
+std::string aligned_table(const std::vector<std::vector<std::string>>& rows, std::size_t texts);
 
 /// Wall-clock time of the friction phase per contact update, ns; 0 when not timed.
 double friction_nanoseconds(const Record& record);

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "validation/observe/observe.h"
+
 namespace stiction {
 
 namespace {
@@ -86,7 +88,7 @@ void Recorder::take(const Engine& engine) {
     due_step_ = kNever;
     return;
   }
-  for (const ContactSample& contact : engine.contacts()) {
+  for (const ContactSample& contact : contacts_if_told(engine)) {
     const bool shown = contact.normal_force > 0.0 && std::isfinite(contact.normal_force) &&
                        contact.position.allFinite() && contact.friction_force.allFinite();
     if (!shown) continue;

@@ -25,10 +25,13 @@ Simulation::Simulation(const EngineKind& kind, const Settings& settings, const P
 Simulation::~Simulation() = default;
 
 Simulated Simulation::outcome() noexcept {
-  Simulated outcome{engine_->cost(), engine_->state_hash(), {}, contrast_, std::nullopt};
+  Simulated outcome;
+  outcome.passages_noted = contrast_;
   try {
+    outcome.cost = engine_->cost();
     if (engine_->steps_done() > 0) watch_->look(*engine_, true);
     outcome.passages = watch_->found();
+    outcome.state_hash = engine_->state_hash();
   } catch (const std::exception& error) {
     outcome.passages = {
         fmt::format("whether bodies pass through each other is not known: {}", error.what())};

@@ -18,6 +18,9 @@ struct Sample {
 
 Sample sample_of(const Engine& engine, double time, std::size_t body);
 
+/// For pictures: none where the engine does not tell them.
+std::vector<ContactSample> contacts_if_told(const Engine& engine);
+
 /// Slip of the fastest of all contacts, open ones included, m/s; 0 without contacts.
 double fastest_slip(const Engine& engine);
 

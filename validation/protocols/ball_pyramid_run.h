@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
-
 #include "reports/record/record.h"
 #include "validation/core/case_run.h"
 #include "validation/problems/piles/ball_pyramid_problem.h"

@@ -7,7 +7,10 @@ namespace stiction {
 
 InclineRun::InclineRun(CaseRun& run, const InclineSetup& setup, const Problem& problem,
                        const Accuracy& accuracy)
-    : simulation_(run.simulate(problem, accuracy)), frame_(incline_frame(setup)), start_(0.0) {
+    : simulation_(run.simulate(problem, accuracy)),
+      frame_(incline_frame(setup)),
+      start_(0.0),
+      tells_contacts_(run.engine().manifest.contacts) {
   start_ = travel();
 }
 
@@ -20,13 +23,13 @@ double InclineRun::speed() const { return frame_.downhill.dot(engine().body(0).v
 void InclineSeries::sample(const InclineRun& run) {
   time_.push_back(run.time());
   kinetic_.push_back(run.engine().energies().kinetic);
-  slip_.push_back(fastest_slip(run.engine()));
+  if (run.tells_contacts()) slip_.push_back(fastest_slip(run.engine()));
   speed_.push_back(run.speed());
 }
 
 void InclineSeries::add_to(CaseRun& run) const {
   run.add({"kinetic energy", "J", "time", "s", time_, kinetic_});
-  run.add({"fastest contact slip", "m/s", "time", "s", time_, slip_});
+  if (!slip_.empty()) run.add({"fastest contact slip", "m/s", "time", "s", time_, slip_});
   run.add({"downhill speed", "m/s", "time", "s", time_, speed_});
 }
 

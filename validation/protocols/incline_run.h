@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -26,15 +25,17 @@ class InclineRun {
   double travel() const;  ///< downhill from the start, m
   double speed() const;   ///< downhill, m/s
   const Engine& engine() const { return simulation_->engine(); }
+  bool tells_contacts() const { return tells_contacts_; }
 
  private:
   CaseRun::Running simulation_;
   InclineFrame frame_;
   double start_;
+  bool tells_contacts_;
 };
 
-/// Records what the paper observes: kinetic energy, and the slip speed of the body's contacts (the
-/// fastest one), over time; the downhill speed beside them.
+/// Records what the paper observes: kinetic energy, and, where the engine tells its contacts, the
+/// slip speed of the body's contacts (the fastest one), over time; the downhill speed beside them.
 class InclineSeries {
  public:
   void sample(const InclineRun& run);

@@ -5,7 +5,8 @@ import { to_number } from "../model/number.js";
 const NEWEST = 4;
 const WORDS = { limit: "expected-shortfall", shown: "for-information" };
 const FAILED = "failed: ";
-const PARAMETER_VALUES = /^(\S+) = ([-+\d.e]+(?:, [-+\d.e]+)*)$/;
+const PARAMETER_VALUES = /^([^ \t\n\v\f\r]+) = (.*)$/s;
+const REAL = /^-?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?$/i;
 
 const word_of = (verdict) => WORDS[verdict] ?? verdict;
 
@@ -35,11 +36,19 @@ function upgraded_check(check) {
 const is_figure = (check) =>
   check?.verdict === "shown" && check.tolerance === 0 && /^none\b/.test(check.reason);
 
+// A decimal number that neither overflows nor underflows.
+function is_real(text) {
+  const value = Number(text);
+  const underflows = value === 0 && /^[^e]*[1-9]/i.test(text);
+  return REAL.test(text) && Number.isFinite(value) && !underflows;
+}
+
 function failure_of(note) {
   const text = note.slice(FAILED.length);
-  const found = PARAMETER_VALUES.exec(text);
-  return found
-    ? { reason: "it broke", parameter: found[1], values: found[2].split(", ").map(Number) }
+  const [, parameter, list] = PARAMETER_VALUES.exec(text) ?? [];
+  const values = list?.split(", ");
+  return values?.every(is_real)
+    ? { reason: "it broke", parameter, values: values.map(Number) }
     : { reason: text, parameter: "", values: [] };
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the time went: CPU time by phase, one bar a variant.
+// Where the time went: wall-clock time by phase, one bar a variant.
 import { to_number } from "../model/number.js";
 import { rounded } from "./axes.js";
 import { name_axis, numbered, tip, tip_number } from "./names.js";
@@ -41,9 +41,9 @@ export function phase_plot(entries) {
     });
   const single = variants.keys.length === 1;
   return {
-    title: "CPU time by phase",
+    title: "Wall-clock time by phase",
     caption: cut_words(entries.length),
-    description: `CPU seconds of ${phases.join(", ")}.`,
+    description: `Wall-clock seconds of ${phases.join(", ")}.`,
     spec: {
       height: { step: single ? 20 : 9 },
       data: { values },
@@ -53,7 +53,7 @@ export function phase_plot(entries) {
         x: {
           field: "seconds",
           type: "quantitative",
-          axis: { title: "CPU time (s)", tickCount: 5 },
+          axis: { title: "wall-clock time (s)", tickCount: 5 },
         },
         ...(single
           ? { color: { value: "$s0" } }
@@ -61,7 +61,11 @@ export function phase_plot(entries) {
               yOffset: { field: "variant_key", type: "ordinal", scale: { domain: variants.keys } },
               color: variant_channel(variants, SERIES_COLOURS),
             }),
-        tooltip: [tip("variant", "variant"), tip("phase", "phase"), tip_number("seconds", "CPU s")],
+        tooltip: [
+          tip("variant", "variant"),
+          tip("phase", "phase"),
+          tip_number("seconds", "wall-clock s"),
+        ],
       },
     },
   };

@@ -35,7 +35,9 @@ test("figures and failures were checks and notes", () => {
   const one = upgraded(
     old_record({
       verdict: "shown",
-      checks: [zero({ verdict: "shown", tolerance: 0, reason: "none: side by side", value: "inf" })],
+      checks: [
+        zero({ verdict: "shown", tolerance: 0, reason: "none: side by side", value: "inf" }),
+      ],
       notes: ["a note", "failed: a body moved", "failed: gain = -0.5, 2.3", "it failed: no"],
     }),
   );
@@ -47,6 +49,23 @@ test("figures and failures were checks and notes", () => {
     { reason: "it broke", parameter: "gain", values: [-0.5, 2.3] },
   ]);
   assert.deepEqual(one.notes, ["a note", "it failed: no"]);
+});
+
+const only_failure = (text) => upgraded(old_record({ notes: [`failed: ${text}`] })).failures[0];
+
+test("values of a failure are decimal numbers", () => {
+  const { parameter, values } = only_failure("gain = 1e+20, 1e-05, -0.5, 5e-324, 1E3, .5");
+  assert.equal(parameter, "gain");
+  assert.deepEqual(values, [1e20, 1e-5, -0.5, 5e-324, 1e3, 0.5]);
+});
+
+test("a failure without such values is a text as it stands", () => {
+  const numbers = ["...", ".", "-", "e", "1e", "+1", "--1", "1.2.3", "0x10", "nan", "-inf"];
+  const lists = ["1e999", "1e-999", "1, 1e999", "1,2", "1 ", "1, ", ""];
+  const texts = [...numbers, ...lists].map((values) => `gain = ${values}`);
+  for (const text of [...texts, "gain  = 1", "gain\t= 1", "the gain = 1", " = 1", "gain", ""]) {
+    assert.deepEqual(only_failure(text), { reason: text, parameter: "", values: [] });
+  }
 });
 
 test("a shown check with a tolerance stays a check, and the newest version as it is", () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of which series, and how.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { rules_on_contacts } from "../model/rule.js";
 import { signed_axis } from "../plots/axes.js";
@@ -9,6 +10,9 @@ import { kind_of } from "../plots/parameter_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { bracket_in } from "../plots/threshold_plot.js";
 import { record } from "./records.mjs";
+
+const SCHEMA = new URL("../../record/schema.json", import.meta.url);
+const schema = JSON.parse(readFileSync(SCHEMA, "utf8"));
 
 test("a power law is fitted", () => {
   const fit = power_law([1, 2, 4, 8].map((x) => ({ x, y: 3 * x ** 2 })));
@@ -86,6 +90,15 @@ test("a series over runs is drawn as history, without a fitted power law", () =>
   assert.ok(!kinds([over("cells")]).includes("trend"));
 });
 
+test("the time by phase is named as records define it", () => {
+  const [plot] = case_plots("incline/stop", [{ record: record(), run: 0 }], [{ short: "" }]).filter(
+    ({ kind }) => kind === "phases",
+  );
+  const { description } = schema.definitions.cost.properties.phase_seconds;
+  assert.equal(plot.title.toLowerCase(), description.split(",")[0]);
+  assert.doesNotMatch(JSON.stringify(plot), /CPU/);
+});
+
 test("times and digits over runs stand on their family's page, each in one picture", () => {
   const over_runs = (name) => ({
     ...{ name, unit: "1", x_name: "run", x_unit: "1" },
@@ -95,7 +108,11 @@ test("times and digits over runs stand on their family's page, each in one pictu
   const plots = family_plots(
     "trend/slab",
     [
-      entry("trend/slab/a", [over_runs("time"), over_runs("allocations"), over_runs("digits: creep")]),
+      entry("trend/slab/a", [
+        over_runs("time"),
+        over_runs("allocations"),
+        over_runs("digits: creep"),
+      ]),
       entry("trend/slab/b", [over_runs("digits: creep"), over_runs("digits: energy")]),
     ],
     [{ short: "", role: "shown", date: "" }],

@@ -3,8 +3,6 @@
 // printed, or the tangential bias vector) and with both depths (to the nearest face, or consistent
 // as sec. 3.2 has it). The scenes and their checks are those of `validate`; here it is counted how
 // many of a case's checks hold.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "validation/engine/conformance/probe.h"
-#include "validation/engine/protocol/rigid_body.h"
 
 namespace stiction {
 
@@ -232,7 +231,9 @@ std::string check_loads(const Probe& probe) {
     throw Nonconformity(fmt::format("a force gives it {:.6g} of the momentum F t", share));
   }
   if (!spin) return fmt::format("{:.6g} of F t", share);
-  const double turned = RigidBody(problem.bodies[0]).spin(motion).z() / (2e-3 * time);
+  const Momenta momenta = engine->momenta();
+  const Vec3 about_centre = momenta.angular - motion.position.cross(momenta.linear);
+  const double turned = about_centre.z() / (2e-3 * time);
   if (!(std::abs(turned - 1.0) <= 0.01 + step)) {
     throw Nonconformity(
         fmt::format("a couple gives it {:.6g} of the angular momentum τ t", turned));

@@ -149,8 +149,6 @@ class StictionEngine final : public Engine {
   Cost cost() const override { return cost_.total(workspace_.contact_updates); }
 
   std::uint64_t state_hash() const override { return hash_of(state_); }
-  SolverView view() const { return {scene_, options_, workspace_}; }
-
   Snapshot save() const override { return std::make_shared<const State>(state_); }
   void restore(const Snapshot& snapshot) override {
     state_ = *static_cast<const State*>(snapshot.get());
@@ -159,6 +157,8 @@ class StictionEngine final : public Engine {
     workspace_.pairs.clear();
     workspace_.edges.clear();
   }
+
+  SolverView view() const { return {scene_, options_, workspace_}; }
 
  private:
   [[noreturn]] void refuse_outrun() const {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The adapter of this project's solver, through the interface that every engine has.
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 #include "solver/friction/catalog.h"
 #include "solver/testing/test_refusal.h"

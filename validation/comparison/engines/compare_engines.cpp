@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/engines/compare_engines.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "reports/formats/csv.h"
+#include "reports/record/record_store.h"
+#include "reports/text/names.h"
+#include "solver/demand.h"
+#include "validation/comparison/engines/engine_matrix.h"
+#include "validation/comparison/engines/trials.h"
+#include "validation/engine/conformance/conformance.h"
+
+namespace stiction {
+
+namespace {
+
+std::vector<Question> chosen_questions(const EngineComparison& asked) {
+  std::vector<Question> chosen;
+  for (const std::string& glob : asked.questions) {
+    const auto& all = engine_questions();
+    if (std::none_of(all.begin(), all.end(), [&](const Question& one) {
+          return fnmatch(glob.c_str(), one.id.c_str(), 0) == 0;
+        })) {
+      throw InputError(fmt::format("no question matches '{}'; there are: {}", glob,
+                                   listed_names(all, [](const Question& one) { return one.id; })));
+    }
+  }
+  for (const Question& one : engine_questions()) {
+    const bool named = std::any_of(
+        asked.questions.begin(), asked.questions.end(),
+        [&](const std::string& glob) { return fnmatch(glob.c_str(), one.id.c_str(), 0) == 0; });
+    if (asked.questions.empty() ? !asked.quick || one.quick : named) chosen.push_back(one);
+  }
+  return chosen;
+}
+
+// Engines that could not be asked are told, each in a sentence; a run of none is an error.
+struct Engines {
+  std::vector<EngineKind> asked;
+  std::vector<std::string> left_out;
+};
+
+Engines find_engines(const EngineComparison& comparison) {
+  std::vector<std::string> names = comparison.engines;
+  if (names.empty()) {
+    for (const EngineKind& kind : engine_catalog()) {
+      if (kind.name != "plain") names.push_back(kind.name);  // an example of an adapter
+    }
+    for (const EngineProgram& one : engine_programs()) names.push_back(one.name);
+  }
+  Engines engines;
+  for (const std::string& name : names) {
+    try {
+      EngineKind kind = find_engine(name);
+      demand_conformance(kind, {});
+      engines.asked.push_back(std::move(kind));
+    } catch (const InputError& why) {
+      engines.left_out.push_back(why.what());
+    }
+  }
+  if (engines.asked.empty()) {
+    throw InputError("no engine can be asked: " + listed_names(engines.left_out));
+  }
+  return engines;
+}
+
+std::string sources_text(const std::vector<EngineKind>& engines) {
+  std::string text;
+  for (const EngineKind& engine : engines) {
+    text += fmt::format("- {}: {}\n", engine.name, engine.description);
+    if (!engine.configurations) continue;
+    for (const Configuration& one : engine.configurations("")) {
+      if (one.source.empty()) continue;
+      std::string settings;
+      for (const auto& [name, value] : one.settings) settings += fmt::format(" {}={}", name, value);
+      text += fmt::format("  - {}:{} ({})\n", one.name, settings, one.source);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+ExitCode compare_engines(const EngineComparison& asked) {
+  set_program_limits(asked.limits);
+  const std::vector<Question> questions = chosen_questions(asked);
+  if (asked.list) {
+    for (const Question& one : questions) {
+      fmt::print("{:<14} {:<32} {}\n", one.id, one.case_name, one.words);
+    }
+    return kHolds;
+  }
+  const Engines engines = find_engines(asked);
+  for (const std::string& sentence : engines.left_out) {
+    fmt::print(stderr, "stiction compare engines: left out: {}\n", sentence);
+  }
+  const std::vector<Trial> trials = engine_trials(engines.asked, questions, asked.quick);
+  std::vector<Job> jobs;
+  for (const Trial& trial : trials) jobs.push_back(trial.job);
+
+  RecordStore store = RecordStore::create(asked.out);
+  std::vector<Record> records(jobs.size());
+  std::size_t done = 0;
+  run_jobs(jobs, asked.jobs, 1.0, [&](std::size_t index, Record record) {
+    record.settings["configuration"] = trials[index].configuration;
+    record.settings["effort"] = std::to_string(trials[index].effort);
+    store.append(record);
+    records[index] = std::move(record);
+    ++done;
+    if (isatty(STDERR_FILENO)) {
+      fmt::print(stderr, "\r\033[K[{}/{}] {} {}{}", done, jobs.size(), row_name(trials[index]),
+                 trials[index].job.which.name, done == jobs.size() ? "\r\033[K" : "");
+    }
+  });
+  const std::vector<Record> made = engine_records(questions, trials, records);
+  for (const Record& record : made) store.append(record);
+  const std::vector<std::string> found = engine_findings(questions, made);
+  Record findings;
+  findings.case_name = "engines/findings";
+  findings.title = "what the engines' answers say";
+  findings.verdict = Verdict::kForInformation;
+  findings.notes = found;
+  findings.environment = records.front().environment;
+  store.append(findings);
+
+  const std::string matrix = engine_matrix(questions, made);
+  std::string said;
+  for (const std::string& sentence : found) said += "- " + sentence + "\n";
+  fmt::print("{}\n{}", matrix, said);
+  const std::string cheapest = cheapest_ways(questions, made);
+  store.write_file(
+      "engines.md",
+      fmt::format("# Engines side by side\n\n{}\n## Findings\n\n{}\n## The cheapest way to an "
+                  "error\n\n{}\n## Engines and their configurations\n\n{}",
+                  matrix, said, cheapest, sources_text(engines.asked)));
+  store.write_file("records.csv", csv_table(records));
+  store.finish();
+  fmt::print("\nReport: {}\n", (store.folder() / "engines.md").string());
+  if (!asked.no_page) store.tell_caller();
+  if (std::fflush(stdout) != 0) throw InputError("the matrix could not be written to stdout");
+  return kHolds;
+}
+
+}  // namespace stiction

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/comparison/engines/trials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "reports/text/check_text.h"
+#include "solver/demand.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr std::size_t kQuickRungs = 3;
+
+Case find_case(const std::string& name) {
+  for (Case& one : case_catalog()) {
+    if (one.name == name) return one;
+  }
+  throw std::logic_error("no case is called " + name);
+}
+
+std::string command_of(const EngineKind& engine, const std::string& case_name,
+                       const Settings& settings) {
+  std::string text = fmt::format("./stiction validate --engine '{}' --case '{}'",
+                                 engine.program.empty() ? engine.name : engine.program, case_name);
+  for (const auto& [name, value] : settings) text += fmt::format(" --set {}={}", name, value);
+  return text;
+}
+
+std::vector<Configuration> configurations_of_case(const EngineKind& engine,
+                                                  const std::string& case_name) {
+  if (!engine.configurations) return {{.name = "default"}};
+  std::vector<Configuration> all;
+  for (Configuration& one : engine.configurations(case_name)) {
+    if (one.contrast || one.only_full) continue;
+    if (one.name.empty()) one.name = all.empty() ? "default" : settings_text(one.settings);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+const Judgement* answer_in(const Question& question, const Record& record) {
+  for (const Judgement& check : record.checks) {
+    if (check.claim.quantity == question.quantity) return &check;
+  }
+  return nullptr;
+}
+
+std::string unit_of(const Question& question, const Record& record) {
+  if (question.answer == Answer::kRelative) return "1";
+  const Judgement* const check = answer_in(question, record);
+  return check ? check->claim.unit : "1";
+}
+
+// Of the same question, engine and configuration.
+using Row = std::tuple<std::size_t, std::string, std::string>;
+
+Record summary(const Question& question, const Trial& usual, const Record& record) {
+  Record out;
+  out.case_name = "engines/" + question.id;
+  out.title = question.words;
+  out.engine = usual.engine;
+  out.settings = record.settings;
+  out.settings["configuration"] = usual.configuration;
+  out.variant = "configuration=" + usual.configuration;
+  out.environment = record.environment;
+  out.verdict = Verdict::kForInformation;
+  out.notes.push_back("again: " + usual.command);
+  if (record.verdict == Verdict::kError) out.failures.push_back({.reason = record.error});
+  if (record.verdict == Verdict::kNotApplicable) {
+    out.verdict = Verdict::kNotApplicable;
+    out.notes.insert(out.notes.end(), record.notes.begin(), record.notes.end());
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Trial> engine_trials(const std::vector<EngineKind>& engines,
+                                 const std::vector<Question>& questions, bool quick) {
+  std::vector<Trial> trials;
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    const Case which = find_case(questions[q].case_name);
+    for (const EngineKind& engine : engines) {
+      for (const Configuration& one : configurations_of_case(engine, which.name)) {
+        std::size_t rungs = questions[q].curve ? std::max<std::size_t>(engine.ladder.size(), 1) : 1;
+        if (quick) rungs = std::min(rungs, kQuickRungs);
+        for (std::size_t rung = 0; rung < rungs; ++rung) {
+          Settings settings = one.settings;
+          if (rung > 0) {
+            for (const auto& [name, value] : engine.ladder[rung]) settings[name] = value;
+          }
+          trials.push_back({.question = q,
+                            .engine = engine.name,
+                            .configuration = one.name,
+                            .effort = rung,
+                            .job = {which, engine, settings},
+                            .command = command_of(engine, which.name, settings)});
+        }
+      }
+    }
+  }
+  return trials;
+}
+
+std::optional<double> error_of(const Question& question, const Record& record) {
+  const Judgement* const check = answer_in(question, record);
+  if (!check || record.verdict == Verdict::kError) return std::nullopt;
+  const double off = check->value - check->claim.expected;
+  switch (question.answer) {
+    case Answer::kMagnitude:
+      return std::abs(off);
+    case Answer::kRelative:
+      return off / std::abs(check->claim.expected);
+    case Answer::kDegrees:
+    case Answer::kValue:
+      return off;
+  }
+  return std::nullopt;
+}
+
+std::string row_name(const Trial& trial) { return trial.engine + " · " + trial.configuration; }
+
+std::vector<Record> engine_records(const std::vector<Question>& questions,
+                                   const std::vector<Trial>& trials,
+                                   const std::vector<Record>& records) {
+  std::map<Row, Record> rows;
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    const Trial& trial = trials[k];
+    const Question& question = questions[trial.question];
+    const Row row{trial.question, trial.engine, trial.configuration};
+    auto [at, is_new] = rows.try_emplace(row);
+    Record& out = at->second;
+    if (is_new) out = summary(question, trial, records[k]);
+    const std::optional<double> error = error_of(question, records[k]);
+    const double seconds = records[k].cost.cpu_seconds;
+    if (trial.effort == 0) {
+      out.cost = records[k].cost;
+      if (error) {
+        out.figures.push_back({"error", unit_of(question, records[k]),
+                               "how far the answer is from the right one: " + question.quantity,
+                               *error});
+        out.figures.push_back({"CPU time", "s", "of the engine's steps in this case", seconds});
+      }
+    }
+    if (!question.curve) continue;
+    if (!error) {
+      out.failures.push_back({.reason = records[k].error,
+                              .parameter = "effort",
+                              .values = {static_cast<double>(trial.effort)}});
+      continue;
+    }
+    if (out.series.empty()) {
+      out.series.push_back({"error", unit_of(question, records[k]), "CPU time", "s", {}, {}});
+    }
+    out.series[0].x.push_back(seconds);
+    out.series[0].y.push_back(std::abs(*error));
+  }
+  std::vector<Record> all;
+  for (auto& [row, record] : rows) all.push_back(std::move(record));
+  return all;
+}
+
+}  // namespace stiction
