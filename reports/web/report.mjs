@@ -8,6 +8,7 @@ import { html_page, read_bundles } from "./make/page.mjs";
 import { page_data } from "./make/page_data.mjs";
 import { read_recordings } from "./make/recordings.mjs";
 import { read_run } from "./make/read_run.mjs";
+import { is_engine_case } from "./model/engine.js";
 import { write_svg_files } from "./make/svg_files.mjs";
 
 // Broken runs are told of; the others are shown.
@@ -28,8 +29,10 @@ function read_all(folders, warnings) {
   return runs;
 }
 
+const is_of_engines = ({ records }) => records.some((record) => is_engine_case(record.case));
+
 const default_title = (runs) =>
-  `Validation report, ${runs
+  `${runs.every(is_of_engines) ? "Engines side by side" : "Validation report"}, ${runs
     .map(({ name }) => name)
     .slice(0, 3)
     .join(", ")}`;

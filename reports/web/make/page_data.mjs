@@ -2,6 +2,7 @@
 // Runs → what the page holds: an index that is read at once, and parts that are read when needed.
 import { margin } from "../model/check_text.js";
 import { compare } from "../model/compare.js";
+import { ENGINE_FINDINGS, is_of_engines, own_labels, record_labels } from "../model/engine.js";
 import { family_name, group_by } from "../model/family.js";
 import { is_comparison } from "../model/figure.js";
 import { is_findings } from "../model/finding.js";
@@ -9,11 +10,12 @@ import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
 import { overview_rows } from "../model/overview.js";
 import { fewest_digits, worst_check, VERDICTS } from "../model/verdict.js";
-import { attributes_of, variant_key, variant_labels } from "../model/variant.js";
+import { variant_key } from "../model/variant.js";
 import { comparison_plots } from "../plots/comparison_plot.js";
 import { margin_plot } from "../plots/margin_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { compared_of } from "./compared.mjs";
+import { engines_of, with_whole_questions } from "./engines.mjs";
 import { run_heads } from "./run_heads.mjs";
 
 const RECORDS_A_PART = 200;
@@ -39,7 +41,7 @@ const short_number = (value) =>
     : String(value).replace("Infinity", "inf").toLowerCase();
 
 // One record in the index. page/rows.js reads it in the same order.
-function row_of(texts, { record, run, part }) {
+function row_of(texts, { record, run, part, label }) {
   const check = worst_check(record.checks, margin);
   const text = (value) => texts.add(value);
   const number = (value) => short_number(to_number(value));
@@ -75,6 +77,7 @@ function row_of(texts, { record, run, part }) {
           check.band ? check.band.map(number) : null,
         ]
       : 0,
+    label ? text(label) : 0,
   ];
 }
 
@@ -103,13 +106,17 @@ function parts_of(by_case) {
 export function page_data({ runs, against, title, warnings }) {
   const heads = run_heads(runs, against);
   const all = [...runs, ...against].flatMap((run, place) =>
-    run.records.map((record) => ({ record, run: place })),
+    with_whole_questions(run.records).map((record) => ({ record, run: place })),
   );
   // Findings stand on the summary; they are no case.
   const entries = all.filter(({ record }) => !is_findings(record));
   const findings = all
     .filter(({ record, run }) => is_findings(record) && heads[run].role === "shown")
-    .map(({ record, run }) => ({ run, notes: record.notes }));
+    .map(({ record, run }) => ({
+      run,
+      notes: record.notes,
+      of_engines: record.case === ENGINE_FINDINGS,
+    }));
   const names = natural_sort(
     [...new Set(entries.map(({ record }) => record.case))],
     (name) => name,
@@ -121,17 +128,26 @@ export function page_data({ runs, against, title, warnings }) {
   const texts = new Texts();
   const rows = [];
   cut.forEach((part, place) => {
-    for (const [, group] of part)
-      for (const { record, run } of group) rows.push(row_of(texts, { record, run, part: place }));
+    for (const [, group] of part) {
+      const labels = own_labels(group.map(({ record }) => record));
+      group.forEach(({ record, run }, i) =>
+        rows.push(row_of(texts, { record, run, part: place, label: labels[i] })),
+      );
+    }
   });
 
-  const current = entries.filter(({ run }) => heads[run].role === "shown");
+  const shown = entries.filter(({ run }) => heads[run].role === "shown");
+  // Engines have a table of their own; what else there is, is judged as ever.
+  const engines = engines_of(shown, heads);
+  const current = shown.filter(({ record }) => !is_of_engines(record));
   const by_family = [...group_by(by_case, ([name]) => family_name(name))];
   const current_families = by_family
     .map(([name, cases]) => ({
       name,
       records: cases.flatMap(([, group]) =>
-        group.filter(({ run }) => heads[run].role === "shown").map(({ record }) => record),
+        group
+          .filter(({ record, run }) => heads[run].role === "shown" && !is_of_engines(record))
+          .map(({ record }) => record),
       ),
     }))
     .filter(({ records }) => records.length > 0);
@@ -155,14 +171,15 @@ export function page_data({ runs, against, title, warnings }) {
         )
       : null;
   const counts = Object.fromEntries(VERDICTS.map((verdict) => [verdict, 0]));
-  for (const { record } of current) for (const { verdict } of record.checks) ++counts[verdict];
+  for (const { record } of current.length > 0 ? current : shown)
+    for (const { verdict } of record.checks) ++counts[verdict];
 
   // Where rules stand side by side, margins say nothing: all that is judged is yes or no.
   const in_order = natural_sort([...current], ({ record }) => record.case);
   const compared = is_comparison(current.map(({ record }) => record))
     ? compared_of(in_order, heads)
     : null;
-  const overview = compared ? null : margin_plot(shown_families);
+  const overview = compared || current.length === 0 ? null : margin_plot(shown_families);
   return {
     index: {
       title,
@@ -170,7 +187,11 @@ export function page_data({ runs, against, title, warnings }) {
       warnings,
       check_counts: counts,
       compared,
-      findings,
+      findings: findings.filter(({ of_engines }) => !of_engines),
+      engines: engines && {
+        ...engines,
+        findings: findings.filter(({ of_engines }) => of_engines),
+      },
       overview: overview && { id: "overview", kind: "overview", ...overview },
       families: families.map(({ name, plots }) => ({
         name,
@@ -215,8 +236,9 @@ function thin_changes(changes) {
       seconds: short_number(to_number(record.cost.cpu_seconds)),
     };
   const records = changes.map(({ before, after }) => after ?? before);
-  const labels = variant_labels(
-    records.map((record) => attributes_of(record)),
+  const labels = record_labels(
+    records,
+    () => "",
     (i) => records[i].case,
   );
   return changes.map(({ before, after, ...rest }, i) => ({

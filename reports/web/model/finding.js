@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a comparison says in plain words: the notes of its record of this name.
+import { ENGINE_FINDINGS } from "./engine.js";
 
-export const is_findings = (record) => record.case === "findings";
+export const is_findings = ({ case: name }) => name === "findings" || name === ENGINE_FINDINGS;
 
 const TOPIC = /^([\w-]+)\/[^\s:,]+/;
 const LONGEST_LEAD = 120; // letters

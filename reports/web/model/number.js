@@ -35,6 +35,9 @@ export function format_pair(a, b) {
 /** Two significant digits: errors and tolerances. */
 export const format_error = (value) => general(value, 2);
 
+/** A power of ten that bounds something: "1e-4". */
+export const format_bound = (value) => (value === 1 ? "1" : value.toExponential(0));
+
 /** Digits of agreement, one decimal. */
 export const format_digits = (value) =>
   Number.isFinite(value) ? value.toFixed(1) : general(value, 2);

@@ -71,7 +71,7 @@ async function start(app) {
       const mine = place;
       const fresh = h("div", { class: "view-content" });
       try {
-        await shown_later[view](fresh, route.value, data, cases.list());
+        await shown_later[view](fresh, route.value, data, cases.list(), route.options);
       } catch (error) {
         replace(
           fresh,

@@ -86,6 +86,7 @@ export function rows_of({ rows, texts, compared }) {
       error,
       fewest,
       check,
+      label,
     ] = row;
     return {
       index,
@@ -96,7 +97,8 @@ export function rows_of({ rows, texts, compared }) {
       title: texts[title],
       engine: texts[engine],
       variant: texts[variant],
-      label: label_of(row),
+      label: label === 0 ? label_of(row) : texts[label],
+      of_engines: label !== 0,
       verdict: texts[verdict],
       seconds: to_number(seconds),
       steps,

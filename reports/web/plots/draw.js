@@ -53,7 +53,7 @@ function config_of(colours, width, columns) {
       columns,
       title: null,
       labelFontSize: 12,
-      labelLimit: 320,
+      labelLimit: Math.min(320, 0.8 * width),
       symbolStrokeWidth: 2,
     },
     title: {

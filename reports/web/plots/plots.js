@@ -2,9 +2,9 @@
 // Records → plots, for the page and for SVG files. A plot is
 // {id, kind, title, caption, description, spec}; `spec` is Vega-Lite without colours and width.
 import { group_by, short_name } from "../model/family.js";
+import { compared_variants, is_answer, is_engine_case, record_labels } from "../model/engine.js";
 import { is_comparison } from "../model/figure.js";
-import { rules_on_contacts } from "../model/rule.js";
-import { attributes_of, variant_labels } from "../model/variant.js";
+import { engine_work_plot } from "./engine_work_plot.js";
 import { history_plots, is_history } from "./history_plot.js";
 import { parameter_plot } from "./parameter_plot.js";
 import { phase_plot } from "./phase_plot.js";
@@ -23,10 +23,10 @@ const is_over_runs = (series) => series.x_name === "run"; // as ./stiction track
 const with_id = (plots, prefix) =>
   plots.filter(Boolean).map((plot, i) => ({ ...plot, id: `${prefix}/${plot.kind}-${i + 1}` }));
 
-/** Entries as rules on contacts; the run is named where several are mixed. */
+/** Entries as rules on contacts or as engines; the run is named where several are mixed. */
 export function variants_of(entries, runs) {
   const several = new Set(entries.map(({ run }) => run)).size > 1;
-  return rules_on_contacts(
+  return compared_variants(
     entries.map(({ record }) => record),
     (i) => (several ? runs[entries[i].run].short : ""),
   );
@@ -65,10 +65,12 @@ const axes_key = (series) =>
  * told only where runs are mixed.
  */
 export function case_plots(case_name, entries, runs) {
+  if (is_engine_case(case_name)) return []; // its family, which has no other case, has them
   if (is_comparison(entries.map(({ record }) => record)))
     return with_id(comparison_case_plots(shown_of(entries, runs), runs), case_name);
-  const labels = variant_labels(
-    entries.map(({ record, run }) => attributes_of(record, runs[run].short)),
+  const labels = record_labels(
+    entries.map(({ record }) => record),
+    (i) => runs[entries[i].run].short,
   );
   const labelled = entries.map(({ record }, i) => ({ record, label: labels[i] }));
   const curves = labelled
@@ -82,7 +84,8 @@ export function case_plots(case_name, entries, runs) {
         ? run_plot(group)
         : parameter_plot(group),
   );
-  const phases = phase_plot(labelled);
+  // Phases of different engines are not the same.
+  const phases = entries.every(({ record }) => is_answer(record)) ? null : phase_plot(labelled);
   return with_id([...series_plots, phases && { kind: "phases", ...phases }], case_name);
 }
 
@@ -105,6 +108,13 @@ function run_plots(described) {
 export function family_plots(family, entries, runs) {
   const current = entries.filter(({ run }) => runs[run].role === "shown");
   const records = current.map(({ record }) => record);
+  if (is_engine_case(family)) {
+    const variants = variants_of(current, runs);
+    return with_id(
+      [engine_work_plot(records.map((record, i) => ({ record, variant: variants[i] })))],
+      family,
+    );
+  }
   if (is_comparison(records)) {
     const variants = variants_of(current, runs);
     const work = is_rule_work(records)
@@ -115,8 +125,9 @@ export function family_plots(family, entries, runs) {
       family,
     );
   }
-  const variants = variant_labels(
-    current.map(({ record, run }) => attributes_of(record, runs[run].short)),
+  const variants = record_labels(
+    records,
+    (i) => runs[current[i].run].short,
     (i) => current[i].record.case,
   );
   const of_case = group_by(current, ({ record }) => record.case);
@@ -129,7 +140,8 @@ export function family_plots(family, entries, runs) {
   }));
   const threshold = threshold_plot(described);
   const prediction = prediction_plot(described);
-  const work = work_precision_plot(described);
+  // Of engines each question has a curve of its own.
+  const work = records.some(is_answer) ? null : work_precision_plot(described);
   return with_id(
     [
       threshold && { kind: "threshold", ...threshold },

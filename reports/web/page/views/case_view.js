@@ -2,17 +2,17 @@
 // One case: what it claims, what was measured, how it went, what it cost.
 import { is_comparison } from "../../model/figure.js";
 import { format_count, format_value, to_number } from "../../model/number.js";
-import { rules_on_contacts } from "../../model/rule.js";
-import { attributes_of, variant_labels } from "../../model/variant.js";
+import { compared_variants, is_answer, is_engine_case, record_labels } from "../../model/engine.js";
 import { is_bad, rank } from "../../model/verdict.js";
 import { checks_height, checks_section } from "./checks_section.js";
 import { compared_mark, comparison_part } from "./comparison_part.js";
 import { cost_table } from "./cost_table.js";
+import { answers_mark, engine_case_part, judged_mark } from "./engine_case_part.js";
 import { breakable, h, replace } from "../dom.js";
 import { verdict_mark } from "../widgets/glyph.js";
 import { player_figure } from "../player/player_figure.js";
 import { plot_figure } from "../widgets/plot_figure.js";
-import { plots_of_case, records_of_case } from "../records.js";
+import { plots_of_case, plots_of_family, records_of_case } from "../records.js";
 import { case_hash, hash_of } from "../route.js";
 import { sketch } from "../sketch/sketch.js";
 
@@ -75,8 +75,7 @@ function first_and_last(recorded, runs) {
   return places.length > 1 ? [places[0], places.at(-1)] : [0, recorded.length - 1];
 }
 
-function neighbours(name, list) {
-  const names = [...new Set(list.map((row) => row.case))];
+function neighbours(name, names) {
   const place = names.indexOf(name);
   const link = (target, text, rel) =>
     target === undefined
@@ -98,11 +97,21 @@ function plots_beside(entries, notes, with_player) {
   return Math.max(0, Math.round((height - (with_player ? 340 : 200)) / 340));
 }
 
-/** Fills `element` with the case; `list` are the rows among which previous and next are meant. */
-export async function show_case(element, name, { index, rows }, list) {
+function case_mark(records, worst, compared) {
+  if (is_engine_case(records[0].case)) return answers_mark(records);
+  if (records.every(is_answer)) return judged_mark(records);
+  return compared && !is_bad(worst) ? compared_mark(records) : verdict_mark(worst, 20);
+}
+
+/**
+ * Fills `element` with the case; `list` are the rows among which previous and next are meant, `of` is the
+ * label of the variant that was asked for.
+ */
+export async function show_case(element, name, { index, rows }, list, { of: chosen = "" } = {}) {
   const all = await records_of_case(name, rows);
   const shown = all.filter((record) => index.runs[record.run].role === "shown");
-  const compared = is_comparison(all);
+  const of_engines = is_engine_case(name);
+  const compared = of_engines || is_comparison(all);
   // A comparison is told of the runs shown; the view that compares runs has the earlier ones.
   const records = compared && shown.length > 0 ? shown : all;
   if (records.length === 0) {
@@ -123,10 +132,10 @@ export async function show_case(element, name, { index, rows }, list) {
   }
   const several_runs = new Set(records.map((record) => record.run)).size > 1;
   const run_of = (i) => (several_runs ? index.runs[records[i].run].short : "");
-  const variants = compared ? rules_on_contacts(records, run_of) : [];
+  const variants = compared ? compared_variants(records, run_of) : [];
   const labels = compared
     ? variants.map(({ label }) => label)
-    : variant_labels(records.map((record) => attributes_of(record, index.runs[record.run].short)));
+    : record_labels(records, (i) => index.runs[records[i].run].short);
   const entries = records.map((record, i) => ({
     record,
     label: labels[i],
@@ -137,11 +146,17 @@ export async function show_case(element, name, { index, rows }, list) {
     rank(b.verdict) < rank(a.verdict) ? b : a,
   ).verdict;
   const family = rows.find((row) => row.case === name).family;
+  const order =
+    of_engines && index.engines
+      ? index.engines.questions.map((question) => question.case)
+      : [...new Set(list.map((row) => row.case))];
   const notes = notes_of(entries);
   const recorded = entries.filter(
     ({ record }) => record.frames && index.assets.includes(`frames/${record.frames}`),
   );
-  const plots = await plots_of_case(name, rows, index);
+  const plots = of_engines
+    ? await plots_of_family(family, index)
+    : await plots_of_case(name, rows, index);
   const figures =
     plots === null
       ? [
@@ -162,24 +177,32 @@ export async function show_case(element, name, { index, rows }, list) {
       h(
         "p",
         { class: "crumbs" },
-        h("a", { href: hash_of("cases") }, "Cases"),
-        " / ",
-        h("a", { href: hash_of("family", family) }, family),
+        of_engines
+          ? h("a", { href: hash_of("summary") }, "All engines")
+          : [
+              h("a", { href: hash_of("cases") }, "Cases"),
+              " / ",
+              h("a", { href: hash_of("family", family) }, family),
+            ],
       ),
-      neighbours(name, list),
+      neighbours(name, order),
       h("h1", { id: "case-title" }, breakable(name)),
-      h(
-        "p",
-        { class: "case-title" },
-        compared && !is_bad(worst) ? compared_mark(records) : verdict_mark(worst, 20),
-        records[0].title,
-      ),
+      h("p", { class: "case-title" }, case_mark(records, worst, compared), records[0].title),
     ),
-    compared && comparison_part(entries, figures),
+    of_engines && engine_case_part(entries, figures, new Set(rows.map((row) => row.case)), chosen),
+    compared && !of_engines && comparison_part(entries, figures),
     !compared &&
       h(
         "div",
-        { class: recorded.length > 0 ? "case-columns with-player" : "case-columns" },
+        {
+          class: [
+            "case-columns",
+            recorded.length > 0 && "with-player",
+            records.every(is_answer) && "of-engines",
+          ]
+            .filter(Boolean)
+            .join(" "),
+        },
         h(
           "div",
           { class: "case-claims" },
@@ -210,7 +233,7 @@ export async function show_case(element, name, { index, rows }, list) {
       ),
     !compared && figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
     h("h2", {}, "Cost"),
-    compared && entries.length > 4
+    (compared || records.every(is_answer)) && entries.length > 4
       ? h("details", {}, h("summary", {}, "Engine, settings and cost of each"), cost_table(entries))
       : cost_table(entries),
     meshes_of(records),

@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A comparison as one table: a row a rule on contacts, a column a figure, the least of each marked, and
+// A comparison as one table: a row a rule on contacts or an engine, a column a figure, the least of each marked, and
 // a bar for how much more the others have. Best first; a heading sorts by its column.
 import { compared_quantities, failure_of, figure_of, figure_text } from "../../model/figure.js";
 import { h, replace } from "../dom.js";
+import { is_engine_case } from "../../model/engine.js";
+import { answer_of } from "../../model/engine_answer.js";
 
 // Of these less is not better: they tell where, among how many, or whether.
 const NO_AMOUNT = /^(best|contacts|diagonal dominance)\b/;
+
+// An engine without an answer never got there.
+function error_of(record) {
+  const { kind, error } = answer_of(record);
+  return kind === "never" ? Infinity : error;
+}
 
 const columns_of = (records) =>
   compared_quantities(records).map(({ quantity, unit, meaning }) => ({
     name: quantity,
     unit: unit === "1" ? "" : unit,
     meaning,
-    of: (record) => figure_of(record, quantity),
+    of: (record) =>
+      quantity === "error" && is_engine_case(record.case)
+        ? error_of(record)
+        : figure_of(record, quantity),
   }));
+
+// An error is the less the smaller it is, whatever its sign.
+const size_of = (value, name) => (name === "error" ? Math.abs(value) : value);
 
 // {least, most} of what a column holds, of the variants that did not fail; null when all is the same
 // or something is negative, so that there is no least of a magnitude.
@@ -21,7 +35,7 @@ function range_of(rows, place, name) {
   if (NO_AMOUNT.test(name)) return null;
   const values = rows
     .filter(({ failure }) => !failure)
-    .map(({ values: list }) => list[place])
+    .map(({ values: list }) => size_of(list[place], name))
     .filter(Number.isFinite);
   const least = values.reduce((a, b) => Math.min(a, b), Infinity);
   const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
@@ -35,9 +49,9 @@ function bar_part(value, { least, most }) {
   return 0.06 + 0.94 * (Math.log(value / least) / Math.log(Math.max(10, most / least)));
 }
 
-function cell(value, range, failed) {
+function cell(value, size, range, failed) {
   const text = figure_text(value);
-  const best = range !== null && !failed && value === range.least;
+  const best = range !== null && !failed && size === range.least;
   const bar = range !== null && Number.isFinite(value) && !failed;
   return h(
     "td",
@@ -45,7 +59,7 @@ function cell(value, range, failed) {
       class: ["number", best && "best", !Number.isFinite(value) && "never", bar && "with-bar"]
         .filter(Boolean)
         .join(" "),
-      style: bar ? { "--part": `${(100 * bar_part(value, range)).toFixed(1)}%` } : {},
+      style: bar ? { "--part": `${(100 * bar_part(size, range)).toFixed(1)}%` } : {},
     },
     best
       ? [h("span", { class: "best-mark", "aria-hidden": "true" }, "◆ "), h("strong", {}, text)]
@@ -61,7 +75,7 @@ function ordered(rows, place, places) {
   return [...rows].sort((a, b) => {
     if (!a.failure !== !b.failure) return a.failure ? 1 : -1;
     for (const column of by) {
-      const [left, right] = [a.values[column], b.values[column]];
+      const [left, right] = [a.sizes[column], b.sizes[column]];
       if (kind(left) !== kind(right)) return kind(left) - kind(right);
       if (kind(left) === 0 && left !== right) return left - right;
     }
@@ -69,14 +83,18 @@ function ordered(rows, place, places) {
   });
 }
 
-/** `entries`: [{record, variant}], variants as rules_on_contacts() gives them. */
-export function figures_table(entries) {
+/**
+ * `entries`: [{record, variant}], variants as compared_variants() gives them; `chosen` is the label of
+ * the one that was asked for.
+ */
+export function figures_table(entries, { heading = "Rule", chosen = "" } = {}) {
   const columns = columns_of(entries.map(({ record }) => record));
-  const rows = entries.map(({ record, variant }) => ({
-    variant,
-    failure: failure_of(record),
-    values: columns.map(({ of }) => of(record)),
-  }));
+  const with_contacts = entries.some(({ variant }) => variant.contacts !== "");
+  const rows = entries.map(({ record, variant }) => {
+    const values = columns.map(({ of }) => of(record));
+    const sizes = values.map((value, place) => size_of(value, columns[place].name));
+    return { variant, failure: failure_of(record), values, sizes };
+  });
   const places = columns.map((_, i) => i);
   const ranges = columns.map(({ name }, place) => range_of(rows, place, name));
   const body = h("tbody");
@@ -92,18 +110,22 @@ export function figures_table(entries) {
       ),
     ),
   );
-  const row = ({ variant, failure, values }) =>
+  const row = ({ variant, failure, values, sizes }) =>
     h(
       "tr",
-      { class: failure ? "failed" : "" },
+      {
+        class: [failure && "failed", variant.label === chosen && "chosen"]
+          .filter(Boolean)
+          .join(" "),
+      },
       h(
         "th",
         { scope: "row" },
         variant.words,
         failure && [" ", h("span", { class: "failed-why" }, `✕ ${failure}`)],
       ),
-      h("td", {}, variant.contacts),
-      values.map((value, place) => cell(value, ranges[place], failure !== "")),
+      with_contacts && h("td", {}, variant.contacts),
+      values.map((value, place) => cell(value, sizes[place], ranges[place], failure !== "")),
     );
   function sort(place) {
     heads.forEach((head, i) =>
@@ -128,8 +150,8 @@ export function figures_table(entries) {
           h(
             "tr",
             {},
-            h("th", { scope: "col" }, "Rule"),
-            h("th", { scope: "col" }, "Contacts"),
+            h("th", { scope: "col" }, heading),
+            with_contacts && h("th", { scope: "col" }, "Contacts"),
             heads,
           ),
         ),

@@ -4,11 +4,13 @@ import { by_topic, parted } from "../../model/finding.js";
 import { h } from "../dom.js";
 import { case_hash } from "../route.js";
 
-// The lead in bold; a case's name at its start leads there.
-function sentence(note, cases) {
+/** A list's entry, the lead in bold; a case's name at its start, without `folder`, leads there. */
+export function sentence(note, cases, folder = "") {
   const [lead, rest] = parted(note);
   const name = cases.find((one) => lead === `${one}:` || lead.startsWith(`${one},`));
-  const bold = name ? [h("a", { href: case_hash(name) }, name), lead.slice(name.length)] : lead;
+  const bold = name
+    ? [h("a", { href: case_hash(folder + name) }, name), lead.slice(name.length)]
+    : lead;
   return h("li", {}, lead && h("strong", {}, bold), rest);
 }
 

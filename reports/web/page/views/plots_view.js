@@ -44,9 +44,9 @@ export async function show_plots(element, kind, { index }) {
       return plots.map((plot) =>
         h(
           "section",
-          {},
+          { class: plot.wide ? "plot-wide" : "" },
           h("h2", {}, h("a", { href: hash_of("family", name) }, name)),
-          plot_figure({ ...plot, title: title(plot) }),
+          plot_figure({ ...plot, title: title(plot), wide: false }),
         ),
       );
     }),

@@ -11,6 +11,7 @@ import {
 } from "../../model/number.js";
 import { counted, rank, VERDICTS } from "../../model/verdict.js";
 import { compared_headline, compared_parts } from "./compared_part.js";
+import { engines_headline, engines_parts, engines_subline } from "./engines_part.js";
 import { h } from "../dom.js";
 import { failures_list } from "./failures.js";
 import { family_table } from "./family_table.js";
@@ -180,14 +181,32 @@ const overview_part = (index, current) =>
       ),
   );
 
+const tally_line = (tally, cases) =>
+  h(
+    "p",
+    { class: "subline" },
+    `${plural(tally.records, "record")} of ${plural(cases, "case")}`,
+    VERDICTS.filter((name) => tally[name] > 0).map((name) =>
+      h(
+        "a",
+        { class: `tally verdict-${name}`, href: hash_of("cases", "", { verdict: name }) },
+        glyph(name, 13),
+        ` ${counted(name, tally[name], format_count(tally[name]))}`,
+      ),
+    ),
+  );
+
 export function summary_view({ index, rows, comparison }) {
-  const current = rows.filter((row) => index.runs[row.run].role === "shown");
-  const tally = tally_of(current);
-  const [verdict, sentence] =
-    index.compared && tally.bad === 0
+  const shown = rows.filter((row) => index.runs[row.run].role === "shown");
+  const current = shown.filter((row) => !row.of_engines);
+  const only_engines = index.engines !== null && current.length === 0;
+  const tally = tally_of(only_engines ? shown : current);
+  const [verdict, sentence] = only_engines
+    ? ["for-information", engines_headline(index.engines)]
+    : index.compared && tally.bad === 0
       ? ["for-information", compared_headline(index.compared)]
       : headline(tally, index);
-  const families = new Set(current.map((row) => row.case)).size;
+  const cases = new Set(current.map((row) => row.case)).size;
   return h(
     "section",
     { class: "view view-summary", "aria-labelledby": "summary-title" },
@@ -199,30 +218,22 @@ export function summary_view({ index, rows, comparison }) {
         "div",
         {},
         h("h1", { id: "summary-title", class: `verdict-${verdict}` }, sentence),
-        h(
-          "p",
-          { class: "subline" },
-          `${plural(tally.records, "record")} of ${plural(families, "case")}`,
-          VERDICTS.filter((name) => tally[name] > 0).map((name) =>
-            h(
-              "a",
-              { class: `tally verdict-${name}`, href: hash_of("cases", "", { verdict: name }) },
-              glyph(name, 13),
-              ` ${counted(name, tally[name], format_count(tally[name]))}`,
-            ),
-          ),
-        ),
+        !only_engines && tally_line(tally, cases),
+        index.engines && engines_subline(index.engines),
         h("p", { class: "provenance" }, provenance(index.runs)),
-        play_line(current, index),
+        play_line(shown, index),
         change_line(comparison),
       ),
     ),
-    index.compared
-      ? [failures_list(current), compared_parts(index, current)]
-      : [
-          Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
-          failures_list(current),
-          overview_part(index, current),
-        ],
+    only_engines
+      ? null
+      : index.compared
+        ? [failures_list(current), compared_parts(index, current)]
+        : [
+            Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
+            failures_list(current),
+            overview_part(index, current),
+          ],
+    index.engines && engines_parts(index.engines, index.runs),
   );
 }

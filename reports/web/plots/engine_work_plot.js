@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What precision costs with each engine: the error of its answers to a question over CPU time, joined
+// along the ladder of its efforts. A colour for each engine, a shape for each of its configurations.
+import { OURS } from "../model/engine.js";
+import { failed_efforts } from "../model/engine_answer.js";
+import { to_number } from "../model/number.js";
+import { log_domain, quantity_axis, rounded } from "./axes.js";
+import { pixel } from "./end_labels.js";
+import { pareto_front } from "./fit.js";
+import { numbered, tip, tip_number } from "./names.js";
+import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
+
+const HEIGHT = 380; // px
+const MOST_FAILED = 9; // named in the plot
+const LINE = 14; // px from name to name
+const OTHER_SHAPES = 3;
+const MOST_NAMED = 5; // of the front, in the caption
+
+// Of each variant its colour and its shape; when the colours begin again, they do so with other shapes.
+function looks_of(variants) {
+  const others = [...new Set(variants.map(({ rule }) => rule))].filter((rule) => rule !== OURS);
+  const seen = new Map();
+  return variants.map(({ rule }) => {
+    const place = seen.get(rule) ?? 0;
+    seen.set(rule, place + 1);
+    const colour = others.indexOf(rule) % SERIES_COLOURS.length;
+    const round = rule === OURS ? 0 : Math.floor(others.indexOf(rule) / SERIES_COLOURS.length);
+    return {
+      color: rule === OURS ? "$ink" : SERIES_COLOURS[colour],
+      shape: SERIES_SHAPES[(place + OTHER_SHAPES * round) % SERIES_SHAPES.length],
+    };
+  });
+}
+
+// A curve has the efforts that did not fail, in order.
+function points_of({ variant, record }, key) {
+  const { x, y } = record.series[0] ?? { x: [], y: [] };
+  const failed = new Set(failed_efforts(record).map(({ effort }) => effort));
+  let effort = -1;
+  return x.map((seconds, i) => {
+    do ++effort;
+    while (failed.has(effort));
+    return {
+      who: variant.name,
+      who_key: key,
+      effort,
+      ours: variant.rule === OURS,
+      seconds: to_number(seconds),
+      error: to_number(y[i]),
+    };
+  });
+}
+
+function failed_words(entries) {
+  const words = entries.flatMap(({ variant, record }, key) =>
+    failed_efforts(record).map(({ effort, reason }) => ({
+      who: variant.name,
+      who_key: key,
+      name: `✕ ${variant.name}, effort ${effort}`,
+      failure: reason,
+    })),
+  );
+  const shown = words.length > MOST_FAILED ? words.slice(0, MOST_FAILED - 1) : words;
+  const more = words.length - shown.length;
+  const rest = { who: "", who_key: 0, name: `✕ and ${more} more, listed below`, failure: "" };
+  return (more > 0 ? [...shown, rest] : shown).map((one, i) => ({
+    ...one,
+    place: LINE * (i + 0.5),
+  }));
+}
+
+const edge_words = (told) =>
+  [
+    told.some(({ error }) => error === 0) && "On the lower edge: no error at all.",
+    told.some(({ error }) => Number.isNaN(error)) &&
+      "On the upper edge: it never came to what is asked for.",
+  ].filter(Boolean);
+
+/** `all`: [{variant, record}] of a case engines/…; null where no engine has a curve. */
+export function engine_work_plot(all) {
+  const entries = all.filter(
+    ({ record }) => record.series.length > 0 || failed_efforts(record).length > 0,
+  );
+  const points = entries.flatMap(points_of);
+  if (points.length === 0) return null;
+  const unit = entries.find(({ record }) => record.series.length > 0).record.series[0].unit;
+  const x_domain = log_domain(points.map(({ seconds }) => seconds));
+  const y_domain = log_domain(points.map(({ error }) => error));
+  if (points.some(({ error }) => Number.isNaN(error))) y_domain[1] *= 10; // above all that is told
+  const names = numbered(entries.map(({ variant }) => variant.name));
+  const looks = looks_of(entries.map(({ variant }) => variant));
+  const place = (point) => ({
+    ...point,
+    seconds: rounded(Math.max(x_domain[0], point.seconds)),
+    y: rounded(
+      Number.isNaN(point.error)
+        ? y_domain[1]
+        : Math.min(y_domain[1], Math.max(y_domain[0], point.error)),
+    ),
+    error: Number.isNaN(point.error) ? "never" : point.error,
+  });
+  const front = pareto_front(
+    points.filter(({ error }) => !Number.isNaN(error)),
+    ({ seconds }) => seconds,
+    ({ error }) => error,
+  );
+  const channel = (range, legend) => ({
+    field: "who_key",
+    type: "ordinal",
+    scale: { domain: names.keys, range },
+    legend: legend && { labelExpr: names.labels },
+  });
+  const color = channel(
+    looks.map((look) => look.color),
+    true,
+  );
+  const encoding = {
+    x: quantity_axis("seconds", "CPU time", "s", { log: true, domain: x_domain }),
+    y: quantity_axis("y", "|error|", unit, { log: true, domain: y_domain }),
+  };
+  const tooltip = [
+    tip("who", "engine"),
+    tip("effort", "effort"),
+    tip_number("seconds", "CPU s"),
+    tip("error", "|error|"),
+  ];
+  const failed = failed_words(entries);
+  const all_failed = entries.reduce((sum, { record }) => sum + failed_efforts(record).length, 0);
+  const on_front = [...new Set(front.map(({ who }) => who))];
+  const front_words =
+    on_front.slice(0, MOST_NAMED).join(", ") + (on_front.length > MOST_NAMED ? ", …" : "");
+  return {
+    kind: "work-precision",
+    title: "Work and precision, engine by engine",
+    wide: true,
+    caption: [
+      `Lower left is better. Dashed: what no other beats: ${front_words}.`,
+      "Lines join an engine's efforts; filled: its usual one.",
+      ...edge_words(points),
+      all_failed > 0 && `✕: ${all_failed} answer${all_failed > 1 ? "s" : ""} failed.`,
+    ]
+      .filter(Boolean)
+      .join(" "),
+    description:
+      `Error over CPU time of ${entries.length} engines and configurations, ${points.length} points. ` +
+      `None is beaten by another: ${front_words}.`,
+    spec: {
+      height: HEIGHT,
+      layer: [
+        {
+          data: { values: front.map(place) },
+          mark: {
+            type: "line",
+            color: "$muted",
+            strokeDash: [5, 4],
+            strokeWidth: 1.5,
+            interpolate: "step-after",
+          },
+          encoding,
+        },
+        {
+          data: { values: points.map(place) },
+          mark: { type: "line", opacity: 0.8 },
+          encoding: {
+            ...encoding,
+            color,
+            order: { field: "effort", type: "quantitative" },
+            strokeWidth: {
+              field: "ours",
+              type: "nominal",
+              scale: { domain: [false, true], range: [1.4, 2.6] },
+              legend: null,
+            },
+          },
+        },
+        {
+          data: { values: points.map(place) },
+          mark: { type: "point", size: 62, strokeWidth: 1.7, opacity: 1 },
+          encoding: {
+            ...encoding,
+            stroke: color,
+            fill: { ...color, legend: null },
+            shape: channel(
+              looks.map((look) => look.shape),
+              true,
+            ),
+            fillOpacity: { condition: { test: "datum.effort === 0", value: 1 }, value: 0 },
+            tooltip,
+          },
+        },
+        {
+          data: { values: failed },
+          mark: { type: "text", align: "right", baseline: "middle", fontSize: 10.5, dx: -3 },
+          encoding: {
+            x: { value: { expr: "width" } },
+            y: pixel("place"),
+            text: { field: "name" },
+            color: { ...color, legend: null },
+            tooltip: [tip("who", "engine"), tip("failure", "failed")],
+          },
+        },
+      ],
+    },
+  };
+}
