@@ -11,6 +11,7 @@
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/engine/conformance/conformance.h"
+#include "validation/engine/conformance/protocol_cost.h"
 #include "validation/engine/engine.h"
 
 namespace stiction {
@@ -76,6 +77,15 @@ ExitCode check(const Arguments& arguments) {
     held += one.conformity == Conformity::kHolds ? 1 : 0;
     if (fails) code = kDoesNotHold;
     fmt::print("{:<5} {:<24} {}\n", word, one.name, one.sentence);
+  }
+  if (!kind.program.empty() && failed == 0) {
+    const ProtocolCost cost = protocol_cost(kind, parse_settings(arguments.settings));
+    fmt::print(
+        "\nThe protocol: a request takes {:.0f} µs, of which {:.0f} µs are CPU time of the "
+        "engine's "
+        "process; an observation {:.0f} µs. A step with a box on a slope takes {:.3g} µs of CPU "
+        "time.\n",
+        1e6 * cost.request, 1e6 * cost.request_cpu, 1e6 * cost.observation, 1e6 * cost.step_cpu);
   }
   fmt::print("\n{} checks hold, {} fail{}\n", held, failed,
              failed > 0 ? ": such an engine is not graded" : "");

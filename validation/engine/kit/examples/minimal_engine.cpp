@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "validation/engine/kit/stiction_engine.h"
+#include "stiction_engine.h"
 
 using Eigen::Map, Eigen::Vector3d;
 
