@@ -65,11 +65,15 @@ void Simulation::advance(std::uint64_t steps) {
 void Simulation::find_contacts() {
   for (;;) {
     mj_step1(model_.get(), data_.get());
-    mjWarningStat* const warning = data_->warning;
-    if (warning[mjWARN_CONTACTFULL].number + warning[mjWARN_CNSTRFULL].number == 0) return;
-    model_->nconmax *= 2;
-    model_->njmax *= 2;
-    model_->nstack *= 3;
+    const bool contacts_full = data_->warning[mjWARN_CONTACTFULL].number > 0;
+    const bool rows_full = data_->warning[mjWARN_CNSTRFULL].number > 0;
+    if (!contacts_full && !rows_full) return;
+    const auto more = [](int& room) { room += room / 2; };  // its memory is below 2 GB
+    if (contacts_full) more(model_->nconmax);
+    if (rows_full) {
+      more(model_->njmax);
+      more(model_->nstack);
+    }
     Data roomier(mj_makeData(model_.get()));
     roomier->time = data_->time;
     std::copy_n(data_->qpos, model_->nq, roomier->qpos);

@@ -80,6 +80,7 @@ class Siconos(stiction_engine.Engine):
     ladder = [{"dt": dt} for dt in ("0.005", "0.0025", "0.00125", "0.000625", "0.0003125")]
 
     def load(self, problem):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Siconos prints lines at each step; no reply goes there
         dt = min(0.005, problem.time) if problem.time > 0.0 else 0.005
         self.time_step = dt = self.number("dt", dt) / problem.finer
         if not dt > 0.0:
