@@ -89,7 +89,7 @@ Holding holding(const EngineAnswers& answers, const EngineRow& row) {
   for (const Question& question : answers.questions()) {
     const EngineAnswer answer = answers.of(question, row);
     const double error = answer.error.value_or(std::nan(""));
-    if (question.quantity == "creep" && answer.applicable) {
+    if (question.id.rfind("creep", 0) == 0 && answer.applicable) {
       seen.creep_asked = true;
       seen.creep = answer.error ? std::max(seen.creep, std::abs(error)) : INFINITY;
     }
