@@ -48,6 +48,10 @@ void define_engines(CLI::App& app, EngineComparison& asked) {
       ->type_name("GLOB");
   app.add_flag("--list", asked.list, "Show the questions and end");
   app.add_flag("--quick", asked.quick, "Under three minutes: the chief questions");
+  app.add_option("--cpu-limit", asked.cpu_limit,
+                 "CPU time for an answer, s; what takes longer is told as broken")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   add_engine_limits(app, asked.limits);
   app.add_option("--out", asked.out,
                  "Folder for the reports; each run gets a folder of its own in it, 'latest' points "

@@ -54,6 +54,7 @@ TEST(RecordJson, EveryFieldArrives) {
   EXPECT_EQ(out.cost.steps, in.cost.steps);
   EXPECT_EQ(out.cost.contact_updates, in.cost.contact_updates);
   EXPECT_EQ(out.cost.ns_per_contact_update, in.cost.ns_per_contact_update);
+  EXPECT_EQ(out.cost.told_cpu_seconds, in.cost.told_cpu_seconds);
   EXPECT_EQ(out.cost.phase_seconds, in.cost.phase_seconds);
   EXPECT_EQ(out.environment.revision, in.environment.revision);
   EXPECT_EQ(out.environment.toolchain, in.environment.toolchain);

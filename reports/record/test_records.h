@@ -71,7 +71,12 @@ inline Record passing_record(const std::string& case_name = "incline/threshold/m
   record.notes = {"The box is 0.2 m wide, so that it does not topple."};
   record.meshes = {{"box", 18, 20, 54.7, 90.0, 0.058}};
   record.series = {{"kinetic energy", "J", "time", "s", {0.0, 0.5}, {1.0, 0.25}}};
-  record.cost = {0.25, 12000, 96000, 41.5, {{"friction", 0.1}, {"detect", 0.02}}};
+  record.cost = {.cpu_seconds = 0.25,
+                 .told_cpu_seconds = 0.2,
+                 .steps = 12000,
+                 .contact_updates = 96000,
+                 .ns_per_contact_update = 41.5,
+                 .phase_seconds = {{"friction", 0.1}, {"detect", 0.02}}};
   record.state_hash = "0123456789abcdef";
   record.environment = {"4f2a9c1+", "g++ 12.2.0 release", "Example CPU, 2 cores",
                         "2025-11-20T23:41:05Z"};

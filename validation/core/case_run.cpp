@@ -60,6 +60,7 @@ CaseRun::Running CaseRun::simulate_with(const Settings& over, const Problem& pro
   Running running(new Simulation(engine_, merged(settings_, over), problem, accuracy,
                                  keeps_frames_ ? &may_record_ : nullptr),
                   {this});
+  running->limit_cpu(cpu_limit_ - record_.cost.cpu_seconds);
   started(running->engine());
   return running;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -57,6 +58,8 @@ class CaseRun {
   void bodies_are_thrown() { passages_noted_ = passages_noted_ || configuration_.lets_thrown_pass; }
   /// The case counts passages itself: they are notes, not errors.
   void passages_are_noted() { passages_noted_ = true; }
+  /// Simulations end with an InputError when their steps have taken so much CPU time in all, s.
+  void limit_cpu(double seconds) { cpu_limit_ = seconds; }
   /// To be called once the case has run to its end: an expectation that no check met is a failing
   /// check, so that the table cannot rot.
   void demand_expected_checks();
@@ -89,6 +92,7 @@ class CaseRun {
   Settings settings_;
   Configuration configuration_;
   double tolerance_scale_;
+  double cpu_limit_ = std::numeric_limits<double>::infinity();
   Expectations expectations_;         // of this case and variant
   std::set<std::string> quantities_;  // checked so far
   Record record_;

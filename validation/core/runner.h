@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct Job {
   Case which;
   EngineKind engine;
   Settings settings;
+  /// CPU time of all its steps, s: what takes longer is an error that says so.
+  double cpu_limit = std::numeric_limits<double>::infinity();
 };
 
 /// Which cases to run, and how.

@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include "solver/demand.h"
 #include "validation/observe/passage_watch.h"
 
 namespace stiction {
@@ -25,10 +26,13 @@ Simulation::Simulation(const EngineKind& kind, const Settings& settings, const P
 Simulation::~Simulation() = default;
 
 Simulated Simulation::outcome() noexcept {
-  Simulated outcome{engine_->cost(), engine_->state_hash(), {}, contrast_, std::nullopt};
+  Simulated outcome;
+  outcome.passages_noted = contrast_;
   try {
+    outcome.cost = engine_->cost();
     if (engine_->steps_done() > 0) watch_->look(*engine_, true);
     outcome.passages = watch_->found();
+    outcome.state_hash = engine_->state_hash();
   } catch (const std::exception& error) {
     outcome.passages = {
         fmt::format("whether bodies pass through each other is not known: {}", error.what())};
@@ -50,6 +54,9 @@ void Simulation::advance(std::uint64_t steps) {
   const std::uint64_t target = engine_->steps_done() + steps;
   const auto advance_until = [this](std::uint64_t step) {
     if (step > engine_->steps_done()) engine_->advance(step - engine_->steps_done());
+    if (engine_->cost().cpu_seconds > cpu_limit_) {
+      throw InputError(fmt::format("gave up at t = {:.3g} s: its CPU time is used up", time()));
+    }
   };
   const auto frame = [this] { return recorder_ ? recorder_->due_step() : Recorder::kNever; };
   while (std::min(frame(), watch_->due_step()) <= target) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,9 @@ class Simulation {
   /// neither the state nor the cost changes.
   void record_frames(double interval);
 
+  /// Advancing throws InputError once the engine's steps have taken longer, s of CPU time.
+  void limit_cpu(double seconds) { cpu_limit_ = seconds; }
+
   /// This simulation stands for a method that is known to break: bodies that pass through each
   /// other are a note in the record, not an error.
   void shows_contrast() { contrast_ = true; }
@@ -63,6 +67,7 @@ class Simulation {
   std::unique_ptr<PassageWatch> watch_;
   bool* may_record_;
   bool contrast_;
+  double cpu_limit_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace stiction

@@ -7,7 +7,7 @@
 
 namespace stiction {
 
-bool gives(CaseRun& run, const InclineSetup& setup, const Accuracy& accuracy) {
+SlopeResponse slope_response(CaseRun& run, const InclineSetup& setup, const Accuracy& accuracy) {
   constexpr double kFrom = 1.0, kWindow = 0.5;  // s; the load is full at 0.7 s
   InclineRun incline(run, setup, settled_incline_problem(setup), accuracy);
   incline.advance_to(kFrom);
@@ -20,8 +20,7 @@ bool gives(CaseRun& run, const InclineSetup& setup, const Accuracy& accuracy) {
   const double fast = (third - second) / (end - middle);
   const double acceleration = (fast - slow) / (0.5 * (end - start));
   const double free = kStandardGravity * std::sin(std::atan(setup.tan_slope));
-  // Not a number, for an engine that has lost the body, gives too.
-  return !(acceleration < kGiving * free);
+  return {fast, acceleration, !(acceleration < kGiving * free)};
 }
 
 Bracket slope_that_gives(CaseRun& run, const InclineSetup& setup, double width,
@@ -29,7 +28,7 @@ Bracket slope_that_gives(CaseRun& run, const InclineSetup& setup, double width,
   const auto holds = [&](double tan_slope) {
     InclineSetup sloped = setup;
     sloped.tan_slope = tan_slope;
-    return !gives(run, sloped, accuracy);
+    return !slope_response(run, sloped, accuracy).gives;
   };
   const double expected = giving_slope(setup.friction);
   // Begun so that no slope tried is Coulomb's own, and outwards in growing steps from there: a

@@ -15,9 +15,14 @@ inline constexpr double kGiving = 1e-3;
 /// tan θ at which a body gives by Coulomb's law.
 constexpr double giving_slope(double friction) { return friction / (1.0 - kGiving); }
 
-/// Whether a body gives on this slope: the gain between its mean speeds of two half seconds, after
-/// the load has come smoothly.
-bool gives(CaseRun& run, const InclineSetup& setup, const Accuracy& accuracy = {});
+/// What a body does on a slope, after the load has come smoothly.
+struct SlopeResponse {
+  double speed = 0.0;         ///< mean of the last half second, downhill, m/s
+  double acceleration = 0.0;  ///< the gain between the mean speeds of two half seconds, m/s²
+  bool gives = false;         ///< also where that is no number: the engine has lost the body
+};
+SlopeResponse slope_response(CaseRun& run, const InclineSetup& setup,
+                             const Accuracy& accuracy = {});
 
 /// The tan θ at which it does, in a bracket of this width, wherever it may lie between level ground
 /// and three times the critical slope. `setup.tan_slope` has no effect.

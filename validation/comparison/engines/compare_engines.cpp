@@ -20,6 +20,8 @@ namespace stiction {
 
 namespace {
 
+constexpr double kQuickLimit = 5.0;  // s of CPU time for an answer
+
 std::vector<Question> chosen_questions(const EngineComparison& asked) {
   std::vector<Question> chosen;
   for (const std::string& glob : asked.questions) {
@@ -102,7 +104,10 @@ ExitCode compare_engines(const EngineComparison& asked) {
   }
   const std::vector<Trial> trials = engine_trials(engines.asked, questions, asked.quick);
   std::vector<Job> jobs;
-  for (const Trial& trial : trials) jobs.push_back(trial.job);
+  for (const Trial& trial : trials) {
+    jobs.push_back(trial.job);
+    jobs.back().cpu_limit = asked.quick ? std::min(asked.cpu_limit, kQuickLimit) : asked.cpu_limit;
+  }
 
   RecordStore store = RecordStore::create(asked.out);
   std::vector<Record> records(jobs.size());
@@ -120,7 +125,8 @@ ExitCode compare_engines(const EngineComparison& asked) {
   });
   const std::vector<Record> made = engine_records(questions, trials, records);
   for (const Record& record : made) store.append(record);
-  const std::vector<std::string> found = engine_findings(questions, made);
+  const EngineAnswers answers(questions, made);
+  const std::vector<std::string> found = engine_findings(answers);
   Record findings;
   findings.case_name = "engines/findings";
   findings.title = "what the engines' answers say";
@@ -129,11 +135,11 @@ ExitCode compare_engines(const EngineComparison& asked) {
   findings.environment = records.front().environment;
   store.append(findings);
 
-  const std::string matrix = engine_matrix(questions, made);
+  const std::string matrix = engine_matrix(answers);
   std::string said;
   for (const std::string& sentence : found) said += "- " + sentence + "\n";
   fmt::print("{}\n{}", matrix, said);
-  const std::string cheapest = cheapest_ways(questions, made);
+  const std::string cheapest = cheapest_ways(answers);
   store.write_file(
       "engines.md",
       fmt::format("# Engines side by side\n\n{}\n## Findings\n\n{}\n## The cheapest way to an "

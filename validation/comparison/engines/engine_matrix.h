@@ -4,25 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "reports/record/record.h"
-#include "validation/comparison/engines/questions.h"
+#include "validation/comparison/engines/answers.h"
 
 namespace stiction {
 
-/// Engine × question: an aligned table in Markdown, of records that engine_records() made. A cell
-/// is how far an answer is off; "–" what an engine lacks, "broke" where it failed, "never" where it
-/// has no answer. Order: as in the records.
-std::string engine_matrix(const std::vector<Question>& questions, const std::vector<Record>& made);
+/// Engine × question: an aligned table in Markdown. A cell is how far an answer is off; "–" what an
+/// engine lacks, "broke" where it failed, "never" where it has no answer.
+std::string engine_matrix(const EngineAnswers& answers);
 
 /// The cheapest way to an error below each of some bounds, a line a question and bound: engine,
-/// configuration and CPU time, with our own solver's behind.
-std::string cheapest_ways(const std::vector<Question>& questions, const std::vector<Record>& made);
+/// configuration and CPU time, with our own solver's behind. Empty without a curve.
+std::string cheapest_ways(const EngineAnswers& answers);
 
-/// What the records say in plain words, first where another engine is better or cheaper than ours.
-std::vector<std::string> engine_findings(const std::vector<Question>& questions,
-                                         const std::vector<Record>& made);
+/// What the answers say in plain words, first where another engine is better or cheaper than ours.
+std::vector<std::string> engine_findings(const EngineAnswers& answers);
 
 /// "4.2e-13", "+0.0012": a short error, signed where it can be below 0.
 std::string short_error(const Question& question, double error);
+
+/// Bounds of the errors for which the cheapest way is looked for.
+inline constexpr double kErrorBounds[] = {1e-2, 1e-4, 1e-6};
 
 }  // namespace stiction

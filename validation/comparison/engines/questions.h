@@ -11,6 +11,7 @@ enum class Answer {
   kMagnitude,  ///< |value|, in its unit: creep
   kDegrees,    ///< value − expected
   kRelative,   ///< (value − expected)/expected
+  kCount,      ///< value − expected, a whole number
   kValue       ///< the value itself, beside what is expected: a critical μ
 };
 

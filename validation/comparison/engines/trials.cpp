@@ -118,6 +118,7 @@ std::optional<double> error_of(const Question& question, const Record& record) {
     case Answer::kRelative:
       return off / std::abs(check->claim.expected);
     case Answer::kDegrees:
+    case Answer::kCount:
     case Answer::kValue:
       return off;
   }

@@ -2,11 +2,11 @@
 // Motions without contact: a body's path is known whatever the engine's model of contact is.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "validation/engine/conformance/probe.h"
-#include "validation/engine/protocol/rigid_body.h"
 
 namespace stiction {
 
@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kExact =
     1e-5;  // m, m/s, rad: of numbers that are only passed on; single precision has 1e-7
+constexpr double kDamped = 0.9;  // of the way: some engines damp all motion unless told otherwise
 constexpr double kClose =
     2e-3;  // relative: of a motion; what a scheme of higher error is off in some steps
 constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -117,13 +118,13 @@ std::string check_velocity(const Probe& probe) {
         "long as the time step that is told, {:.6g} s?",
         time, engine->time_step()));
   }
-  if (!near(share, 1.0, kClose) && owner(expected, told[0], 1e-3) < 0) {
+  if (!(share >= kDamped && share <= 1.0 + kClose) && owner(expected, told[0], 1e-3) < 0) {
     throw Nonconformity(fmt::format(
         "without any force a body moves {:.6g} times as far as its velocity takes it in {:.4g} s: "
         "is there hidden damping, or another time step than the {:.6g} s that is told?",
         share, time, engine->time_step()));
   }
-  compare(expected, told, kClose * 0.5, "position after 0.5 s");
+  compare(expected, told, kClose * 0.5 + (1.0 - std::min(share, 1.0)), "position after 0.5 s");
   return fmt::format("moves {:.9g} times as far as its velocity says", share);
 }
 
@@ -204,7 +205,8 @@ std::string check_spin(const Probe& probe) {
     throw Nonconformity(
         "turns the other way: the rotation goes from the body's frame to the world's");
   }
-  if ((turn - Vec3(0.0, 0.0, 0.8 * time)).norm() > 0.01 * time) {
+  // Some engines damp rotations unless told otherwise: then it turns less, but about that axis.
+  if (!(share >= kDamped && share <= 1.02) || Vec3(turn.x(), turn.y(), 0.0).norm() > 0.01 * time) {
     throw Nonconformity(
         fmt::format("spun with (0, 0, 0.8) rad/s it has turned by {} rad in {:.4g} s, "
                     "about the world's axes",
@@ -232,7 +234,9 @@ std::string check_loads(const Probe& probe) {
     throw Nonconformity(fmt::format("a force gives it {:.6g} of the momentum F t", share));
   }
   if (!spin) return fmt::format("{:.6g} of F t", share);
-  const double turned = RigidBody(problem.bodies[0]).spin(motion).z() / (2e-3 * time);
+  const Momenta momenta = engine->momenta();
+  const Vec3 about_centre = momenta.angular - motion.position.cross(momenta.linear);
+  const double turned = about_centre.z() / (2e-3 * time);
   if (!(std::abs(turned - 1.0) <= 0.01 + step)) {
     throw Nonconformity(
         fmt::format("a couple gives it {:.6g} of the angular momentum τ t", turned));

@@ -26,18 +26,6 @@ struct Keyframes {
   }
 };
 
-// A force through the centre and a couple, over time; a spring from the centre to an anchor.
-struct Load {
-  std::size_t body;
-  Keyframes force, couple;
-};
-
-struct Spring {
-  std::size_t body;
-  Three anchor, anchor_velocity, axis;
-  double stiffness;
-};
-
 const json& field(const json& object, const char* name, const std::string& of) {
   if (!object.is_object() || !object.contains(name)) {
     throw std::runtime_error(of + " has no '" + name + "'");
@@ -65,12 +53,6 @@ void fill(const json& object, const char* name, const std::string& of, double (&
   std::copy(all.begin(), all.end(), out);
 }
 
-Three three(const json& object, const char* name, const std::string& of) {
-  double out[3] = {};
-  fill(object, name, of, out);
-  return {out[0], out[1], out[2]};
-}
-
 std::vector<Three> triples(const json& value, const std::string& what) {
   const std::vector<double> all = read_array(value, what);
   if (all.size() % 3 != 0) throw std::runtime_error(what + " is no list of vectors");
@@ -96,7 +78,6 @@ class Owned final : public OwnedProblem {
  public:
   explicit Owned(const json& message) {
     const json& problem = field(message, "problem", "the message");
-    problem_.loads = this;
     problem_.name = keep(problem.value("name", ""));
     for (const json& body : field(problem, "bodies", "the problem")) add_body(body);
     const json obstacles = problem.value("obstacles", json::array());
@@ -114,16 +95,15 @@ class Owned final : public OwnedProblem {
     problem_.duration = number(problem, "duration", "the problem", 1.0);
     const json loads = problem.value("loads", json::array());
     for (const json& load : loads) {
-      loads_.push_back({body_index(load, "a load"), keyframes(load, "force", "a load"),
-                        keyframes(load, "couple", "a load")});
+      loads_.push_back({body_index(load, "a load"), keep_frames(keyframes(load, "force", "a load")),
+                        keep_frames(keyframes(load, "couple", "a load"))});
     }
     const json springs = problem.value("springs", json::array());
-    for (const json& spring : springs) {
-      springs_.push_back({body_index(spring, "a spring"), three(spring, "anchor", "a spring"),
-                          three(spring, "anchor_velocity", "a spring"),
-                          three(spring, "axis", "a spring"),
-                          number(spring, "stiffness", "a spring", 0.0)});
-    }
+    for (const json& spring : springs) add_spring(spring);
+    problem_.load_count = loads_.size();
+    problem_.loads = loads_.data();
+    problem_.spring_count = springs_.size();
+    problem_.springs = springs_.data();
     const json accuracy = message.value("accuracy", json::object());
     problem_.fineness = accuracy.value("fineness", 0);
     problem_.roundness = accuracy.value("roundness", 0);
@@ -132,43 +112,6 @@ class Owned final : public OwnedProblem {
   }
 
   const stiction_problem& problem() const override { return problem_; }
-
-  bool is_loaded(std::size_t body) const {
-    for (const Load& load : loads_) {
-      if (load.body == body) return true;
-    }
-    for (const Spring& spring : springs_) {
-      if (spring.body == body) return true;
-    }
-    return false;
-  }
-
-  void add_loads(std::size_t body, double t, const double position[3], double force[3],
-                 double couple[3]) const {
-    for (const Load& load : loads_) {
-      if (load.body != body) continue;
-      double now[3];
-      const stiction_keyframes forces = load.force.view(), couples = load.couple.view();
-      stiction_at(&forces, t, now);
-      for (int i = 0; i < 3; ++i) force[i] += now[i];
-      stiction_at(&couples, t, now);
-      for (int i = 0; i < 3; ++i) couple[i] += now[i];
-    }
-    for (const Spring& spring : springs_) {
-      if (spring.body != body) continue;
-      double stretch = 0.0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        stretch +=
-            spring.axis[i] * (spring.anchor[i] + t * spring.anchor_velocity[i] - position[i]);
-      }
-      for (std::size_t i = 0; i < 3; ++i) force[i] += spring.stiffness * stretch * spring.axis[i];
-    }
-  }
-
-  static const Owned& of(const stiction_problem* problem) {
-    // The problem that an engine is given is always the member of an Owned.
-    return *static_cast<const Owned*>(problem->loads);
-  }
 
  private:
   const char* keep(const std::string& text) { return texts_.emplace_back(text).c_str(); }
@@ -183,6 +126,17 @@ class Owned final : public OwnedProblem {
       throw std::runtime_error("'body' of " + of + " names no body");
     }
     return index.get<std::size_t>();
+  }
+
+  void add_spring(const json& spring) {
+    const std::string of = "a spring";
+    stiction_spring one{};
+    one.body = body_index(spring, of);
+    fill(spring, "anchor", of, one.anchor);
+    fill(spring, "anchor_velocity", of, one.anchor_velocity);
+    fill(spring, "axis", of, one.axis);
+    one.stiffness = number(spring, "stiffness", of, 0.0);
+    springs_.push_back(one);
   }
 
   void add_body(const json& body) {
@@ -309,12 +263,10 @@ class Owned final : public OwnedProblem {
   std::deque<std::vector<std::uint32_t>> tetrahedra_;
   std::vector<stiction_body> bodies_;
   std::vector<stiction_obstacle> obstacles_;
-  std::vector<Load> loads_;
-  std::vector<Spring> springs_;
+  std::vector<stiction_body_load> loads_;
+  std::vector<stiction_spring> springs_;
   stiction_problem problem_{};
 };
-
-double smooth_step(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
 
 }  // namespace
 
@@ -323,38 +275,3 @@ std::unique_ptr<OwnedProblem> read_problem(const json& message) {
 }
 
 }  // namespace stiction::kit
-
-void stiction_at(const stiction_keyframes* keyframes, double t, double value[3]) {
-  const std::size_t count = keyframes->count;
-  for (int i = 0; i < 3; ++i) value[i] = 0.0;
-  if (count == 0) return;
-  std::size_t next = 0;
-  while (next < count && keyframes->time[next] <= t) ++next;
-  const std::size_t before = next == 0 ? 0 : next - 1, after = next == count ? count - 1 : next;
-  double s = 0.0;
-  if (before != after) {
-    s = stiction::kit::smooth_step((t - keyframes->time[before]) /
-                                   (keyframes->time[after] - keyframes->time[before]));
-  }
-  for (int i = 0; i < 3; ++i) {
-    const double from = keyframes->value[before][i], to = keyframes->value[after][i];
-    value[i] = from + s * (to - from);
-  }
-}
-
-double stiction_drag(const stiction_problem* problem, double t) {
-  if (t <= problem->drag_full_until) return problem->drag_rate;
-  if (t >= problem->drag_ends) return 0.0;
-  const double s = (t - problem->drag_full_until) / (problem->drag_ends - problem->drag_full_until);
-  return problem->drag_rate * (1.0 - stiction::kit::smooth_step(s));
-}
-
-int stiction_has_loads(const stiction_problem* problem, size_t body) {
-  return stiction::kit::Owned::of(problem).is_loaded(body) ? 1 : 0;
-}
-
-void stiction_load(const stiction_problem* problem, size_t body, double t, const double position[3],
-                   double force[3], double couple[3]) {
-  for (int i = 0; i < 3; ++i) force[i] = couple[i] = 0.0;
-  stiction::kit::Owned::of(problem).add_loads(body, t, position, force, couple);
-}

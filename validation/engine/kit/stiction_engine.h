@@ -66,6 +66,22 @@ typedef struct {
   stiction_keyframes motion; /* displacement of the whole half-space, m */
 } stiction_obstacle;
 
+/* A force through a body's centre of mass and a couple, over time. */
+typedef struct {
+  size_t body;
+  stiction_keyframes force;  /* N */
+  stiction_keyframes couple; /* N m */
+} stiction_body_load;
+
+/* Pulls a body's centre by stiffness · axis · (axis · (anchor + t anchor_velocity − centre)). */
+typedef struct {
+  size_t body;
+  double anchor[3];          /* at t = 0, m */
+  double anchor_velocity[3]; /* m/s */
+  double axis[3];            /* unit */
+  double stiffness;          /* N/m */
+} stiction_spring;
+
 typedef struct {
   const char* name;
   size_t body_count;
@@ -79,11 +95,15 @@ typedef struct {
   double friction;            /* μ between bodies: as it is, not to be combined */
   double duration;            /* s */
   /* How finely the case needs it; what a setting says goes before all but `finer`. 0: as you like. */
-  int fineness;      /* a body's longest edge over what it is resolved to */
-  int roundness;     /* points on a ball's surface, at least */
-  double time;       /* s: what lasts so long is resolved */
-  double finer;      /* divide the time step that comes of all that by this, ≥ 1 */
-  const void* loads; /* what stiction_load reads */
+  int fineness;  /* a body's longest edge over what it is resolved to */
+  int roundness; /* points on a ball's surface, at least */
+  double time;   /* s: what lasts so long is resolved */
+  double finer;  /* divide the time step that comes of all that by this, ≥ 1 */
+  /* stiction_load sums these up. */
+  size_t load_count;
+  const stiction_body_load* loads;
+  size_t spring_count;
+  const stiction_spring* springs;
 } stiction_problem;
 
 /* At time t (s): keyframes; the drag's rate c (1/s); what loads and springs do to a body whose

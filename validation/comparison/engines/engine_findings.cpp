@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/text/names.h"
+#include "reports/text/number.h"
+#include "validation/comparison/engines/engine_matrix.h"
+
+namespace stiction {
+
+namespace {
+
+// Errors below this are no matter of method: round-off, or the width of a bracket.
+constexpr double kSame = 1e-9;
+
+// What holds, as engines go: it creeps less than a nanometre a second, and gives within a hundredth
+// of a degree of the critical slope.
+constexpr double kCreeps = 1e-9;    // m/s
+constexpr double kGivesOff = 0.01;  // °
+constexpr double kDirected = 0.1;   // °, between directions
+
+using Sentences = std::vector<std::string>;
+
+const EngineRow* our_row(const EngineAnswers& answers) {
+  for (const EngineRow& row : answers.rows()) {
+    if (row.is_ours()) return &row;
+  }
+  return nullptr;
+}
+
+// "creep-30: closer to the right answer than ours (4e-9): bullet · best (2e-10)".
+Sentences closer_than_ours(const EngineAnswers& answers, const EngineRow& our) {
+  Sentences said;
+  for (const Question& question : answers.questions()) {
+    const EngineAnswer own = answers.of(question, our);
+    if (!own.applicable) continue;
+    const double error = own.error ? std::abs(*own.error) : INFINITY;
+    Sentences closer;
+    for (const EngineRow& row : answers.rows()) {
+      const EngineAnswer other = answers.of(question, row);
+      if (row.is_ours() || !other.error || !(std::abs(*other.error) < error)) continue;
+      if (error <= kSame) continue;
+      closer.push_back(fmt::format("{} ({})", row.name(), short_error(question, *other.error)));
+    }
+    if (closer.empty()) continue;
+    said.push_back(fmt::format("{}: closer to the right answer than ours ({}): {}", question.id,
+                               own.error ? short_error(question, *own.error) : "broke",
+                               listed_names(closer)));
+  }
+  return said;
+}
+
+// "stops: an error below 0.01 costs 0.34 ms with bullet · default, a 66th of ours".
+Sentences cheaper_than_ours(const EngineAnswers& answers) {
+  Sentences said;
+  for (const Question& question : answers.questions()) {
+    Sentences bounds;
+    for (const double bound : kErrorBounds) {
+      const auto theirs = answers.cheapest(question, bound, false);
+      const auto ours = answers.cheapest(question, bound, true);
+      if (!theirs || (ours && ours->seconds <= theirs->seconds)) continue;
+      bounds.push_back(fmt::format(
+          "below {} {:.3g} ms with {} ({})", format_error(bound), 1e3 * theirs->seconds,
+          theirs->row.name(),
+          ours ? fmt::format("ours {:.2g} times as much", ours->seconds / theirs->seconds)
+               : "ours never gets there"));
+    }
+    if (!bounds.empty()) {
+      said.push_back(fmt::format("{}: an error costs less with others: {}", question.id,
+                                 listed_names(bounds)));
+    }
+  }
+  return said;
+}
+
+// The least and largest error of the slopes that give, and the fastest creep, over the directions.
+struct Holding {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  double creep = 0.0;
+  bool asked = false, creep_asked = false;
+};
+
+Holding holding(const EngineAnswers& answers, const EngineRow& row) {
+  Holding seen;
+  for (const Question& question : answers.questions()) {
+    const EngineAnswer answer = answers.of(question, row);
+    const double error = answer.error.value_or(std::nan(""));
+    if (question.quantity == "creep" && answer.applicable) {
+      seen.creep_asked = true;
+      seen.creep = answer.error ? std::max(seen.creep, std::abs(error)) : INFINITY;
+    }
+    if (question.answer != Answer::kDegrees || !answer.applicable) continue;
+    seen.asked = true;
+    // One that gives on every slope, or on none, has no bracket.
+    seen.least = std::min(seen.least, std::isnan(error) ? -90.0 : error);
+    seen.most = std::max(seen.most, std::isnan(error) ? 90.0 : error);
+  }
+  return seen;
+}
+
+Sentences who_holds(const EngineAnswers& answers) {
+  Sentences hold, directed, said;
+  for (const EngineRow& row : answers.rows()) {
+    const Holding seen = holding(answers, row);
+    if (!seen.asked || !seen.creep_asked) continue;
+    if (seen.creep <= kCreeps && seen.least > -kGivesOff && seen.most < kGivesOff) {
+      hold.push_back(row.name());
+    }
+    if (seen.most - seen.least > kDirected) {
+      directed.push_back(
+          seen.least <= -90.0
+              ? fmt::format("{} (gives on every slope, or on none)", row.name())
+              : fmt::format("{} ({:+.2g}° to {:+.2g}°)", row.name(), seen.least, seen.most));
+    }
+  }
+  said.push_back(
+      fmt::format("Creep below {} m/s at 90 % of the critical slope and give within {}° "
+                  "of it, in every direction asked: {}",
+                  format_error(kCreeps), kGivesOff, hold.empty() ? "none" : listed_names(hold)));
+  if (!directed.empty()) {
+    said.push_back("The slope that gives depends on the direction in which it falls: " +
+                   listed_names(directed));
+  }
+  return said;
+}
+
+Sentences who_breaks(const EngineAnswers& answers) {
+  Sentences broke;
+  for (const EngineRow& row : answers.rows()) {
+    Sentences on;
+    for (const Question& question : answers.questions()) {
+      if (answers.of(question, row).broke()) on.push_back(question.id);
+    }
+    if (!on.empty()) broke.push_back(fmt::format("{} ({})", row.name(), listed_names(on)));
+  }
+  return broke.empty() ? broke : Sentences{"Broke: " + listed_names(broke)};
+}
+
+}  // namespace
+
+std::vector<std::string> engine_findings(const EngineAnswers& answers) {
+  Sentences said;
+  const auto add = [&](Sentences more) { said.insert(said.end(), more.begin(), more.end()); };
+  if (const EngineRow* const our = our_row(answers)) {
+    add(closer_than_ours(answers, *our));
+    add(cheaper_than_ours(answers));
+  }
+  add(who_holds(answers));
+  add(who_breaks(answers));
+  return said;
+}
+
+}  // namespace stiction

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a problem says at a time: the functions of stiction_engine.h.
+#include <cstddef>
+
+#include "validation/engine/kit/stiction_engine.h"
+
+namespace {
+
+double smooth_step(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
+
+}  // namespace
+
+void stiction_at(const stiction_keyframes* keyframes, double t, double value[3]) {
+  const std::size_t count = keyframes->count;
+  for (int i = 0; i < 3; ++i) value[i] = 0.0;
+  if (count == 0) return;
+  std::size_t next = 0;
+  while (next < count && keyframes->time[next] <= t) ++next;
+  const std::size_t before = next == 0 ? 0 : next - 1, after = next == count ? count - 1 : next;
+  double s = 0.0;
+  if (before != after) {
+    s = smooth_step((t - keyframes->time[before]) /
+                    (keyframes->time[after] - keyframes->time[before]));
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double from = keyframes->value[before][i], to = keyframes->value[after][i];
+    value[i] = from + s * (to - from);
+  }
+}
+
+double stiction_drag(const stiction_problem* problem, double t) {
+  if (t <= problem->drag_full_until) return problem->drag_rate;
+  if (t >= problem->drag_ends) return 0.0;
+  const double s = (t - problem->drag_full_until) / (problem->drag_ends - problem->drag_full_until);
+  return problem->drag_rate * (1.0 - smooth_step(s));
+}
+
+int stiction_has_loads(const stiction_problem* problem, size_t body) {
+  for (std::size_t k = 0; k < problem->load_count; ++k) {
+    if (problem->loads[k].body == body) return 1;
+  }
+  for (std::size_t k = 0; k < problem->spring_count; ++k) {
+    if (problem->springs[k].body == body) return 1;
+  }
+  return 0;
+}
+
+void stiction_load(const stiction_problem* problem, size_t body, double t, const double position[3],
+                   double force[3], double couple[3]) {
+  for (int i = 0; i < 3; ++i) force[i] = couple[i] = 0.0;
+  for (std::size_t k = 0; k < problem->load_count; ++k) {
+    const stiction_body_load& load = problem->loads[k];
+    if (load.body != body) continue;
+    double part[3];
+    stiction_at(&load.force, t, part);
+    for (int i = 0; i < 3; ++i) force[i] += part[i];
+    stiction_at(&load.couple, t, part);
+    for (int i = 0; i < 3; ++i) couple[i] += part[i];
+  }
+  for (std::size_t k = 0; k < problem->spring_count; ++k) {
+    const stiction_spring& one = problem->springs[k];
+    if (one.body != body) continue;
+    double stretch = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      stretch += one.axis[i] * (one.anchor[i] + t * one.anchor_velocity[i] - position[i]);
+    }
+    for (int i = 0; i < 3; ++i) force[i] += one.stiffness * stretch * one.axis[i];
+  }
+}
