@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What precision costs with each engine: the error of its answers to a question over CPU time, joined
-// along the ladder of its efforts. A colour for each engine, a shape for each of its configurations.
+// What precision costs with each engine: the error of its answers to a question over CPU time, with each
+// effort of its ladder, joined by their cost: a configuration's usual one may lie amid the ladder. A colour for each engine, a shape for each of its configurations.
 import { failed_efforts } from "../model/engine_answer.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { pixel } from "./end_labels.js";
@@ -77,7 +77,7 @@ export function engine_work_plot(all) {
     wide: true,
     caption: [
       `Lower left is better. Dashed: what no other beats: ${front_words}.`,
-      "Lines join an engine's efforts; filled: its usual one.",
+      "Lines join an engine's efforts by their cost; filled: its usual one.",
       ...edge_words(points),
       all_failed > 0 && `✕: ${all_failed} answer${all_failed > 1 ? "s" : ""} failed.`,
     ]
@@ -106,7 +106,7 @@ export function engine_work_plot(all) {
           encoding: {
             ...encoding,
             color,
-            order: { field: "effort", type: "quantitative" },
+            order: { field: "seconds", type: "quantitative" },
             strokeWidth: {
               field: "ours",
               type: "nominal",
