@@ -10,19 +10,31 @@ import { figure_of, WORK } from "../model/figure.js";
 
 /** The records with questions in whole sentences as titles. */
 export function with_whole_questions(records) {
-  const titles = new Map();
-  for (const { case: name, title } of records) if (is_engine_case(name)) titles.set(name, title);
-  if (titles.size === 0) return records;
-  const whole = whole_questions([...titles.values()]);
-  const of = new Map([...titles.keys()].map((name, i) => [name, whole[i]]));
+  const first = new Map();
+  for (const record of records)
+    if (is_engine_case(record.case) && !first.has(record.case)) first.set(record.case, record);
+  if (first.size === 0) return records;
+  const titles = new Map(records.map((record) => [record.case, record.title]));
+  const whole = whole_questions(
+    [...first.values()].map((record) => ({
+      id: question_of(record.case),
+      title: record.title,
+      case_title: titles.get(case_of_command(command_of(record))) ?? "",
+    })),
+  );
+  const of = new Map([...first.keys()].map((name, i) => [name, whole[i]]));
   return records.map((record) =>
     of.has(record.case) ? { ...record, title: of.get(record.case) } : record,
   );
 }
 
-const error_unit = (records) =>
-  records.flatMap(({ figures }) => figures).find(({ quantity }) => quantity === "error")?.unit ??
-  "";
+// "m/s", "relative", "" for a bare number.
+function error_unit(records) {
+  const figures = records.flatMap((record) => record.figures);
+  const { unit, meaning } = figures.find(({ quantity }) => quantity === "error") ?? { unit: "" };
+  if (unit !== "1") return unit;
+  return meaning.includes("relative") ? "relative" : "";
+}
 
 const json_number = (value) =>
   Number.isFinite(value) ? value : String(value).toLowerCase().replace("infinity", "inf");

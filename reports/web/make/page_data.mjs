@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs → what the page holds: an index that is read at once, and parts that are read when needed.
-import { margin } from "../model/check_text.js";
 import { compare } from "../model/compare.js";
 import { ENGINE_FINDINGS, is_of_engines, own_labels, record_labels } from "../model/engine.js";
 import { family_name, group_by } from "../model/family.js";
@@ -9,77 +8,18 @@ import { is_findings } from "../model/finding.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
 import { overview_rows } from "../model/overview.js";
-import { fewest_digits, worst_check, VERDICTS } from "../model/verdict.js";
+import { VERDICTS } from "../model/verdict.js";
 import { variant_key } from "../model/variant.js";
 import { comparison_plots } from "../plots/comparison_plot.js";
 import { margin_plot } from "../plots/margin_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { compared_of } from "./compared.mjs";
 import { engines_of, with_whole_questions } from "./engines.mjs";
+import { row_of, short_number, Texts } from "./index_row.mjs";
 import { run_heads } from "./run_heads.mjs";
 
 const RECORDS_A_PART = 200;
 const MOST_CHANGES = 5000;
-
-// Texts that many records share, once.
-class Texts {
-  list = [];
-  #places = new Map();
-  add(text) {
-    let place = this.#places.get(text);
-    if (place === undefined) {
-      place = this.list.push(text) - 1;
-      this.#places.set(text, place);
-    }
-    return place;
-  }
-}
-
-const short_number = (value) =>
-  Number.isFinite(value)
-    ? Number(value.toPrecision(7))
-    : String(value).replace("Infinity", "inf").toLowerCase();
-
-// One record in the index. page/rows.js reads it in the same order.
-function row_of(texts, { record, run, part, label }) {
-  const check = worst_check(record.checks, margin);
-  const text = (value) => texts.add(value);
-  const number = (value) => short_number(to_number(value));
-  const optional = (value) => (value === null ? null : number(value));
-  return [
-    run,
-    part,
-    text(record.case),
-    text(record.title),
-    text(record.engine),
-    text(variant_key(record)),
-    text(record.verdict),
-    number(record.cost.cpu_seconds),
-    record.cost.steps,
-    record.cost.contact_updates,
-    number(record.cost.ns_per_contact_update),
-    record.checks.length,
-    text(record.frames ?? ""),
-    text(record.verdict === "error" ? record.error : ""),
-    optional(fewest_digits(record)),
-    check
-      ? [
-          text(check.quantity),
-          text(check.unit),
-          number(check.value),
-          number(check.expected),
-          number(check.error),
-          check.relative ? 1 : 0,
-          number(check.tolerance),
-          number(check.of_tolerance),
-          check.digits === undefined ? null : number(check.digits),
-          text(check.verdict),
-          check.band ? check.band.map(number) : null,
-        ]
-      : 0,
-    label ? text(label) : 0,
-  ];
-}
 
 // Entries in parts of about the same size; a case is never split.
 function parts_of(by_case) {

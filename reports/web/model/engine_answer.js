@@ -39,8 +39,8 @@ export function short_error(error, unit) {
   if (error === 0) return "0";
   if (!Number.isFinite(error)) return error > 0 ? "+∞" : "−∞";
   const size = Math.abs(error);
-  // What is neither an angle nor relative is a magnitude: it has no sign.
-  if (unit !== "°" && unit !== "1") return error.toExponential(1);
+  // What is neither an angle nor dimensionless is a magnitude: it has no sign.
+  if (!["°", "1", "relative", ""].includes(unit)) return error.toExponential(1);
   const sign = error > 0 ? "+" : "-";
   if (size < 1e-3) return sign + size.toExponential(0);
   const [digits, exponent] = size.toExponential(1).split("e");

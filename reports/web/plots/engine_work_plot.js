@@ -1,73 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What precision costs with each engine: the error of its answers to a question over CPU time, joined
-// along the ladder of its efforts. A colour for each engine, a shape for each of its configurations.
-import { OURS } from "../model/engine.js";
+// What precision costs with each engine: the error of its answers to a question over CPU time, with each
+// effort of its ladder, joined by their cost: a configuration's usual one may lie amid the ladder. A colour for each engine, a shape for each of its configurations.
 import { failed_efforts } from "../model/engine_answer.js";
-import { to_number } from "../model/number.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { pixel } from "./end_labels.js";
+import { failed_lines, looks_of, points_of } from "./engine_work_points.js";
 import { pareto_front } from "./fit.js";
 import { numbered, tip, tip_number } from "./names.js";
-import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
 
 const HEIGHT = 380; // px
-const MOST_FAILED = 9; // named in the plot
-const LINE = 14; // px from name to name
-const OTHER_SHAPES = 3;
 const MOST_NAMED = 5; // of the front, in the caption
-
-// Of each variant its colour and its shape; when the colours begin again, they do so with other shapes.
-function looks_of(variants) {
-  const others = [...new Set(variants.map(({ rule }) => rule))].filter((rule) => rule !== OURS);
-  const seen = new Map();
-  return variants.map(({ rule }) => {
-    const place = seen.get(rule) ?? 0;
-    seen.set(rule, place + 1);
-    const colour = others.indexOf(rule) % SERIES_COLOURS.length;
-    const round = rule === OURS ? 0 : Math.floor(others.indexOf(rule) / SERIES_COLOURS.length);
-    return {
-      color: rule === OURS ? "$ink" : SERIES_COLOURS[colour],
-      shape: SERIES_SHAPES[(place + OTHER_SHAPES * round) % SERIES_SHAPES.length],
-    };
-  });
-}
-
-// A curve has the efforts that did not fail, in order.
-function points_of({ variant, record }, key) {
-  const { x, y } = record.series[0] ?? { x: [], y: [] };
-  const failed = new Set(failed_efforts(record).map(({ effort }) => effort));
-  let effort = -1;
-  return x.map((seconds, i) => {
-    do ++effort;
-    while (failed.has(effort));
-    return {
-      who: variant.name,
-      who_key: key,
-      effort,
-      ours: variant.rule === OURS,
-      seconds: to_number(seconds),
-      error: to_number(y[i]),
-    };
-  });
-}
-
-function failed_words(entries) {
-  const words = entries.flatMap(({ variant, record }, key) =>
-    failed_efforts(record).map(({ effort, reason }) => ({
-      who: variant.name,
-      who_key: key,
-      name: `✕ ${variant.name}, effort ${effort}`,
-      failure: reason,
-    })),
-  );
-  const shown = words.length > MOST_FAILED ? words.slice(0, MOST_FAILED - 1) : words;
-  const more = words.length - shown.length;
-  const rest = { who: "", who_key: 0, name: `✕ and ${more} more, listed below`, failure: "" };
-  return (more > 0 ? [...shown, rest] : shown).map((one, i) => ({
-    ...one,
-    place: LINE * (i + 0.5),
-  }));
-}
 
 const edge_words = (told) =>
   [
@@ -124,7 +66,7 @@ export function engine_work_plot(all) {
     tip_number("seconds", "CPU s"),
     tip("error", "|error|"),
   ];
-  const failed = failed_words(entries);
+  const failed = failed_lines(entries);
   const all_failed = entries.reduce((sum, { record }) => sum + failed_efforts(record).length, 0);
   const on_front = [...new Set(front.map(({ who }) => who))];
   const front_words =
@@ -135,7 +77,7 @@ export function engine_work_plot(all) {
     wide: true,
     caption: [
       `Lower left is better. Dashed: what no other beats: ${front_words}.`,
-      "Lines join an engine's efforts; filled: its usual one.",
+      "Lines join an engine's efforts by their cost; filled: its usual one.",
       ...edge_words(points),
       all_failed > 0 && `✕: ${all_failed} answer${all_failed > 1 ? "s" : ""} failed.`,
     ]
@@ -164,7 +106,7 @@ export function engine_work_plot(all) {
           encoding: {
             ...encoding,
             color,
-            order: { field: "effort", type: "quantitative" },
+            order: { field: "seconds", type: "quantitative" },
             strokeWidth: {
               field: "ours",
               type: "nominal",

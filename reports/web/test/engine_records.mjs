@@ -101,7 +101,12 @@ function answers(question, i) {
 
 function summary(row, k, question, i) {
   const kind = kind_of(k, i);
-  const figure = (quantity, unit, value) => ({ quantity, unit, meaning: "how far", value });
+  const figure = (quantity, unit, value) => ({
+    quantity,
+    unit,
+    meaning: "how far off, relative: a",
+    value,
+  });
   const efforts = Array.from({ length: question.curve ? EFFORTS : 0 }, (_, effort) => effort);
   const told = kind === "lacks" ? [] : efforts.filter((effort) => !breaks(k, i, effort));
   const untold = efforts.filter((effort) => !told.includes(effort));

@@ -48,15 +48,19 @@ test("errors in short, signed where they can be below 0", () => {
     [3.14, "1", "+3.1"],
     [12, "°", "+12"],
     [-1234, "1", "-1.2e+3"],
+    [2, "", "+2"],
   ])
     assert.equal(short_error(error, unit), text);
 });
 
 test("a question that goes on with the one before becomes a whole sentence", () => {
-  assert.deepEqual(
-    whole_questions(["Does it creep? Falling to 0°", "… falling to 30°", "How far?", "… 2 m"]),
-    ["Does it creep? Falling to 0°", "Does it creep? Falling to 30°", "How far?", "How far? 2 m"],
-  );
+  const asked = (...list) =>
+    whole_questions(list.map(([id, title]) => ({ id, title, case_title: "a cube rests" })));
+  const creep = ["creep-0", "Does it creep? Falling to 0°"];
+  const more = ["creep-30", "… falling to 30°"];
+  assert.deepEqual(asked(creep, more), [creep[1], "Does it creep? Falling to 30°"]);
+  assert.deepEqual(asked(more), ["A cube rests"]);
+  assert.deepEqual(asked(["stops", "How far?"], more), ["How far?", "A cube rests"]);
 });
 
 test("an answer is told, never there, broken or lacking, and says why", () => {
@@ -162,6 +166,10 @@ test("the index has rows and columns in the order of the records, and nothing ju
     QUESTIONS.map(({ id }) => id),
   );
   assert.equal(questions[1].words, "Does it hold in scene 0? Falling to 1°");
+  assert.deepEqual(
+    questions.slice(0, 3).map(({ unit }) => unit),
+    ["m/s", "°", "relative"],
+  );
   assert.equal(index.engines.priced, "question-0");
   assert.equal(rows[0].seconds, 1e-4);
   assert.equal(cheapest.length, QUESTIONS.filter(({ curve }) => curve).length);

@@ -132,6 +132,9 @@ ExitCode compare_engines(const EngineComparison& asked) {
   findings.title = "what the engines' answers say";
   findings.verdict = Verdict::kForInformation;
   findings.notes = found;
+  for (const std::string& sentence : engines.left_out) {
+    findings.notes.push_back("Left out: " + sentence);
+  }
   findings.environment = records.front().environment;
   store.append(findings);
 

@@ -144,7 +144,9 @@ std::vector<Record> engine_records(const std::vector<Question>& questions,
       out.cost = records[k].cost;
       if (error) {
         out.figures.push_back({"error", unit_of(question, records[k]),
-                               "how far the answer is from the right one: " + question.quantity,
+                               fmt::format("how far the answer is from the right one{}: {}",
+                                           question.answer == Answer::kRelative ? ", relative" : "",
+                                           question.quantity),
                                *error});
         out.figures.push_back({"CPU time", "s", "of the engine's steps in this case", seconds});
       }

@@ -3,17 +3,17 @@
 import { is_comparison } from "../../model/figure.js";
 import { format_count, format_value, to_number } from "../../model/number.js";
 import { compared_variants, is_answer, is_engine_case, record_labels } from "../../model/engine.js";
-import { is_bad, rank } from "../../model/verdict.js";
+import { rank } from "../../model/verdict.js";
+import { case_head } from "./case_head.js";
 import { checks_height, checks_section } from "./checks_section.js";
-import { compared_mark, comparison_part } from "./comparison_part.js";
+import { comparison_part } from "./comparison_part.js";
 import { cost_table } from "./cost_table.js";
-import { answers_mark, engine_case_part, judged_mark } from "./engine_case_part.js";
-import { breakable, h, replace } from "../dom.js";
-import { verdict_mark } from "../widgets/glyph.js";
+import { engine_case_part } from "./engine_case_part.js";
+import { h, replace } from "../dom.js";
 import { player_figure } from "../player/player_figure.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { plots_of_case, plots_of_family, records_of_case } from "../records.js";
-import { case_hash, hash_of } from "../route.js";
+import { hash_of } from "../route.js";
 import { sketch } from "../sketch/sketch.js";
 
 function notes_of(entries) {
@@ -75,32 +75,12 @@ function first_and_last(recorded, runs) {
   return places.length > 1 ? [places[0], places.at(-1)] : [0, recorded.length - 1];
 }
 
-function neighbours(name, names) {
-  const place = names.indexOf(name);
-  const link = (target, text, rel) =>
-    target === undefined
-      ? h("span", { class: "off" }, text)
-      : h("a", { href: case_hash(target), rel }, text);
-  return h(
-    "nav",
-    { class: "neighbours", "aria-label": "Neighbouring cases" },
-    link(place > 0 ? names[place - 1] : undefined, "← previous", "prev"),
-    link(place >= 0 ? names[place + 1] : undefined, "next →", "next"),
-  );
-}
-
 // How many plots stand beside the claims and notes: as many as these leave room for.
 function plots_beside(entries, notes, with_player) {
   const height =
     checks_height(entries) +
     notes.reduce((sum, [note, who]) => sum + 23 * Math.ceil((note.length + who.length) / 78), 0);
   return Math.max(0, Math.round((height - (with_player ? 340 : 200)) / 340));
-}
-
-function case_mark(records, worst, compared) {
-  if (is_engine_case(records[0].case)) return answers_mark(records);
-  if (records.every(is_answer)) return judged_mark(records);
-  return compared && !is_bad(worst) ? compared_mark(records) : verdict_mark(worst, 20);
 }
 
 /**
@@ -171,24 +151,7 @@ export async function show_case(element, name, { index, rows }, list, { of: chos
 
   replace(
     element,
-    h(
-      "div",
-      { class: "case-head" },
-      h(
-        "p",
-        { class: "crumbs" },
-        of_engines
-          ? h("a", { href: hash_of("summary") }, "All engines")
-          : [
-              h("a", { href: hash_of("cases") }, "Cases"),
-              " / ",
-              h("a", { href: hash_of("family", family) }, family),
-            ],
-      ),
-      neighbours(name, order),
-      h("h1", { id: "case-title" }, breakable(name)),
-      h("p", { class: "case-title" }, case_mark(records, worst, compared), records[0].title),
-    ),
+    case_head({ name, family, records, worst, compared, order }),
     of_engines && engine_case_part(entries, figures, new Set(rows.map((row) => row.case)), chosen),
     compared && !of_engines && comparison_part(entries, figures),
     !compared &&

@@ -3,7 +3,6 @@
 import { format_bound, format_value, general } from "../../model/number.js";
 import { h } from "../dom.js";
 import { hash_of } from "../route.js";
-import { unit_words } from "./engine_matrix.js";
 
 const ms = (way) => (way ? general(1e3 * way.seconds, 3) : "–");
 
@@ -68,7 +67,7 @@ export function cheapest_table({ cheapest, questions }) {
             "th",
             { scope: "rowgroup", rowspan: ways.length },
             h("a", { href: hash_of("case", name), title: question.words }, question.id),
-            question.unit && h("span", { class: "unit" }, ` ${unit_words(question.unit)}`),
+            question.unit && h("span", { class: "unit" }, ` ${question.unit}`),
           );
           return h(
             "tbody",

@@ -12,16 +12,13 @@ const WORDS = { broke: "broke", lacks: "–", never: "never" };
 
 const level_of = (error) => LEVELS.filter((bound) => !(Math.abs(error) < bound)).length;
 
-/** Of an error. */
-export const unit_words = (unit) => (unit === "1" ? "relative" : unit);
-
-const question_words = ({ words, unit }) => (unit ? `${words} (${unit_words(unit)})` : words);
+const question_words = ({ words, unit }) => (unit ? `${words} (${unit})` : words);
 
 function cell_words(row, question, cell) {
   const error = to_number(cell.error);
   const said =
     cell.kind === "told"
-      ? `off by ${[general(error, 6), unit_words(question.unit)].filter(Boolean).join(" ")}`
+      ? `off by ${[general(error, 6), question.unit].filter(Boolean).join(" ")}`
       : `${WORDS[cell.kind]}: ${cell.why}`;
   return `${row.name}, ${question.id}: ${said}`;
 }
@@ -71,7 +68,7 @@ export function engine_matrix({ questions, rows, priced }) {
         },
         question.id.split(/(?<=-)/).flatMap((part, i) => (i > 0 ? [h("wbr"), part] : [part])),
       ),
-      question.unit && h("span", { class: "unit" }, unit_words(question.unit)),
+      question.unit && h("span", { class: "unit" }, question.unit),
     );
   const table = h(
     "table",

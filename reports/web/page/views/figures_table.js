@@ -38,15 +38,16 @@ function range_of(rows, place, name) {
     .map(({ values: list }) => size_of(list[place], name))
     .filter(Number.isFinite);
   const least = values.reduce((a, b) => Math.min(a, b), Infinity);
+  const positive = values.filter((value) => value > 0).reduce((a, b) => Math.min(a, b), Infinity);
   const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
-  return values.length > 0 && least >= 0 && most > least ? { least, most } : null;
+  return values.length > 0 && least >= 0 && most > least ? { least, positive, most } : null;
 }
 
-// On a logarithmic scale from the least to the largest, or to ten times the least where that is less;
-// never so short that it is not seen.
-function bar_part(value, { least, most }) {
-  if (value <= least || least <= 0) return value <= least ? 0.06 : value / most;
-  return 0.06 + 0.94 * (Math.log(value / least) / Math.log(Math.max(10, most / least)));
+// On a logarithmic scale from the least above 0 to the largest, or to ten times the least where that is
+// less; never so short that it is not seen.
+function bar_part(value, { positive, most }) {
+  if (value <= 0) return 0;
+  return 0.06 + 0.94 * (Math.log(value / positive) / Math.log(Math.max(10, most / positive)));
 }
 
 function cell(value, size, range, failed) {

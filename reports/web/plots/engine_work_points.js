@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands in the picture of engines' work and precision: points, failures, and how each engine looks.
+import { OURS } from "../model/engine.js";
+import { failed_efforts } from "../model/engine_answer.js";
+import { to_number } from "../model/number.js";
+import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
+
+const OTHER_SHAPES = 3;
+const MOST_FAILED = 9; // named in the plot
+const LINE = 14; // px from name to name
+
+/**
+ * [{color, shape}] of some variants: a colour for each engine, ink for ours, a shape for each of its
+ * configurations. When the colours begin again, they do so with other shapes.
+ */
+export function looks_of(variants) {
+  const others = [...new Set(variants.map(({ rule }) => rule))].filter((rule) => rule !== OURS);
+  const seen = new Map();
+  return variants.map(({ rule }) => {
+    const place = seen.get(rule) ?? 0;
+    seen.set(rule, place + 1);
+    const colour = others.indexOf(rule) % SERIES_COLOURS.length;
+    const round = rule === OURS ? 0 : Math.floor(others.indexOf(rule) / SERIES_COLOURS.length);
+    return {
+      color: rule === OURS ? "$ink" : SERIES_COLOURS[colour],
+      shape: SERIES_SHAPES[(place + OTHER_SHAPES * round) % SERIES_SHAPES.length],
+    };
+  });
+}
+
+/** An engine's points; its curve has the efforts that did not fail, in order. `key` is its number. */
+export function points_of({ variant, record }, key) {
+  const { x, y } = record.series[0] ?? { x: [], y: [] };
+  const failed = new Set(failed_efforts(record).map(({ effort }) => effort));
+  let effort = -1;
+  return x.map((seconds, i) => {
+    do ++effort;
+    while (failed.has(effort));
+    return {
+      who: variant.name,
+      who_key: key,
+      effort,
+      ours: variant.rule === OURS,
+      seconds: to_number(seconds),
+      error: to_number(y[i]),
+    };
+  });
+}
+
+/** What failed, as lines in the upper right corner. */
+export function failed_lines(entries) {
+  const words = entries.flatMap(({ variant, record }, key) =>
+    failed_efforts(record).map(({ effort, reason }) => ({
+      who: variant.name,
+      who_key: key,
+      name: `✕ ${variant.name}, effort ${effort}`,
+      failure: reason,
+    })),
+  );
+  const shown = words.length > MOST_FAILED ? words.slice(0, MOST_FAILED - 1) : words;
+  const more = words.length - shown.length;
+  const rest = { who: "", who_key: 0, name: `✕ and ${more} more, listed below`, failure: "" };
+  return (more > 0 ? [...shown, rest] : shown).map((one, i) => ({
+    ...one,
+    place: LINE * (i + 0.5),
+  }));
+}
