@@ -45,8 +45,8 @@ const stiction_configuration kConfigurations[] = {
      "our search on creep, threshold, acceleration and stopping of a box (azimuth 30°, yaw 20°) "
      "and four balls: one dial at a time (ground, plane_points, ground_size 10 to 100, "
      "friction_directions, directions_along_slip, friction_anchors, interleaved, random_order, "
-     "solver, contact_breaking 0.002 and 0.02), then dt 1/240 and 1/960 × iterations 50 to 200 × "
-     "erp 0.0125 to 0.2 × warm_start 0 to 1 × split_threshold -0.04 and 0"},
+     "solver, erp, contact_breaking 0.002 and 0.02), then at dt 1/240 iterations 50 and 200 × erp "
+     "0.0125 to 0.2 × warm_start 0 to 1 × split_threshold -0.04 and 0, and at 1/960 a part of it"},
     {}};
 
 const char* const kLadder[] = {

@@ -50,7 +50,8 @@ const stiction_configuration kConfigurations[] = {
      "and four balls: step × friction_direction at dt 0.01; at dt 0.005 and "
      "friction_direction=predicted, exact: cfm 1e-5 to 1e-15 and 0, erp 0.05 to 0.8, max_contacts "
      "4 and 8, max_correcting_velocity 0.1, surface_layer 1e-5, finite_rotation; quick: iterations "
-     "20 to 500 × over_relaxation 1 and 1.3 × erp 0.05 and 0.2 × cfm 1e-10 to 1e-14 and 0"},
+     "20 to 500 × over_relaxation 1 and 1.3 × erp 0.05 and 0.2, then iterations 200 and 500 × "
+     "over_relaxation × cfm 1e-12, 1e-14 and 0"},
     {}};
 
 const char* const kLadder[] = {"dt=0.02 iterations=20",     "dt=0.01 iterations=50",
