@@ -71,6 +71,7 @@ Record summary(const Question& question, const Trial& usual, const Record& recor
   out.environment = record.environment;
   out.verdict = Verdict::kForInformation;
   out.notes.push_back("again: " + usual.command);
+  if (!usual.source.empty()) out.notes.push_back("its configuration: " + usual.source);
   if (record.verdict == Verdict::kError) out.failures.push_back({.reason = record.error});
   if (record.verdict == Verdict::kNotApplicable) {
     out.verdict = Verdict::kNotApplicable;
@@ -100,7 +101,8 @@ std::vector<Trial> engine_trials(const std::vector<EngineKind>& engines,
                             .configuration = one.name,
                             .effort = rung,
                             .job = {which, engine, settings},
-                            .command = command_of(engine, which.name, settings)});
+                            .command = command_of(engine, which.name, settings),
+                            .source = one.source});
         }
       }
     }
@@ -152,6 +154,7 @@ std::vector<Record> engine_records(const std::vector<Question>& questions,
       }
     }
     if (!question.curve) continue;
+    if (!error && records[k].verdict == Verdict::kNotApplicable) continue;
     if (!error) {
       out.failures.push_back({.reason = records[k].error,
                               .parameter = "effort",

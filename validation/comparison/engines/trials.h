@@ -19,6 +19,7 @@ struct Trial {
   std::size_t effort = 0;     ///< rung of the engine's ladder; 0: the usual
   Job job{};
   std::string command{};  ///< reruns it
+  std::string source{};   ///< where the configuration's values come from
 };
 
 /// Every question to every engine in each of its configurations with its usual effort, and those

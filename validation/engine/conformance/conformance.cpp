@@ -41,28 +41,46 @@ Finding find(const Check& check, const Probe& probe) {
 }  // namespace
 
 std::vector<Finding> check_conformance(const EngineKind& kind, const Settings& settings) {
-  const Probe probe(kind, settings);
+  struct Way {
+    std::string name;
+    Settings settings;
+  };
+  std::vector<Way> ways;
+  if (kind.configurations) {
+    for (const Configuration& one : kind.configurations("")) {
+      ways.push_back({one.name, one.settings});
+    }
+  }
+  if (ways.empty()) ways.push_back({"", {}});
+  for (Way& way : ways) {
+    for (const auto& [name, value] : settings) way.settings[name] = value;
+  }
   std::vector<Finding> found;
-  for (const Check& check : kChecks) found.push_back(find(check, probe));
+  for (const Check& check : kChecks) {
+    std::string elsewhere;
+    Finding finding;
+    for (const Way& way : ways) {
+      finding = find(check, Probe(kind, way.settings));
+      if (finding.conformity != Conformity::kFails) break;
+      if (ways.size() > 1)
+        elsewhere += fmt::format("; configuration '{}': {}", way.name, finding.sentence);
+    }
+    const bool fails = finding.conformity == Conformity::kFails;
+    if (!elsewhere.empty())
+      finding.sentence = fails ? elsewhere.substr(2) : finding.sentence + elsewhere;
+    found.push_back(std::move(finding));
+  }
   return found;
 }
 
 void demand_conformance(const EngineKind& kind, const Settings& settings) {
   if (kind.program.empty()) return;
-  std::vector<Settings> ways = {{}};
-  if (kind.configurations) {
-    ways.clear();
-    for (Configuration& one : kind.configurations("")) ways.push_back(std::move(one.settings));
-  }
-  for (Settings& way : ways) {
-    for (const auto& [name, value] : settings) way[name] = value;
-    for (const Finding& one : check_conformance(kind, way)) {
-      if (one.conformity != Conformity::kFails) continue;
-      throw InputError(fmt::format(
-          "the engine '{}' is not graded, for its adapter fails the check of {}: {}; './stiction "
-          "engine check \"{}\"' shows all checks",
-          kind.name, one.name, one.sentence, kind.program));
-    }
+  for (const Finding& one : check_conformance(kind, settings)) {
+    if (one.conformity != Conformity::kFails) continue;
+    throw InputError(fmt::format(
+        "the engine '{}' is not graded, for its adapter fails the check of {}: {}; './stiction "
+        "engine check \"{}\"' shows all checks",
+        kind.name, one.name, one.sentence, kind.program));
   }
 }
 

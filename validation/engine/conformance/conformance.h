@@ -23,11 +23,12 @@ struct Finding {
 
 /// Tries an engine's adapter against answers that no model of contact changes: free fall, a known
 /// velocity, the sign of forces, units, the order of bodies, rotations, μ of each pair, the clock,
-/// loads, saved states. Throws nothing for what the engine does.
+/// loads, saved states. In each of its configurations, with `settings` over them, until one holds: an
+/// adapter is the same in all, and what a configuration does worse the cases measure. Throws nothing
+/// for what the engine does.
 std::vector<Finding> check_conformance(const EngineKind& kind, const Settings& settings);
 
-/// Throws InputError with the first failure: no engine is graded that fails. Of a program alone; for
-/// each of its configurations, with `settings` over them.
+/// Throws InputError with the first failure: no engine is graded that fails. Of a program alone.
 void demand_conformance(const EngineKind& kind, const Settings& settings);
 
 }  // namespace stiction
