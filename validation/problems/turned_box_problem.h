@@ -18,7 +18,7 @@ struct TurnedBoxSetup {
   double friction = 0.5;  ///< μ
   double couple = 0.0;    ///< τ, N m
   double yaw = 0.35;      ///< of the box at the start, rad
-  Elasticity elasticity{.youngs_modulus = 1e6, .poisson_ratio = 0.3, .damping_time = 1e-3};
+  Elasticity elasticity{.youngs_modulus = 1e6, .poisson_ratio = 0.0, .damping_time = 1e-3};
 };
 
 /// When gravity is full; when the couple begins to grow and is full, s.
