@@ -17,7 +17,7 @@ struct EngineComparison {
   bool no_page = false;
   std::string out = "engine-report";
   int jobs = 1;
-  double cpu_limit = 60.0;  ///< for an answer, s
+  double cpu_limit = 20.0;  ///< for an answer, s
   ProgramLimits limits{};
 };
 

@@ -67,6 +67,7 @@ Record summary(const Question& question, const Trial& usual, const Record& recor
   out.engine = usual.engine;
   out.settings = record.settings;
   out.settings["configuration"] = usual.configuration;
+  out.settings["engine"] = usual.engine;
   out.variant = "configuration=" + usual.configuration;
   out.environment = record.environment;
   out.verdict = Verdict::kForInformation;
