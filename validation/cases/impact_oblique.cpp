@@ -121,15 +121,15 @@ std::vector<Case> cases_impact_oblique() {
   slow.along = 0.7;
   return {{.name = "impact/oblique/ball/slides",
            .title = "a ball meets the ground at an angle and slides",
-           .set = CaseSet::kQuick,
+           .set = CaseSet::kDefault,
            .run = [=](CaseRun& run) { run_sliding(run, ball); }},
           {.name = "impact/oblique/ball/sticks",
            .title = "a ball meets the ground at an angle and rolls",
-           .set = CaseSet::kQuick,
+           .set = CaseSet::kDefault,
            .run = [=](CaseRun& run) { run_sticking(run, slow); }},
           {.name = "impact/oblique/box",
            .title = "a box meets the ground flat and sliding",
-           .set = CaseSet::kQuick,
+           .set = CaseSet::kDefault,
            .run = [=](CaseRun& run) { run_sliding(run, box); }}};
 }
 
