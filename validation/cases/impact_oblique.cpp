@@ -125,7 +125,6 @@ std::vector<Case> cases_impact_oblique() {
            .run = [=](CaseRun& run) { run_sliding(run, ball); }},
           {.name = "impact/oblique/ball/sticks",
            .title = "a ball meets the ground at an angle and rolls",
-           .set = CaseSet::kQuick,
            .run = [=](CaseRun& run) { run_sticking(run, slow); }},
           {.name = "impact/oblique/box",
            .title = "a box meets the ground flat and sliding",
