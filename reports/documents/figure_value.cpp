@@ -55,6 +55,13 @@ std::vector<FigureValue> values_in(const FigureRule& rule, const Record& record)
       if (figure.quantity != rule.quantity) continue;
       values.push_back({figure.value, figure.value, Verdict::kForInformation});
     }
+    // One of those that are compared broke, or lacks what the case needs: that is its answer.
+    const double none = std::nan("");
+    if (values.empty() && record.verdict == Verdict::kNotApplicable) {
+      values.push_back({none, none, Verdict::kNotApplicable});
+    } else if (values.empty() && !record.failures.empty()) {
+      values.push_back({none, none, Verdict::kError});
+    }
     return values;
   }
   for (const Series& series : record.series) {
@@ -217,6 +224,8 @@ std::string sample_of(const SampleRule& rule, const std::vector<Record>& records
 }
 
 std::string text_of(const FigureValue& value, const FigureStyle& style) {
+  if (value.verdict == Verdict::kNotApplicable) return "–";
+  if (value.verdict == Verdict::kError) return "broke";
   const std::string low = number_text(value.low, style), high = number_text(value.high, style);
   return low == high ? low : low + style.range + high;
 }

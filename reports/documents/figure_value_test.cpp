@@ -104,6 +104,20 @@ TEST(FigureValue, SaysWhatIsMissing) {
       "validate.toml:3: figure 'drift': the record of 'slab/rest' is an error: " + broken.error);
 }
 
+TEST(FigureValue, OfWhatBrokeOrLacksWhatTheCaseNeedsIsAWord) {
+  Record compared;
+  compared.case_name = "engines/creep";
+  FigureRule rule = drift_of("engines/creep");
+  rule.quantity = "error";
+  compared.verdict = Verdict::kNotApplicable;
+  EXPECT_EQ(text_of(value_of(rule, {compared}), rule.style), "–");
+  compared.verdict = Verdict::kForInformation;
+  compared.failures = {{.reason = "it was ended by signal 9"}};
+  EXPECT_EQ(text_of(value_of(rule, {compared}), rule.style), "broke");
+  compared.failures.clear();
+  EXPECT_THROW(value_of(rule, {compared}), std::runtime_error);
+}
+
 TEST(FigureValue, DoesNotChooseAmongSeveral) {
   const std::vector<Record> two = {record("slab/rest", "old", 1.0),
                                    record("slab/rest", "quiet", 2.0)};

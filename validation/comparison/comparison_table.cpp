@@ -22,18 +22,17 @@ std::string number(double value) {
   return fmt::format("{:.2g}", value);
 }
 
-// Letters on a terminal: bytes of UTF-8 but the continuing ones.
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char sign) {
-    return (static_cast<unsigned char>(sign) & 0xC0) != 0x80;
-  }));
-}
-
 std::string heading(const Figure& figure) {
   return figure.unit == "1" ? figure.quantity : figure.quantity + ", " + figure.unit;
 }
 
 }  // namespace
+
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char sign) {
+    return (static_cast<unsigned char>(sign) & 0xC0) != 0x80;
+  }));
+}
 
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows, std::size_t texts) {
   std::vector<std::size_t> width(rows.front().size(), 0);

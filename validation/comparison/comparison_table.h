@@ -17,6 +17,9 @@ std::string comparison_table(const std::vector<const Record*>& records);
 /// `texts` columns to the left, the others, numbers, to the right.
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows, std::size_t texts);
 
+/// Letters on a terminal: bytes of UTF-8 but the continuing ones.
+std::size_t letters(const std::string& text);
+
 /// Wall-clock time of the friction phase per contact update, ns; 0 when not timed.
 double friction_nanoseconds(const Record& record);
 

@@ -14,6 +14,7 @@
 #include "solver/demand.h"
 #include "validation/comparison/engines/engine_matrix.h"
 #include "validation/comparison/engines/trials.h"
+#include "validation/core/program.h"
 #include "validation/engine/conformance/conformance.h"
 
 namespace stiction {
@@ -141,7 +142,7 @@ ExitCode compare_engines(const EngineComparison& asked) {
   const std::string matrix = engine_matrix(answers);
   std::string said;
   for (const std::string& sentence : found) said += "- " + sentence + "\n";
-  fmt::print("{}\n{}", matrix, said);
+  fmt::print("{}\n{}", engine_matrix(answers, terminal_style().width), said);
   const std::string cheapest = cheapest_ways(answers);
   store.write_file(
       "engines.md",

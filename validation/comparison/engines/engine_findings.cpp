@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "reports/text/names.h"
 #include "reports/text/number.h"
@@ -22,6 +23,8 @@ constexpr double kCreeps = 1e-9;    // m/s
 constexpr double kGivesOff = 0.01;  // °
 constexpr double kDirected = 0.1;   // °, between directions
 
+constexpr std::size_t kTold = 4;  // of those that are closer, the closest
+
 using Sentences = std::vector<std::string>;
 
 const EngineRow* our_row(const EngineAnswers& answers) {
@@ -38,17 +41,23 @@ Sentences closer_than_ours(const EngineAnswers& answers, const EngineRow& our) {
     const EngineAnswer own = answers.of(question, our);
     if (!own.applicable) continue;
     const double error = own.error ? std::abs(*own.error) : INFINITY;
-    Sentences closer;
+    if (error <= kSame) continue;
+    std::vector<std::pair<double, std::string>> closer;
     for (const EngineRow& row : answers.rows()) {
       const EngineAnswer other = answers.of(question, row);
       if (row.is_ours() || !other.error || !(std::abs(*other.error) < error)) continue;
-      if (error <= kSame) continue;
-      closer.push_back(fmt::format("{} ({})", row.name(), short_error(question, *other.error)));
+      closer.emplace_back(std::abs(*other.error),
+                          fmt::format("{} ({})", row.name(), short_error(question, *other.error)));
     }
     if (closer.empty()) continue;
-    said.push_back(fmt::format("{}: closer to the right answer than ours ({}): {}", question.id,
-                               own.error ? short_error(question, *own.error) : "broke",
-                               listed_names(closer)));
+    std::sort(closer.begin(), closer.end());
+    Sentences first;
+    for (std::size_t k = 0; k < std::min(kTold, closer.size()); ++k)
+      first.push_back(closer[k].second);
+    said.push_back(fmt::format(
+        "{}: closer to the right answer than ours ({}): {}{}", question.id,
+        own.error ? short_error(question, *own.error) : "broke", listed_names(first),
+        closer.size() > kTold ? fmt::format(" and {} more", closer.size() - kTold) : ""));
   }
   return said;
 }

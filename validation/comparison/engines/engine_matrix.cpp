@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/text/number.h"
@@ -27,6 +28,13 @@ std::string cost_cell(const EngineAnswers& answers, const EngineRow& row) {
   return "–";
 }
 
+// Of the widest cell.
+std::size_t letters_of(const std::vector<std::string>& cells) {
+  std::size_t most = 0;
+  for (const std::string& one : cells) most = std::max(most, letters(one));
+  return most;
+}
+
 std::string way(const std::optional<EffortPoint>& point) {
   return point ? fmt::format("{}, {:.3g} ms", point->row.name(), 1e3 * point->seconds) : "–";
 }
@@ -47,19 +55,36 @@ std::string short_error(const Question& question, double error) {
   return text;
 }
 
-std::string engine_matrix(const EngineAnswers& answers) {
-  std::vector<std::vector<std::string>> table = {{"engine"}};
-  for (const Question& question : answers.questions()) table[0].push_back(question.heading);
-  table[0].push_back("CPU ms");
-  for (const EngineRow& row : answers.rows()) {
-    std::vector<std::string> cells = {row.name()};
-    for (const Question& question : answers.questions()) {
-      cells.push_back(cell(question, answers.of(question, row)));
-    }
-    cells.push_back(cost_cell(answers, row));
-    table.push_back(std::move(cells));
+std::string engine_matrix(const EngineAnswers& answers, std::size_t width) {
+  // A column each: its heading, then a cell a row.
+  std::vector<std::vector<std::string>> columns(answers.questions().size() + 1);
+  std::vector<std::string> names = {"engine"};
+  for (std::size_t q = 0; q < answers.questions().size(); ++q) {
+    columns[q].push_back(answers.questions()[q].heading);
   }
-  return aligned_table(table, 1);
+  columns.back().push_back("CPU ms");
+  for (const EngineRow& row : answers.rows()) {
+    names.push_back(row.name());
+    for (std::size_t q = 0; q < answers.questions().size(); ++q) {
+      const Question& question = answers.questions()[q];
+      columns[q].push_back(cell(question, answers.of(question, row)));
+    }
+    columns.back().push_back(cost_cell(answers, row));
+  }
+  std::string text;
+  for (std::size_t next = 0; next < columns.size();) {
+    std::size_t used = letters_of(names) + 4;
+    std::vector<std::vector<std::string>> table;
+    for (const std::string& name : names) table.push_back({name});
+    do {
+      used += letters_of(columns[next]) + 3;
+      for (std::size_t r = 0; r < names.size(); ++r) table[r].push_back(columns[next][r]);
+      ++next;
+    } while (next < columns.size() &&
+             (width == 0 || used + letters_of(columns[next]) + 3 <= width));
+    text += (text.empty() ? "" : "\n") + aligned_table(table, 1);
+  }
+  return text;
 }
 
 std::string cheapest_ways(const EngineAnswers& answers) {

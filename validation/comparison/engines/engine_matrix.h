@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,9 @@
 namespace stiction {
 
 /// Engine × question: an aligned table in Markdown. A cell is how far an answer is off; "–" what an
-/// engine lacks, "broke" where it failed, "never" where it has no answer.
-std::string engine_matrix(const EngineAnswers& answers);
+/// engine lacks, "broke" where it failed, "never" where it has no answer. In as many tables below each other as `width`
+/// letters a line ask for, 0: in one.
+std::string engine_matrix(const EngineAnswers& answers, std::size_t width = 0);
 
 /// The cheapest way to an error below each of some bounds, a line a question and bound: engine,
 /// configuration and CPU time, with our own solver's behind. Empty without a curve.

@@ -8,6 +8,7 @@ build=$1
 kills=${2:-40}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
+trap 'printf "kills_test: line %s ended with %s\n" "$LINENO" "$?" >&2' ERR
 
 fail() {
   printf 'kills_test: %s\n' "$*" >&2
