@@ -83,7 +83,8 @@ ExitCode check(const Arguments& arguments) {
     fmt::print(
         "\nThe protocol: a request takes {:.0f} µs, of which {:.0f} µs are CPU time of the "
         "engine's "
-        "process; an observation {:.0f} µs. A step with a box on a slope takes {:.3g} µs of CPU "
+        "process; an observation {:.0f} µs. A step with a body on the ground takes {:.3g} µs of "
+        "CPU "
         "time.\n",
         1e6 * cost.request, 1e6 * cost.request_cpu, 1e6 * cost.observation, 1e6 * cost.step_cpu);
   }

@@ -26,7 +26,8 @@ constexpr Check kChecks[] = {{"bodies and poses", check_start},
                              {"friction on an obstacle", check_friction},
                              {"friction between bodies", check_pair_friction},
                              {"saved states", check_snapshots},
-                             {"runs repeat", check_repeats}};
+                             {"runs repeat", check_repeats},
+                             {"finer steps", check_finer}};
 
 Finding find(const Check& check, const Probe& probe) {
   try {

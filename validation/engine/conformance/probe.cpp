@@ -7,6 +7,19 @@
 
 namespace stiction {
 
+namespace {
+
+struct HalfHeight {
+  double operator()(const BoxShape& box) const { return 0.5 * box.size.z(); }
+  double operator()(const BallShape& ball) const { return ball.radius; }
+  double operator()(const PointShape&) const { return 0.0; }
+  double operator()(const MeshShape& shape) const { return -shape.mesh.vertices.row(2).minCoeff(); }
+};
+
+}  // namespace
+
+double half_height(const ProblemBody& body) { return std::visit(HalfHeight{}, body.shape); }
+
 ProblemBody Probe::body(const std::string& name) const {
   const Vec3 size(0.2, 0.16, 0.1);
   ProblemBody body;
@@ -25,11 +38,11 @@ ProblemBody Probe::body(const std::string& name) const {
   return body;
 }
 
-std::unique_ptr<Engine> Probe::start(const Problem& problem) const {
+std::unique_ptr<Engine> Probe::start(const Problem& problem, const Accuracy& accuracy) const {
   const std::string lacking = missing(manifest(), problem);
   if (!lacking.empty()) throw NotApplicable("the engine has no " + lacking);
   auto engine = kind_.make(settings_);
-  engine->load(problem, {});
+  engine->load(problem, accuracy);
   return engine;
 }
 

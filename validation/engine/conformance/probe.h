@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "validation/engine/conformance/conformance.h"
@@ -23,7 +24,7 @@ class Probe {
   /// A body that the engine takes, of 2 kg, 0.2 × 0.16 × 0.1 m or as large, at the origin.
   ProblemBody body(const std::string& name) const;
   /// Throws NotApplicable for what the engine lacks.
-  std::unique_ptr<Engine> start(const Problem& problem) const;
+  std::unique_ptr<Engine> start(const Problem& problem, const Accuracy& accuracy = {}) const;
   /// Throws NotApplicable with these words where the engine has not got the feature.
   void need(bool has, const std::string& words) const;
 
@@ -31,6 +32,9 @@ class Probe {
   const EngineKind& kind_;
   const Settings& settings_;
 };
+
+/// From the centre of a body that stands upright down to what it stands on, m.
+double half_height(const ProblemBody& body);
 
 /// Takes the engine to this time, to the nearest step, and returns the time reached, s.
 double advance_to(Engine& engine, double time);
@@ -46,5 +50,6 @@ std::string check_friction(const Probe& probe);
 std::string check_pair_friction(const Probe& probe);
 std::string check_snapshots(const Probe& probe);
 std::string check_repeats(const Probe& probe);
+std::string check_finer(const Probe& probe);
 
 }  // namespace stiction

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "validation/engine/conformance/probe.h"
-#include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 
@@ -37,7 +36,13 @@ double median_seconds(const Work& work) {
 
 ProtocolCost protocol_cost(const EngineKind& kind, const Settings& settings) {
   const Probe probe(kind, settings);
-  const auto engine = probe.start(settled_incline_problem({.tan_slope = 0.3}));
+  Problem problem;
+  problem.name = "a body on the ground";
+  problem.bodies = {probe.body("body")};
+  problem.bodies[0].position = Vec3(0.0, 0.0, half_height(problem.bodies[0]));
+  problem.obstacles = {{"ground", Vec3::Zero(), Vec3::UnitZ(), 0.5}};
+  problem.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
+  const auto engine = probe.start(problem);
   ProtocolCost cost;
   cost.request = median_seconds([&] { engine->advance(0); });
   cost.request_cpu = engine->cost().cpu_seconds / kRequests;

@@ -5,7 +5,7 @@
 
 namespace stiction {
 
-/// What the pipes cost, beside a step of the engine with a box at rest on level ground.
+/// What the pipes cost, beside a step of the engine with a body at rest on level ground.
 struct ProtocolCost {
   double request = 0.0;      ///< wall-clock of an empty `advance` and its answer, s
   double request_cpu = 0.0;  ///< … CPU time of the engine's process: what its cost counts too much

@@ -82,4 +82,17 @@ std::string check_repeats(const Probe& probe) {
   return "the same to the last bit, in one go or in five";
 }
 
+std::string check_finer(const Probe& probe) {
+  const double usual = probe.start(thrown(probe))->time_step();
+  const double finer = probe.start(thrown(probe), {.finer = 2.0})->time_step();
+  if (!(std::abs(finer / usual - 0.5) < 1e-3)) {
+    throw Nonconformity(
+        fmt::format("asked for steps half as long as its own, {:.6g} s, it takes {:.6g} s: divide "
+                    "the time step "
+                    "by `finer`",
+                    usual, finer));
+  }
+  return fmt::format("{:.6g} s, and half of that where it is asked for", usual);
+}
+
 }  // namespace stiction

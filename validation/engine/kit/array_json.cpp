@@ -80,7 +80,8 @@ std::vector<double> read_array(const nlohmann::json& value, const std::string& w
       continue;
     }
     if (!one.is_number()) {
-      throw std::runtime_error(what + " has " + one.dump() + " where a number belongs");
+      throw std::runtime_error(what + " has " + one.dump() + " where a number belongs" +
+                               (one.is_null() ? ": that stands for NaN or infinity" : ""));
     }
     numbers.push_back(one.get<double>());
   }

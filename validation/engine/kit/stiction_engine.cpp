@@ -365,6 +365,19 @@ void stiction_tell_number(const char* parameter, double value) {
 }
 
 int stiction_engine_main(const stiction_engine* engine, int argc, char** argv) {
+  const struct {
+    const char* name;
+    bool is_there;
+  } required[] = {{"name", engine->name != nullptr},
+                  {"load", engine->load != nullptr},
+                  {"time_step", engine->time_step != nullptr},
+                  {"advance", engine->advance != nullptr},
+                  {"body", engine->body != nullptr}};
+  for (const auto& one : required) {
+    if (one.is_there) continue;
+    std::fprintf(stderr, "stiction_engine.%s is NULL: it is required\n", one.name);
+    return 2;
+  }
   if (argc > 1) {
     std::fprintf(stderr,
                  "%s: this program speaks the engine protocol of stiction on its standard input; "

@@ -167,8 +167,9 @@ typedef struct {
   const char* source;
 } stiction_configuration;
 
-/* What an engine brings. Arrays end with an entry whose name is NULL. A function that is NULL is a
- * feature that the engine lacks. `self` is what load returned. */
+/* What an engine brings. Required: name, load, time_step, advance, body. Any other that is NULL is a
+ * feature that the engine lacks. Arrays end with an entry whose name is NULL. `self` is what load
+ * returned. */
 typedef struct {
   const char* name;
   const char* version; /* of the engine behind the adapter */

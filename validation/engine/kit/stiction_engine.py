@@ -21,6 +21,7 @@ import os
 import struct
 import sys
 import time
+import traceback
 from types import SimpleNamespace
 
 
@@ -38,7 +39,7 @@ class Engine:
     name = "engine"
     version = ""          # of the engine behind the adapter
     description = ""      # one line
-    can = []              # words of the protocol: "boxes", "balls", "body_contact", …
+    can = []              # words of the protocol, a list or a text: "boxes balls body_contact"
     settings_help = {}    # name → meaning, unit, default
     configurations = []   # {"name": "default", "settings": {"dt": "0.01"}, "source": "where they come from"}
     ladder = []           # efforts from the usual to the most: {"dt": "0.005"}, …
@@ -190,9 +191,10 @@ class _Session:
     def hello(self, _):
         kind = self.kind
         tells = [what for what in ("contacts", "energies", "momenta", "surface") if hasattr(kind, what)]
+        can = kind.can.split() if isinstance(kind.can, str) else list(kind.can)
         snapshots = ["snapshots"] if hasattr(kind, "save") and hasattr(kind, "restore") else []
         return {"protocol": 1, "name": kind.name, "version": kind.version, "description": kind.description,
-                "can": list(kind.can) + tells + snapshots, "settings": kind.settings_help,
+                "can": can + tells + snapshots, "settings": kind.settings_help,
                 "configurations": kind.configurations, "ladder": kind.ladder,
                 "symplectic_euler": kind.symplectic_euler}
 
@@ -269,8 +271,13 @@ def main(kind):
             reply = session.answer(message)
         except Lacks as words:
             reply = {"lacks": str(words)}
-        except Exception as error:  # whatever went wrong is the case's error, in words
-            reply = {"error": str(error) or type(error).__name__}
+        except Refused as words:
+            reply = {"error": str(words)}
+        except Exception as error:  # whatever went wrong is the case's error; where, is on stderr
+            traceback.print_exc()
+            place = traceback.extract_tb(error.__traceback__)[-1]
+            where = f"{os.path.basename(place.filename)}:{place.lineno}, in {place.name}"
+            reply = {"error": f"{type(error).__name__}: {error} ({where})"}
         out.write(json.dumps(_finite(reply), allow_nan=False) + "\n")
         out.flush()
         if isinstance(message, dict) and message.get("do") == "quit":
