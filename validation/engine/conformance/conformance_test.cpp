@@ -62,9 +62,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"friction", "1.02 times as much at any μ: is it multiplied?"},
         Fault{"half-step", "is each step half as long as the time step that is told"},
         Fault{"nan", "has null where a number belongs"}, Fault{"exit", "ended with exit code 0"}),
-    [](const auto& info) {
+    [](const auto& fault) {
       std::string name;
-      for (const char sign : std::string(info.param.name)) {
+      for (const char sign : std::string(fault.param.name)) {
         if (std::isalnum(static_cast<unsigned char>(sign))) name += sign;
       }
       return name;

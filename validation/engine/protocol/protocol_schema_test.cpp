@@ -50,10 +50,14 @@ std::string misfit(const json& message, const std::string& definition) {
 Problem full_problem() {
   Problem problem;
   problem.name = "everything";
-  ProblemBody box{.name = "box", .shape = BoxShape{}, .position = Vec3(0.0, 0.0, 3.0)};
-  ProblemBody ball{.name = "ball", .shape = BallShape{0.1}, .position = Vec3(3.0, 0.0, 3.0)};
-  ProblemBody mesh{.name = "mesh", .position = Vec3(0.0, 5.0, 3.0)};
-  MeshShape shape{.convex = true};
+  ProblemBody box, ball, mesh;
+  box.position = Vec3(0.0, 0.0, 3.0);
+  box.shape = BoxShape{};
+  ball.position = Vec3(3.0, 0.0, 3.0);
+  ball.shape = BallShape{0.1};
+  mesh.position = Vec3(0.0, 5.0, 3.0);
+  MeshShape shape;
+  shape.convex = true;
   shape.mesh.vertices = Eigen::Matrix3Xd::Zero(3, 4);
   shape.mesh.vertices.rightCols(3).setIdentity();
   shape.mesh.tetrahedra = Eigen::Vector4i(0, 1, 2, 3);
