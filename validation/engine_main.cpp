@@ -90,7 +90,6 @@ ExitCode check(const Arguments& arguments) {
   }
   fmt::print("\n{} checks hold, {} fail{}\n", held, failed,
              failed > 0 ? ": such an engine is not graded" : "");
-  if (std::fflush(stdout) != 0) throw InputError("the checks could not be written to stdout");
   return code;
 }
 
@@ -123,8 +122,11 @@ int main(int argc, char** argv) {
   }
   try {
     stiction::set_program_limits(arguments.limits);
-    if (list->parsed()) return stiction::list_engines();
-    return show->parsed() ? stiction::show(arguments) : stiction::check(arguments);
+    const stiction::ExitCode code = list->parsed()   ? stiction::list_engines()
+                                    : show->parsed() ? stiction::show(arguments)
+                                                     : stiction::check(arguments);
+    if (std::fflush(stdout) != 0) throw stiction::InputError("stdout could not be written to");
+    return code;
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction engine: {}\n", error.what());
     return stiction::kCouldNotRun;

@@ -82,6 +82,10 @@ void define(CLI::App& app, Arguments& arguments) {
                  "protocol, e.g. \"python3 my_engine.py\"")
       ->type_name("NAME|COMMAND")
       ->capture_default_str();
+  app.add_option(
+         "--configuration", arguments.selection.configuration,
+         "Only this one of the engine's configurations ('./stiction engine show' lists them)")
+      ->type_name("NAME");
   add_engine_limits(app, arguments.limits);
   app.add_option("--set", arguments.settings, "A setting of the engine, over that of each case")
       ->type_name("NAME=VALUE");

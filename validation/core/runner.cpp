@@ -27,6 +27,23 @@ bool chosen(const Case& one, const Selection& selection) {
                      [&](const std::string& glob) { return matches(glob, one.name); });
 }
 
+// The settings with which a case runs.
+std::vector<Settings> chosen_variants(const Case& which, const EngineKind& engine,
+                                      const Selection& selection) {
+  if (selection.configuration.empty()) {
+    return variants_of(which, engine, selection.set == CaseSet::kFull);
+  }
+  std::string names;
+  if (engine.configurations) {
+    for (const Configuration& one : engine.configurations(which.name)) {
+      if (one.name == selection.configuration) return {one.settings};
+      names += (names.empty() ? "" : ", ") + one.name;
+    }
+  }
+  throw InputError("engine '" + engine.name + "' has no configuration '" + selection.configuration +
+                   "'" + (names.empty() ? "" : "; there are: " + names));
+}
+
 }  // namespace
 
 std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& selection) {
@@ -41,7 +58,7 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
   for (const Case& one : cases) {
     if (!chosen(one, selection)) continue;
     std::vector<Settings> seen;
-    for (Settings settings : variants_of(one, engine, selection.set == CaseSet::kFull)) {
+    for (Settings settings : chosen_variants(one, engine, selection)) {
       for (const auto& [name, value] : selection.settings) settings[name] = value;
       if (std::find(seen.begin(), seen.end(), settings) != seen.end()) continue;
       seen.push_back(settings);

@@ -28,7 +28,8 @@ struct Selection {
       globs{};  ///< case names, * and ? as in a shell, * also across '/'; empty: all
   CaseSet set = CaseSet::kDefault;
   std::string engine = "stiction";
-  Settings settings{};  ///< over those of each variant
+  Settings settings{};          ///< over those of each variant
+  std::string configuration{};  ///< of the engine, by name; empty: all that it runs a case with
 };
 
 /// Jobs of the cases chosen, in the catalog's order; variants that the user's settings make equal

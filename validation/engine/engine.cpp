@@ -56,7 +56,15 @@ EngineKind find_engine(const std::string& words) {
         listed_names(engine_programs(), [](const EngineProgram& one) { return one.name; }) +
         "; or a command that speaks the protocol");
   }
-  return program_kind(program, program_limits());
+  EngineKind found = program_kind(program, program_limits());
+  // What names itself as one of the build's is not taken for that.
+  for (const EngineKind& kind : all) {
+    if (kind.name == found.name) {
+      throw InputError("the engine '" + found.program + "' calls itself '" + kind.name +
+                       "', which is an engine of this project: it needs another name");
+    }
+  }
+  return found;
 }
 
 }  // namespace stiction

@@ -62,6 +62,11 @@ Engines find_engines(const EngineComparison& comparison) {
     try {
       EngineKind kind = find_engine(name);
       demand_conformance(kind, {});
+      for (const EngineKind& other : engines.asked) {
+        if (other.name != kind.name) continue;
+        throw InputError(fmt::format("two engines call themselves '{}': '{}' and '{}'", kind.name,
+                                     other.program, kind.program));
+      }
       engines.asked.push_back(std::move(kind));
     } catch (const InputError& why) {
       engines.left_out.push_back(why.what());

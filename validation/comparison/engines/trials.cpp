@@ -24,11 +24,19 @@ Case find_case(const std::string& name) {
   throw std::logic_error("no case is called " + name);
 }
 
+// Of a configuration with a name, and what a rung of the ladder lays over it.
 std::string command_of(const EngineKind& engine, const std::string& case_name,
-                       const Settings& settings) {
+                       const Configuration& configuration, const Settings& over) {
   std::string text = fmt::format("./stiction validate --engine '{}' --case '{}'",
                                  engine.program.empty() ? engine.name : engine.program, case_name);
-  for (const auto& [name, value] : settings) text += fmt::format(" --set {}={}", name, value);
+  if (engine.configurations && !engine.program.empty()) {
+    text += fmt::format(" --configuration '{}'", configuration.name);
+  } else {
+    for (const auto& [name, value] : configuration.settings) {
+      text += fmt::format(" --set {}={}", name, value);
+    }
+  }
+  for (const auto& [name, value] : over) text += fmt::format(" --set {}={}", name, value);
   return text;
 }
 
@@ -93,16 +101,15 @@ std::vector<Trial> engine_trials(const std::vector<EngineKind>& engines,
         std::size_t rungs = questions[q].curve ? std::max<std::size_t>(engine.ladder.size(), 1) : 1;
         if (quick) rungs = std::min(rungs, kQuickRungs);
         for (std::size_t rung = 0; rung < rungs; ++rung) {
+          const Settings over = rung > 0 ? engine.ladder[rung] : Settings{};
           Settings settings = one.settings;
-          if (rung > 0) {
-            for (const auto& [name, value] : engine.ladder[rung]) settings[name] = value;
-          }
+          for (const auto& [name, value] : over) settings[name] = value;
           trials.push_back({.question = q,
                             .engine = engine.name,
                             .configuration = one.name,
                             .effort = rung,
                             .job = {which, engine, settings},
-                            .command = command_of(engine, which.name, settings),
+                            .command = command_of(engine, which.name, one, over),
                             .source = one.source});
         }
       }

@@ -53,9 +53,20 @@ constexpr double kSpeed = 3.0, kFrom = 0.3, kTo = 0.8;  // m/s, s
 double measured_friction(const Probe& probe, const Problem& problem) {
   const auto engine = probe.start(problem);
   const double from = advance_to(*engine, kFrom);
-  const double before = engine->body(0).velocity.x();
+  const BodyMotion before = engine->body(0);
   const double to = advance_to(*engine, kTo);
-  return (before - engine->body(0).velocity.x()) / (kGravity * (to - from));
+  const BodyMotion after = engine->body(0);
+  // Under a constant force the way is the mean of the two speeds times the time.
+  const double way = after.position.x() - before.position.x();
+  const double expected = 0.5 * (before.velocity.x() + after.velocity.x()) * (to - from);
+  if (!(std::abs(way - expected) <= 0.05 * std::abs(expected) + 1e-3)) {
+    throw Nonconformity(
+        fmt::format("a sliding body comes {:.4g} m far where its own velocities make it {:.4g} m: "
+                    "are positions "
+                    "and velocities those of the same body, at the same time?",
+                    way, expected));
+  }
+  return (before.velocity.x() - after.velocity.x()) / (kGravity * (to - from));
 }
 
 // How accurate an engine's friction is, the cases measure. An adapter is to blame for μ of another

@@ -203,7 +203,8 @@ TEST(ProgramKind, SaysWhatIsWrongWithAManifest) {
               HasSubstr("unknown engine 'no_such_engine'; there are: plain"));
   EXPECT_THAT(refusal("./no/such/engine"), HasSubstr("cannot be started"));
   EXPECT_THAT(refusal("sh 'unfinished"), HasSubstr("a quote does not end"));
-  EXPECT_THAT(refusal("sh -c 'echo \"{}\"'"), HasSubstr("protocol: the required field is missing"));
+  EXPECT_THAT(refusal("sh -c 'read -r line; echo \"{}\"'"),
+              HasSubstr("protocol: the required field is missing"));
   const std::string hello = "sh -c 'read -r line; echo \"{\\\"protocol\\\":2}\"'";
   EXPECT_THAT(refusal(hello), HasSubstr("speaks version 1"));
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <utility>
 
@@ -48,6 +49,13 @@ std::map<std::string, bool*> words_of(ProgramTraits& traits) {
 
 Settings settings_of(const JsonField& field) {
   return field.map([](const JsonField& one) { return one.text(); });
+}
+
+bool is_name(const std::string& name) {
+  return !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), [](char sign) {
+    return std::isalnum(static_cast<unsigned char>(sign)) || sign == '-' || sign == '_' ||
+           sign == '.' || sign == ' ';
+  });
 }
 
 void refuse_unknown(const EngineKind& kind, const Settings& settings) {
@@ -97,7 +105,9 @@ EngineKind program_kind(const std::vector<std::string>& words, const ProgramLimi
       told["protocol"].fail(fmt::format("this suite speaks version {}", int{STICTION_PROTOCOL}));
     }
     kind.name = told["name"].text();
-    if (kind.name.empty()) told["name"].fail("must not be empty");
+    if (!is_name(kind.name)) {
+      told["name"].fail("must be 1 to 40 letters, digits, '-', '_', '.' or spaces");
+    }
     kind.description = told["description"].text();
     const std::string version = told["version"].text();
     if (!version.empty()) kind.description += " (" + version + ")";

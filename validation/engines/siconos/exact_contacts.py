@@ -24,6 +24,19 @@ class Touch(kernel.NewtonEuler3DR):
         self.pc1()[:] = on_body
         self.pc2()[:] = on_other
 
+    def computeJachqT(self, interaction, q0):
+        """Siconos 4.4 makes the frame of a contact by orthoBaseFromVector (numerics/op3x3.h), whose second
+        axis is not orthogonal to a normal with nx ≠ ny where nz is the largest. The rows of the Jacobian are
+        D [1, …], D the frame: it is replaced by an orthonormal one about the same normal."""
+        super().computeJachqT(interaction, q0)
+        rows = numpy.array(self.jachqT())
+        frame = rows[:, :3]
+        normal = frame[0] / numpy.linalg.norm(frame[0])
+        along = numpy.cross(normal, [1.0, 0.0, 0.0] if abs(normal[0]) < 0.6 else [0.0, 1.0, 0.0])
+        along /= numpy.linalg.norm(along)
+        right = numpy.array([normal, along, numpy.cross(normal, along)])
+        self.jachqT()[:] = right @ numpy.linalg.inv(frame) @ rows
+
 
 class PointOnPlane(Touch):
     """A point of a body, or the lowest one of a ball about that point, and a half-space."""
