@@ -209,6 +209,27 @@ TEST(ProgramKind, SaysWhatIsWrongWithAManifest) {
   EXPECT_THAT(refusal(hello), HasSubstr("speaks version 1"));
 }
 
+// An engine that took the name of another would take its row.
+TEST(ProgramKind, RefusesANameThatIsTakenOrNoName) {
+  const auto refusal = [](const std::string& name) -> std::string {
+    const std::string file = testing::TempDir() + "/impostor.sh";
+    std::ofstream(file) << "read -r line\necho '{\"protocol\":1,\"name\":\"" << name
+                        << "\",\"version\":\"\",\"description\":\"\",\"can\":[]}'\n";
+    try {
+      find_engine("sh '" + file + "'");
+    } catch (const InputError& what) {
+      return what.what();
+    }
+    return "taken";
+  };
+  EXPECT_EQ(refusal("an engine 2.1"), "taken");
+  EXPECT_THAT(refusal("stiction"),
+              HasSubstr("calls itself 'stiction', which is an engine of this"));
+  for (const char* const name : {"", "a|b", "<script>"}) {
+    EXPECT_THAT(refusal(name), HasSubstr("must be 1 to 40 letters")) << name;
+  }
+}
+
 TEST(CommandWords, SplitAtSpacesButNotWithinQuotes) {
   using testing::ElementsAre;
   EXPECT_THAT(command_words("python3 my_engine.py  --fast"),
