@@ -39,6 +39,12 @@ TEST(Conformance, HoldsForAnEngineWithoutAFaultAndTriesAllOfIt) {
   }
 }
 
+// Verlet's steps, of an engine that says that it takes those of symplectic Euler.
+TEST(Conformance, HoldsAnEngineToTheSchemeThatItClaims) {
+  EXPECT_THAT(failures(check_conformance(hosted(), {{"integrator", "verlet"}})),
+              HasSubstr("it says that it steps by symplectic Euler, but falls"));
+}
+
 struct Fault {
   const char* name;
   const char* words;  // that name it
@@ -61,7 +67,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"clock", "did time advance?"}, Fault{"forget", "has forgotten its velocity"},
         Fault{"friction", "1.02 times as much at any μ: is it multiplied?"},
         Fault{"half-step", "is each step half as long as the time step that is told"},
-        Fault{"nan", "has null where a number belongs"}, Fault{"exit", "ended with exit code 0"}),
+        Fault{"nan", "has null where a number belongs"}, Fault{"exit", "ended with exit code 0"},
+        Fault{"finer", "divide the time step by `finer`"},
+        Fault{"stands", "are positions and velocities those of the same body"}),
     [](const auto& fault) {
       std::string name;
       for (const char sign : std::string(fault.param.name)) {

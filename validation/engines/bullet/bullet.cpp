@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "validation/engines/bullet/world.h"
+#include "validation/engines/world_functions.h"
 
 namespace {
 
@@ -18,23 +19,11 @@ using stiction::bullet::World;
 
 World& world(void* self) { return *static_cast<World*>(self); }
 
-void* load(const stiction_problem* problem) { return new World(*problem); }
-
-double time_step(void* self) { return world(self).time_step(); }
-
-double time(void* self) { return world(self).time(); }
-
-void advance(void* self, uint64_t steps) { world(self).advance(steps); }
-
-void body(void* self, size_t index, stiction_body_state* state) { world(self).body(index, *state); }
-
 size_t contacts(void* self, stiction_contact* contacts, size_t room) {
   const auto all = world(self).contacts();
   std::copy_n(all.begin(), std::min(room, all.size()), contacts);
   return all.size();
 }
-
-void end(void* self) { delete &world(self); }
 
 const stiction_configuration kConfigurations[] = {
     {"default", "dt=0.016666666666666666 iterations=10",
@@ -57,7 +46,7 @@ const char* const kLadder[] = {
 }  // namespace
 
 int main(int argc, char** argv) {
-  stiction_engine engine{};
+  stiction_engine engine = stiction::world_functions<World>();
   engine.name = NAME;
   engine.version = "3.24, " PRECISION " precision";
   engine.description = "Bullet's rigid bodies, " PRECISION " precision";
@@ -69,12 +58,6 @@ int main(int argc, char** argv) {
 #ifdef BT_USE_DOUBLE_PRECISION
   engine.symplectic_euler = 1;  // in single precision only to 1e-7
 #endif
-  engine.load = load;
-  engine.time_step = time_step;
-  engine.advance = advance;
-  engine.time = time;
-  engine.body = body;
   engine.contacts = contacts;
-  engine.end = end;
   return stiction_engine_main(&engine, argc, argv);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "validation/engines/bullet_deformable/world.h"
+#include "validation/engines/world_functions.h"
 
 namespace {
 
@@ -18,16 +19,6 @@ using stiction::bullet_deformable::SoftMesh, stiction::bullet_deformable::World;
 #endif
 
 World& world(void* self) { return *static_cast<World*>(self); }
-
-void* load(const stiction_problem* problem) { return new World(*problem); }
-
-double time_step(void* self) { return world(self).time_step(); }
-
-double time(void* self) { return world(self).time(); }
-
-void advance(void* self, uint64_t steps) { world(self).advance(steps); }
-
-void body(void* self, size_t index, stiction_body_state* state) { world(self).body(index, *state); }
 
 void momenta(void* self, double linear[3], double angular[3]) {
   Vector3d p, l;
@@ -52,8 +43,6 @@ size_t vertices(void* self, size_t body, double (*positions)[3], size_t room) {
   return count;
 }
 
-void end(void* self) { delete &world(self); }
-
 const stiction_configuration kConfigurations[] = {
     {"implicit",
      "implicit=1 projection=1 dt=0.004166666666666667 iterations=100 erp=0.3 max_correction=200 "
@@ -70,7 +59,7 @@ const char* const kLadder[] = {"dt=0.001", "dt=0.0005", "dt=0.00025", "dt=0.0001
 }  // namespace
 
 int main(int argc, char** argv) {
-  stiction_engine engine{};
+  stiction_engine engine = stiction::world_functions<World>();
   engine.name = NAME;
   engine.version = "3.24, " PRECISION " precision";
   engine.description = "Bullet's deformable bodies (finite elements), " PRECISION " precision";
@@ -80,14 +69,8 @@ int main(int argc, char** argv) {
   engine.settings = stiction::bullet_deformable::kSettings;
   engine.configurations = kConfigurations;
   engine.ladder = kLadder;
-  engine.load = load;
-  engine.time_step = time_step;
-  engine.advance = advance;
-  engine.time = time;
-  engine.body = body;
   engine.momenta = momenta;
   engine.surface = surface;
   engine.vertices = vertices;
-  engine.end = end;
   return stiction_engine_main(&engine, argc, argv);
 }

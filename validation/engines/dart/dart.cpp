@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // DART behind the engine protocol.
 #include "validation/engines/dart/simulation.h"
+#include "validation/engines/world_functions.h"
 
 namespace {
 
@@ -8,14 +9,6 @@ using stiction_dart::Simulation;
 
 Simulation& as_simulation(void* self) { return *static_cast<Simulation*>(self); }
 
-void* load(const stiction_problem* problem) { return new Simulation(*problem); }
-void end(void* self) { delete static_cast<Simulation*>(self); }
-double time_step(void* self) { return as_simulation(self).time_step(); }
-double engine_time(void* self) { return as_simulation(self).time(); }
-void advance(void* self, uint64_t steps) { as_simulation(self).advance(steps); }
-void body(void* self, size_t index, stiction_body_state* state) {
-  as_simulation(self).body(index, *state);
-}
 size_t contacts(void* self, stiction_contact* contacts, size_t room) {
   return as_simulation(self).contacts(contacts, room);
 }
@@ -47,28 +40,14 @@ int main(int argc, char** argv) {
       {}};
   const char* const ladder[] = {"dt=0.001",    "dt=0.0005",    "dt=0.00025",
                                 "dt=0.000125", "dt=0.0000625", nullptr};
-  const stiction_engine engine = {
-      .name = "dart",
-      .version = DART_VERSION " (Debian, double precision)",
-      .description = "DART: boxed linear complementarity in velocities, friction by a pyramid",
-      .can = "boxes balls body_contact varying_gravity drag loads spin",
-      .settings = settings,
-      .configurations = configurations,
-      .ladder = ladder,
-      .symplectic_euler = 0,
-      .load = load,
-      .time_step = time_step,
-      .advance = advance,
-      .time = engine_time,
-      .body = body,
-      .contacts = contacts,
-      .energies = nullptr,
-      .momenta = nullptr,
-      .surface = nullptr,
-      .vertices = nullptr,
-      .save = nullptr,
-      .restore = nullptr,
-      .forget = nullptr,
-      .end = end};
+  stiction_engine engine = stiction::world_functions<Simulation>();
+  engine.name = "dart";
+  engine.version = DART_VERSION " (Debian, double precision)";
+  engine.description = "DART: boxed linear complementarity in velocities, friction by a pyramid";
+  engine.can = "boxes balls body_contact varying_gravity drag loads spin";
+  engine.settings = settings;
+  engine.configurations = configurations;
+  engine.ladder = ladder;
+  engine.contacts = contacts;
   return stiction_engine_main(&engine, argc, argv);
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "validation/engines/mujoco/simulation.h"
+#include "validation/engines/world_functions.h"
 
 namespace {
 
@@ -11,14 +12,6 @@ using stiction_mujoco::Saved, stiction_mujoco::Simulation;
 
 Simulation& as_simulation(void* self) { return *static_cast<Simulation*>(self); }
 
-void* load(const stiction_problem* problem) { return new Simulation(*problem); }
-void end(void* self) { delete static_cast<Simulation*>(self); }
-double time_step(void* self) { return as_simulation(self).time_step(); }
-double engine_time(void* self) { return as_simulation(self).time(); }
-void advance(void* self, uint64_t steps) { as_simulation(self).advance(steps); }
-void body(void* self, size_t index, stiction_body_state* state) {
-  as_simulation(self).body(index, *state);
-}
 size_t contacts(void* self, stiction_contact* contacts, size_t room) {
   return as_simulation(self).contacts(contacts, room);
 }
@@ -66,28 +59,18 @@ int main(int argc, char** argv) {
       {}};
   const char* const ladder[] = {"dt=0.002",   "dt=0.001",    "dt=0.0005",
                                 "dt=0.00025", "dt=0.000125", nullptr};
-  const stiction_engine engine = {
-      .name = "mujoco",
-      .version = "2.2.2 (Debian, double precision)",
-      .description = "MuJoCo: soft contacts by convex optimisation, optionally without slip",
-      .can = "boxes balls body_contact varying_gravity drag loads spin",
-      .settings = settings,
-      .configurations = configurations,
-      .ladder = ladder,
-      .symplectic_euler = 1,
-      .load = load,
-      .time_step = time_step,
-      .advance = advance,
-      .time = engine_time,
-      .body = body,
-      .contacts = contacts,
-      .energies = nullptr,
-      .momenta = nullptr,
-      .surface = nullptr,
-      .vertices = nullptr,
-      .save = save,
-      .restore = restore,
-      .forget = forget,
-      .end = end};
+  stiction_engine engine = stiction::world_functions<Simulation>();
+  engine.name = "mujoco";
+  engine.version = "2.2.2 (Debian, double precision)";
+  engine.description = "MuJoCo: soft contacts by convex optimisation, optionally without slip";
+  engine.can = "boxes balls body_contact varying_gravity drag loads spin";
+  engine.settings = settings;
+  engine.configurations = configurations;
+  engine.ladder = ladder;
+  engine.symplectic_euler = 1;
+  engine.contacts = contacts;
+  engine.save = save;
+  engine.restore = restore;
+  engine.forget = forget;
   return stiction_engine_main(&engine, argc, argv);
 }

@@ -3,22 +3,13 @@
 #include <algorithm>
 
 #include "validation/engines/ode/world.h"
+#include "validation/engines/world_functions.h"
 
 namespace {
 
 using stiction::ode::World;
 
 World& world(void* self) { return *static_cast<World*>(self); }
-
-void* load(const stiction_problem* problem) { return new World(*problem); }
-
-double time_step(void* self) { return world(self).time_step(); }
-
-double time(void* self) { return world(self).time(); }
-
-void advance(void* self, uint64_t steps) { world(self).advance(steps); }
-
-void body(void* self, size_t index, stiction_body_state* state) { world(self).body(index, *state); }
 
 size_t contacts(void* self, stiction_contact* contacts, size_t room) {
   const auto all = world(self).contacts();
@@ -33,8 +24,6 @@ void restore(void* self, const void* saved) {
 }
 
 void forget(void*, void* saved) { delete static_cast<World::State*>(saved); }
-
-void end(void* self) { delete &world(self); }
 
 const stiction_configuration kConfigurations[] = {
     {"quick step",
@@ -61,7 +50,7 @@ const char* const kLadder[] = {"dt=0.02 iterations=20",     "dt=0.01 iterations=
 }  // namespace
 
 int main(int argc, char** argv) {
-  stiction_engine engine{};
+  stiction_engine engine = stiction::world_functions<World>();
   engine.name = "ode";
   engine.version = "0.16.2, double precision";
   engine.description = "Open Dynamics Engine, rigid bodies";
@@ -70,15 +59,9 @@ int main(int argc, char** argv) {
   engine.configurations = kConfigurations;
   engine.ladder = kLadder;
   engine.symplectic_euler = 1;
-  engine.load = load;
-  engine.time_step = time_step;
-  engine.advance = advance;
-  engine.time = time;
-  engine.body = body;
   engine.contacts = contacts;
   engine.save = save;
   engine.restore = restore;
   engine.forget = forget;
-  engine.end = end;
   return stiction_engine_main(&engine, argc, argv);
 }

@@ -23,9 +23,9 @@ namespace {
 
 using Eigen::Map;
 
-constexpr std::string_view kFaults[] = {"none",      "sign",  "degrees", "gravity-twice",
-                                        "swapped",   "clock", "forget",  "friction",
-                                        "half-step", "nan",   "exit"};
+constexpr std::string_view kFaults[] = {"none",  "sign",   "degrees",  "gravity-twice", "swapped",
+                                        "clock", "forget", "friction", "half-step",     "nan",
+                                        "exit",  "finer",  "stands"};
 
 Vec3 vec(const double v[3]) { return Vec3(v); }
 
@@ -144,7 +144,8 @@ void* load(const stiction_problem* given) {
   self->problem = problem_of(*given);
   plant(self->fault, self->problem);
   self->engine = find_engine("stiction").make(given_settings());
-  self->engine->load(self->problem, {given->fineness, given->roundness, given->time, given->finer});
+  self->engine->load(self->problem, {given->fineness, given->roundness, given->time,
+                                     self->fault == "finer" ? 1.0 : given->finer});
   for (const auto& [name, value] : self->engine->settings()) {
     stiction_tell(name.c_str(), value.c_str());
   }
@@ -173,6 +174,9 @@ void body(void* self, std::size_t index, stiction_body_state* state) {
   const Eigen::Quaterniond turned = motion.rotation * one.problem.bodies[index].rotation;
   const double q[] = {turned.w(), turned.x(), turned.y(), turned.z()};
   std::copy(q, q + 4, state->rotation);
+  if (one.fault == "stands" && !one.problem.obstacles.empty()) {
+    Map<Vec3>(state->position) = one.problem.bodies[index].position;
+  }
   if (one.forgotten) Map<Vec3>(state->velocity).setZero();
   if (one.fault == "nan" && one.engine->steps_done() > 100) state->position[1] = std::nan("");
 }
