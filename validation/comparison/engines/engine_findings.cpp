@@ -113,9 +113,11 @@ Holding holding(const EngineAnswers& answers, const EngineRow& row) {
 
 Sentences who_holds(const EngineAnswers& answers) {
   Sentences hold, directed, said;
+  bool asked = false;
   for (const EngineRow& row : answers.rows()) {
     const Holding seen = holding(answers, row);
     if (!seen.asked || !seen.creep_asked) continue;
+    asked = true;
     if (seen.creep <= kCreeps && seen.least > -kGivesOff && seen.most < kGivesOff) {
       hold.push_back(row.name());
     }
@@ -126,6 +128,7 @@ Sentences who_holds(const EngineAnswers& answers) {
               : fmt::format("{} ({:+.2g}° to {:+.2g}°)", row.name(), seen.least, seen.most));
     }
   }
+  if (!asked) return said;
   said.push_back(
       fmt::format("Creep below {} m/s at 90 % of the critical slope and give within {}° "
                   "of it, in every direction asked: {}",

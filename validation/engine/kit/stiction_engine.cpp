@@ -4,11 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -18,27 +16,13 @@
 
 #include "validation/engine/kit/array_json.h"
 #include "validation/engine/kit/problem_reader.h"
+#include "validation/engine/kit/run_settings.h"
 
 namespace stiction::kit {
 
 namespace {
 
 using nlohmann::json;
-
-class Lacking : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-// Settings of the run, and what load told of its parameters. One engine a program.
-struct Told {
-  std::map<std::string, std::string> given, resolved;
-};
-
-Told& told() {
-  static Told one;
-  return one;
-}
 
 double cpu_seconds() {
   timespec now{};
@@ -326,43 +310,6 @@ int serve(const stiction_engine& engine) {
 }  // namespace
 
 }  // namespace stiction::kit
-
-using stiction::kit::told;
-
-void stiction_refuse(const char* sentence) { throw std::runtime_error(sentence); }
-
-void stiction_lacks(const char* words) { throw stiction::kit::Lacking(words); }
-
-int stiction_has(const char* setting) { return told().given.count(setting) > 0 ? 1 : 0; }
-
-const char* stiction_text(const char* setting, const char* fallback) {
-  const auto found = told().given.find(setting);
-  const std::string value = found == told().given.end() ? fallback : found->second;
-  return told().resolved.insert_or_assign(setting, value).first->second.c_str();
-}
-
-double stiction_number(const char* setting, double fallback) {
-  const auto found = told().given.find(setting);
-  double value = fallback;
-  if (found != told().given.end()) {
-    char* end = nullptr;
-    value = std::strtod(found->second.c_str(), &end);
-    if (found->second.empty() || *end != '\0' || !std::isfinite(value)) {
-      throw std::runtime_error(std::string("setting '") + setting + "' must be a number, not '" +
-                               found->second + "'");
-    }
-  }
-  stiction_tell_number(setting, value);
-  return value;
-}
-
-void stiction_tell(const char* parameter, const char* value) {
-  told().resolved.insert_or_assign(parameter, value);
-}
-
-void stiction_tell_number(const char* parameter, double value) {
-  told().resolved.insert_or_assign(parameter, nlohmann::json(value).dump());
-}
 
 int stiction_engine_main(const stiction_engine* engine, int argc, char** argv) {
   const struct {
