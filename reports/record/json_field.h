@@ -54,6 +54,12 @@ class JsonField {
     return json_->get<std::uint64_t>();
   }
 
+  // An object that nobody looks into, as one line of JSON.
+  std::string object_text() const {
+    if (!json_->is_object()) expected("an object");
+    return json_->dump();
+  }
+
   double real() const {
     if (json_->is_number()) return json_->get<double>();
     if (json_->is_string()) {

@@ -74,6 +74,11 @@ struct Record {
   std::string engine{};     ///< e.g. "stiction"
   std::map<std::string, std::string> settings{};  ///< of the engine, e.g. rule → fixed-point
   std::string variant{};  ///< of the case, e.g. "method=paper rule=secant"; empty for a user's own
+  std::string configuration{};  ///< what people call the way it was run, e.g. "paper, secant"
+  std::map<std::string, std::string> differs{};  ///< settings over those of the configuration
+  std::uint64_t simulations = 0;                 ///< that the case ran; a bisection runs dozens
+  /// The first simulation's problem, as a JSON object (schema.json); empty when none was told.
+  std::string problem{};
   std::vector<Judgement> checks{};
   std::vector<Figure> figures{};     ///< of a comparison
   std::vector<Failure> failures{};   ///< of a comparison

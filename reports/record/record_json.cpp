@@ -35,6 +35,12 @@ OrderedJson numbers(const std::vector<double>& values) {
   return array;
 }
 
+OrderedJson texts(const std::map<std::string, std::string>& entries) {
+  OrderedJson json = OrderedJson::object();
+  for (const auto& [name, value] : entries) json[name] = value;
+  return json;
+}
+
 OrderedJson check_json(const Judgement& check) {
   const Claim& claim = check.claim;
   OrderedJson json = {{"quantity", claim.quantity},
@@ -214,6 +220,10 @@ Record read_record(const JsonField& field) {
   record.engine = field["engine"].text();
   if (field.has("settings")) record.settings = field["settings"].map(read_text);
   record.variant = field.optional_text("variant");
+  record.configuration = field.optional_text("configuration");
+  if (field.has("differs")) record.differs = field["differs"].map(read_text);
+  if (field.has("simulations")) record.simulations = field["simulations"].count();
+  if (field.has("problem")) record.problem = field["problem"].object_text();
   record.verdict = field["verdict"].word(parse_verdict);
   record.error = field.optional_text("error");
   record.checks = field["checks"].list(is_old ? read_old_check : read_check);
@@ -233,26 +243,28 @@ Record read_record(const JsonField& field) {
 }  // namespace
 
 std::string to_json_line(const Record& record) {
-  OrderedJson settings = OrderedJson::object();
-  for (const auto& [name, value] : record.settings) settings[name] = value;
-  const OrderedJson json = {{"schema_version", Record::kSchemaVersion},
-                            {"case", record.case_name},
-                            {"title", record.title},
-                            {"engine", record.engine},
-                            {"settings", std::move(settings)},
-                            {"variant", record.variant},
-                            {"verdict", to_string(record.verdict)},
-                            {"error", record.error},
-                            {"checks", array_of(record.checks, check_json)},
-                            {"figures", array_of(record.figures, figure_json)},
-                            {"failures", array_of(record.failures, failure_json)},
-                            {"notes", record.notes},
-                            {"meshes", array_of(record.meshes, mesh_json)},
-                            {"cost", cost_json(record.cost)},
-                            {"state_hash", record.state_hash},
-                            {"environment", environment_json(record.environment)},
-                            {"series", array_of(record.series, series_json)},
-                            {"frames", record.frames}};
+  OrderedJson json = {{"schema_version", Record::kSchemaVersion},
+                      {"case", record.case_name},
+                      {"title", record.title},
+                      {"engine", record.engine},
+                      {"settings", texts(record.settings)},
+                      {"variant", record.variant},
+                      {"configuration", record.configuration},
+                      {"differs", texts(record.differs)},
+                      {"simulations", record.simulations},
+                      {"verdict", to_string(record.verdict)},
+                      {"error", record.error},
+                      {"checks", array_of(record.checks, check_json)},
+                      {"figures", array_of(record.figures, figure_json)},
+                      {"failures", array_of(record.failures, failure_json)},
+                      {"notes", record.notes},
+                      {"meshes", array_of(record.meshes, mesh_json)},
+                      {"cost", cost_json(record.cost)},
+                      {"state_hash", record.state_hash},
+                      {"environment", environment_json(record.environment)},
+                      {"series", array_of(record.series, series_json)},
+                      {"frames", record.frames}};
+  if (!record.problem.empty()) json["problem"] = OrderedJson::parse(record.problem);
   constexpr int kNoIndent = -1;
   constexpr bool kKeepUnicode = false;
   return json.dump(kNoIndent, ' ', kKeepUnicode, OrderedJson::error_handler_t::replace);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "validation/engine/protocol/problem_json.h"
 #include "validation/judge/verdict.h"
 
 namespace stiction {
@@ -42,6 +43,9 @@ CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double
   record_.title = which.title;
   record_.engine = engine_.name;
   record_.settings = settings_;
+  const CalledConfiguration called = called_configuration(engine_, which.name, settings_);
+  record_.configuration = called.name;
+  record_.differs = called.differs;
   const std::vector<Settings> variants = variants_of(which, engine_, true);
   if (std::find(variants.begin(), variants.end(), settings_) == variants.end()) return;
   record_.variant = variant_text(settings_);
@@ -62,6 +66,8 @@ CaseRun::Running CaseRun::simulate_with(const Settings& over, const Problem& pro
                   {this});
   running->limit_cpu(cpu_limit_ - record_.cost.cpu_seconds);
   started(running->engine());
+  if (record_.problem.empty()) record_.problem = problem_summary(problem);
+  ++record_.simulations;
   return running;
 }
 
@@ -125,6 +131,8 @@ void CaseRun::include(const Record& part, bool pays) {
   record_.notes.insert(record_.notes.end(), part.notes.begin(), part.notes.end());
   if (!part.error.empty()) passages_.push_back(part.error);
   hash_.add(part.state_hash.data(), part.state_hash.size());
+  if (record_.problem.empty()) record_.problem = part.problem;
+  record_.simulations += part.simulations;
   if (pays) bill(part.cost);
 }
 

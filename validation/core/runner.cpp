@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/core/runner.h"
 
+#include <fmt/format.h>
 #include <fnmatch.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <set>
 
 #include "reports/record/environment.h"
 #include "solver/demand.h"
@@ -27,21 +29,19 @@ bool chosen(const Case& one, const Selection& selection) {
                      [&](const std::string& glob) { return matches(glob, one.name); });
 }
 
-// The settings with which a case runs.
+// The settings with which a case runs: those of the configuration asked for, where it has that.
 std::vector<Settings> chosen_variants(const Case& which, const EngineKind& engine,
-                                      const Selection& selection) {
-  if (selection.configuration.empty()) {
-    return variants_of(which, engine, selection.set == CaseSet::kFull);
-  }
-  std::string names;
-  if (engine.configurations) {
-    for (const Configuration& one : engine.configurations(which.name)) {
-      if (one.name == selection.configuration) return {one.settings};
-      names += (names.empty() ? "" : ", ") + one.name;
-    }
-  }
-  throw InputError("engine '" + engine.name + "' has no configuration '" + selection.configuration +
-                   "'" + (names.empty() ? "" : "; there are: " + names));
+                                      const Selection& selection, std::set<std::string>& names) {
+  const bool all = selection.configuration.empty();
+  std::vector<Settings> variants =
+      variants_of(which, engine, selection.set == CaseSet::kFull || !all);
+  if (all) return variants;
+  std::erase_if(variants, [&](const Settings& settings) {
+    const std::string name = called_configuration(engine, which.name, settings).name;
+    names.insert(name);
+    return name != selection.configuration;
+  });
+  return variants;
 }
 
 }  // namespace
@@ -55,15 +55,21 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
     }
   }
   std::vector<Job> jobs;
+  std::set<std::string> names;  // of configurations
   for (const Case& one : cases) {
     if (!chosen(one, selection)) continue;
     std::vector<Settings> seen;
-    for (Settings settings : chosen_variants(one, engine, selection)) {
+    for (Settings settings : chosen_variants(one, engine, selection, names)) {
       for (const auto& [name, value] : selection.settings) settings[name] = value;
       if (std::find(seen.begin(), seen.end(), settings) != seen.end()) continue;
       seen.push_back(settings);
       jobs.push_back({one, engine, settings});
     }
+  }
+  if (jobs.empty() && !names.empty()) {
+    throw InputError(
+        fmt::format("engine '{}' runs none of these cases in a configuration '{}'; there are: {}",
+                    engine.name, selection.configuration, fmt::join(names, "; ")));
   }
   return jobs;
 }

@@ -34,7 +34,7 @@ struct Selection {
 
 /// Jobs of the cases chosen, in the catalog's order; variants that the user's settings make equal
 /// run once. A case named by a glob runs whatever set it belongs to. Throws InputError when a glob
-/// matches no case or the engine is unknown.
+/// matches no case, the engine is unknown, or no case chosen runs in the configuration.
 std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& selection);
 
 /// Runs one job. What goes wrong becomes the record's error; nothing is thrown for it. What the

@@ -1,12 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/engine/engine.h"
 
+#include <algorithm>
+
 #include "reference/process/child.h"
 #include "reports/text/names.h"
 #include "solver/demand.h"
 #include "validation/engine/protocol/program_kind.h"
 
 namespace stiction {
+
+CalledConfiguration called_configuration(const EngineKind& kind, const std::string& case_name,
+                                         const Settings& settings) {
+  std::vector<Configuration> known;
+  if (kind.configuration) {
+    known = {kind.configuration(settings)};
+  } else if (kind.configurations) {
+    known = kind.configurations(case_name);
+  }
+  const Configuration* nearest = nullptr;
+  for (const Configuration& one : known) {
+    const bool among =
+        std::includes(settings.begin(), settings.end(), one.settings.begin(), one.settings.end());
+    if (one.name.empty() || !among) continue;
+    if (nearest == nullptr || one.settings.size() > nearest->settings.size()) nearest = &one;
+  }
+  CalledConfiguration called{.name = nearest ? nearest->name : "default", .differs = settings};
+  if (nearest == nullptr) return called;
+  for (const auto& [name, value] : nearest->settings) called.differs.erase(name);
+  return called;
+}
 
 std::string missing(const Manifest& manifest, const Problem& problem) {
   std::string words;

@@ -132,7 +132,7 @@ class Engine {
 /// A way to run an engine that it brings with it.
 struct Configuration {
   Settings settings{};
-  std::string name{};    ///< "default", "best"; may be empty
+  std::string name{};    ///< "default", "best", "paper, secant"; may be empty
   std::string source{};  ///< where the values come from; may be empty
   /// It stands for a method that is known to break: beside an expectation nothing of it is judged,
   /// and bodies that pass through each other are a note in the record, not an error.
@@ -166,7 +166,8 @@ struct EngineKind {
   Expectations expectations{};  ///< where the engine is known to fall short, and how far
   /// With what it runs a case by default, by the case's name; null: once, without settings.
   std::function<std::vector<Configuration>(const std::string& case_name)> configurations{};
-  /// What of the run of these settings is judged how; null: all, strictly.
+  /// What of the run of these settings is judged how, and the name and settings of the configuration
+  /// that they are, or are nearest to; null: all, strictly.
   std::function<Configuration(const Settings& settings)> configuration{};
   /// Those of the settings that have no effect beside the others, each with a sentence that says
   /// why; null: all have. A run whose user gives such a one is refused, unless some of its jobs use
@@ -179,6 +180,16 @@ struct EngineKind {
   /// iterations. A work-precision curve has a point at each. Empty: the usual alone.
   std::vector<Settings> ladder{};
 };
+
+/// What people call a run with these settings, and which of them go beyond that: the name that the
+/// engine gives them, else that of its configuration with the most settings of which all are among
+/// them, else "default".
+struct CalledConfiguration {
+  std::string name;
+  Settings differs{};
+};
+CalledConfiguration called_configuration(const EngineKind& kind, const std::string& case_name,
+                                         const Settings& settings);
 
 /// What the engine lacks for a problem, in words: "bodies that deform, a medium"; empty: nothing.
 std::string missing(const Manifest& manifest, const Problem& problem);

@@ -5,6 +5,7 @@
 
 #include "validation/core/case_run.h"
 #include "validation/core/runner.h"
+#include "validation/engine/protocol/problem_json.h"
 #include "validation/observe/observe.h"
 #include "validation/problems/slopes/incline_problem.h"
 
@@ -44,6 +45,51 @@ void expect_not_applicable(const Record& record, const std::string& words) {
   EXPECT_EQ(record.error, "");
   ASSERT_FALSE(record.notes.empty());
   EXPECT_EQ(record.notes.front(), words);
+}
+
+TEST(Engine, ARecordTellsItsConfigurationAndItsProblem) {
+  const Record record = run_on_mute([](CaseRun& run) {
+    run.simulate(incline_problem({}));
+    run.simulate(incline_problem({}));
+  });
+  EXPECT_EQ(record.configuration, "default");
+  EXPECT_TRUE(record.differs.empty());
+  EXPECT_EQ(record.simulations, 2u);
+  EXPECT_EQ(record.problem, problem_summary(incline_problem({})));
+}
+
+TEST(CalledConfiguration, IsTheOneWithMostOfTheSettings) {
+  EngineKind kind;
+  kind.configurations = [](const std::string&) -> std::vector<Configuration> {
+    return {{.settings = {}, .name = "default"},
+            {.settings = {{"iterations", "50"}, {"margin", "0"}}, .name = "best"},
+            {.settings = {{"iterations", "50"}}, .name = "more"}};
+  };
+  const auto called = [&](const Settings& settings) {
+    const CalledConfiguration found = called_configuration(kind, "a/case", settings);
+    return found.name + " " + variant_text(found.differs);
+  };
+  EXPECT_EQ(called({}), "default default");
+  EXPECT_EQ(called({{"iterations", "50"}}), "more default");
+  EXPECT_EQ(called({{"iterations", "50"}, {"margin", "0"}, {"dt", "1e-3"}}), "best dt=1e-3");
+  EXPECT_EQ(called({{"iterations", "10"}}), "default iterations=10");
+}
+
+TEST(CalledConfiguration, OfOurSolverIsNamedByMethodAndRule) {
+  const EngineKind kind = find_engine("stiction");
+  const auto called = [&](const Settings& settings) {
+    const CalledConfiguration found = called_configuration(kind, "slab/rest/drift", settings);
+    return found.name + " | " + variant_text(found.differs);
+  };
+  EXPECT_EQ(called({{"method", "quiet"}}), "quiet | default");
+  EXPECT_EQ(called({{"method", "quiet"}, {"rule", "secant"}}), "quiet | rule=secant");
+  EXPECT_EQ(called({{"method", "paper"}, {"rule", "secant"}}), "paper, secant | default");
+  EXPECT_EQ(called({{"method", "paper"}, {"kappa", "0.7"}}), "paper, fixed point | kappa=0.7");
+  EXPECT_EQ(called({{"method", "old"}}), "old | default");
+  // On half-spaces alone the rule is all that methods differ by.
+  EXPECT_EQ(called({{"rule", "fixed-point"}}), "paper, fixed point | default");
+  EXPECT_EQ(called({{"rule", "conjugate-vector"}}), "quiet | default");
+  EXPECT_EQ(called({{"dt", "1e-4"}}), "quiet | dt=1e-4");
 }
 
 TEST(Engine, WithoutWhatACaseAsksIsNotApplicableInWords) {

@@ -77,6 +77,9 @@ Record summary(const Question& question, const Trial& usual, const Record& recor
   out.settings["configuration"] = usual.configuration;
   out.settings["engine"] = usual.engine;
   out.variant = "configuration=" + usual.configuration;
+  out.configuration = usual.configuration;
+  out.simulations = record.simulations;
+  out.problem = record.problem;
   out.environment = record.environment;
   out.verdict = Verdict::kForInformation;
   out.notes.push_back("again: " + usual.command);

@@ -174,6 +174,25 @@ json problem_json(const Problem& problem) {
       {"duration", finite(who, "duration", problem.duration)}};
 }
 
+std::string problem_summary(const Problem& problem) {
+  json summary = problem_json(problem);
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    const auto* const shape = std::get_if<MeshShape>(&problem.bodies[b].shape);
+    if (shape == nullptr) continue;
+    const std::string who = "body '" + problem.bodies[b].name + "'";
+    const Eigen::Matrix3Xd& vertices = shape->mesh.vertices;
+    if (vertices.cols() == 0) refuse(who, "its mesh has no vertices");
+    summary["bodies"][b]["shape"] = {
+        {"mesh",
+         {{"vertices", vertices.cols()},
+          {"tetrahedra", shape->mesh.tetrahedra.cols()},
+          {"convex", shape->convex},
+          {"low", vector(who, "mesh", vertices.rowwise().minCoeff())},
+          {"high", vector(who, "mesh", vertices.rowwise().maxCoeff())}}}};
+  }
+  return summary.dump();
+}
+
 json accuracy_json(const Accuracy& accuracy) {
   return {{"fineness", accuracy.fineness},
           {"roundness", accuracy.roundness},

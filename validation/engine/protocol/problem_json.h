@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "validation/engine/problem.h"
 
@@ -12,6 +13,9 @@ namespace stiction {
 /// above 0, a negative μ, a normal or axis that is not of unit length, loads on bodies that are not
 /// there.
 nlohmann::json problem_json(const Problem& problem);
+
+/// The same as text, for people: of a mesh the numbers of vertices and tetrahedra, and its box.
+std::string problem_summary(const Problem& problem);
 
 nlohmann::json accuracy_json(const Accuracy& accuracy);
 

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "reference/process/child.h"
 #include "solver/demand.h"
 #include "validation/core/case_run.h"
 #include "validation/core/runner.h"
+#include "validation/engine/protocol/problem_json.h"
 #include "validation/engine/protocol/program_kind.h"
 #include "validation/problems/slopes/incline_problem.h"
 
@@ -188,6 +190,23 @@ TEST(ProgramEngine, RefusesProblemsThatCannotBe) {
   EXPECT_THAT(refusal([](Problem& p) { p.obstacles[0].friction = -0.1; }), HasSubstr("below 0"));
   EXPECT_THAT(refusal([](Problem& p) { p.loads.push_back({.body = 7}); }), HasSubstr("not there"));
   EXPECT_THAT(refusal([](Problem& p) { p.bodies.clear(); }), HasSubstr("no bodies"));
+}
+
+TEST(ProblemSummary, IsTheProblemWithABoxInsteadOfAMesh) {
+  Problem problem = incline_problem({});
+  EXPECT_EQ(nlohmann::json::parse(problem_summary(problem)), problem_json(problem));
+  MeshShape shape;
+  shape.mesh.vertices = Eigen::Matrix3Xd::Random(3, 5);
+  shape.mesh.vertices.col(2) << -3.0, 2.0, 7.0;
+  shape.mesh.tetrahedra.resize(4, 2);
+  shape.mesh.tetrahedra << 0, 1, 1, 2, 2, 3, 3, 4;
+  problem.bodies[0].shape = shape;
+  const nlohmann::json mesh =
+      nlohmann::json::parse(problem_summary(problem))["bodies"][0]["shape"]["mesh"];
+  EXPECT_EQ(mesh["vertices"], 5);
+  EXPECT_EQ(mesh["tetrahedra"], 2);
+  EXPECT_EQ(mesh["low"][0], -3.0);
+  EXPECT_EQ(mesh["high"][2], 7.0);
 }
 
 TEST(ProgramKind, SaysWhatIsWrongWithAManifest) {

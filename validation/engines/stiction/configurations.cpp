@@ -74,11 +74,42 @@ const std::vector<Row>& rows() {
   return all;
 }
 
+// What people call them. Without a method a scene has fixed half-spaces alone, on which methods differ
+// by their rules: the paper's rules stand for its method, and give the same states.
+const std::vector<Configuration>& named() {
+  static const std::vector<Configuration> all = {
+      {.settings = {}, .name = "quiet"},
+      {.settings = {{"rule", "conjugate-vector"}}, .name = "quiet"},
+      {.settings = {{"rule", "fixed-point"}}, .name = "paper, fixed point"},
+      {.settings = {{"rule", "secant"}}, .name = "paper, secant"},
+      {.settings = {{"rule", "none"}}, .name = "paper, no memory"},
+      {.settings = kQuiet, .name = "quiet"},
+      {.settings = kOld, .name = "old"},
+      {.settings = kPaper, .name = "paper, fixed point"},
+      {.settings = {{"method", "paper"}, {"rule", "fixed-point"}}, .name = "paper, fixed point"},
+      {.settings = kSecant, .name = "paper, secant"},
+      {.settings = kWithoutMemory, .name = "paper, no memory"}};
+  return all;
+}
+
+// The one with the most of these settings and no other; a method goes before a rule.
+Configuration nearest_named(const Settings& settings) {
+  const bool has_method = settings.count("method") > 0;
+  const Configuration* nearest = &named().front();
+  for (const Configuration& one : named()) {
+    const bool among =
+        std::includes(settings.begin(), settings.end(), one.settings.begin(), one.settings.end());
+    const bool comparable = has_method == (one.settings.count("method") > 0);
+    if (among && comparable && one.settings.size() >= nearest->settings.size()) nearest = &one;
+  }
+  return *nearest;
+}
+
 }  // namespace
 
 Configuration configuration_of(const Settings& settings) {
   const auto method = settings.find("method");
-  Configuration one{.settings = settings};
+  Configuration one = nearest_named(settings);
   one.contrast = method != settings.end() && method->second == "old";
   one.keeps_angular_momentum = method == settings.end() || method->second == "quiet";
   one.lets_thrown_pass = method != settings.end() && method->second == "paper";
