@@ -52,6 +52,7 @@ struct Judgement {
   std::optional<double> digits{};
   std::optional<Band> band{};  ///< where the value is expected, short of its claim; mostly nowhere
   std::string cause{};         ///< why, as measured; empty without a band
+  std::string because{};       ///< what the cause comes down to, in a few words; may be empty
   Verdict verdict = Verdict::kFail;
 };
 

@@ -61,6 +61,7 @@ OrderedJson check_json(const Judgement& check) {
   if (check.digits) json["digits"] = number(*check.digits);
   if (check.band) json["band"] = numbers({check.band->low, check.band->high});
   json["cause"] = check.cause;
+  json["because"] = check.because;
   json["verdict"] = to_string(check.verdict);
   return json;
 }
@@ -152,6 +153,7 @@ Judgement read_check(const JsonField& field) {
   check.digits = field.optional_real("digits");
   if (field.has("band")) check.band = read_band(field["band"]);
   check.cause = field.optional_text("cause");
+  check.because = field.optional_text("because");
   check.verdict = field["verdict"].word(parse_verdict);
   return check;
 }

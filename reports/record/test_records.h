@@ -108,6 +108,7 @@ inline Record expected_record(Verdict verdict) {
     check.verdict = verdict;
     check.band = Band{0.305, 0.32};
     check.cause = "normal forces never settle";
+    check.because = "contacts come and go";
   }
   record.verdict = verdict;
   return record;

@@ -35,7 +35,8 @@ const Expectation* find_expectation(const Expectations& of_run, const std::strin
 }
 
 KnownShortfall known_shortfall(const Expectation& row) {
-  return {row.band, row.verdict, fmt::format("{} (band: {})", row.cause.text, row.width.text)};
+  return {row.band, row.verdict, fmt::format("{} (band: {})", row.cause.text, row.width.text),
+          row.cause.because};
 }
 
 Claim unmet_claim(const Expectation& row) {

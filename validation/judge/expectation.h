@@ -15,6 +15,14 @@ struct Words {
   const char* text;
 };
 
+/// What was measured to be the cause, and where; and what it comes down to in a few words, which the
+/// causes of several rows share.
+struct Cause {
+  const char* name;
+  const char* text;
+  const char* because;
+};
+
 /// A shortfall that is expected of an engine: where a value lies that does not meet its claim, why,
 /// and why the band is as wide as it is. Data beside an engine, never in a case.
 ///
@@ -28,8 +36,8 @@ struct Expectation {
   const char* quantity;  ///< of the check
   Band band;             ///< of the value, in the check's unit, two significant digits
   Verdict verdict;       ///< kShortfall, or kRefuted for a claim of the paper
-  Words cause;           ///< what was measured to be the cause, and where
-  Words width;           ///< the rule by which the band's ends were chosen
+  Cause cause;
+  Words width;  ///< the rule by which the band's ends were chosen
 };
 
 using Expectations = std::vector<Expectation>;

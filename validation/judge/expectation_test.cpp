@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Words kCause{"kCause", "a cause"};
+constexpr Cause kCause{"kCause", "a cause", "in short"};
 constexpr Words kWidth{"kWidth", "a width"};
 
 Expectations some_rows() {
@@ -84,6 +84,7 @@ TEST(RunJob, JudgesByTheEnginesTable) {
   EXPECT_EQ(record.checks[1].verdict, Verdict::kRefuted);
   EXPECT_EQ(record.verdict, Verdict::kShortfall);
   EXPECT_EQ(record.checks[1].cause, "a cause (band: a width)");
+  EXPECT_EQ(record.checks[1].because, "in short");
 }
 
 TEST(RunJob, FailsAMillionTimesWorseThanKnown) {

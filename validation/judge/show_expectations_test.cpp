@@ -10,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr Words kCause{"kCause", "a cause"};
+constexpr Cause kCause{"kCause", "a cause", "in short"};
 constexpr Words kWidth{"kWidth", "a width"};
 
 EngineKind engine_with_rows() {

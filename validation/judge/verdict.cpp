@@ -33,6 +33,7 @@ Judgement judge(Claim claim, double value, double tolerance_scale,
          "a band has a verdict");
   found.band = known->band;
   found.cause = known->cause;
+  found.because = known->because;
   const bool inside = value >= known->band.low && value <= known->band.high;
   found.verdict = inside && !holds ? known->verdict : Verdict::kFail;
   return found;

@@ -13,6 +13,7 @@ struct KnownShortfall {
   Band band{};
   Verdict verdict = Verdict::kShortfall;  ///< kShortfall or kRefuted
   std::string cause{};
+  std::string because{};  ///< the cause in a few words
 };
 
 /// What is found of a claim. |error| ≤ tolerance · tolerance_scale holds. Without a known shortfall

@@ -58,6 +58,9 @@ const EMPTY = {
   title: "",
   settings: {},
   variant: "",
+  configuration: "",
+  differs: {},
+  simulations: 0,
   error: "",
   figures: [],
   failures: [],
@@ -67,7 +70,7 @@ const EMPTY = {
   series: [],
   frames: "",
 };
-const EMPTY_CHECK = { formula: "", worst: "", cause: "" };
+const EMPTY_CHECK = { formula: "", worst: "", cause: "", because: "" };
 const EMPTY_FAILURE = { parameter: "", values: [] };
 
 // A copy for each: what is filled in may be changed later.

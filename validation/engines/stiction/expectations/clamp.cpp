@@ -6,34 +6,40 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kClamped{
+constexpr Cause kClamped{
     "kClamped",
     "either half of the paper's method moves alone: ξ on quiet contacts drifts 7.3e-6 m and slips "
     "at 7.2e-6 m/s, a stored vector on the paper's contacts 1.4e-5 m and 6.2e-5 m/s (coarse mesh). "
-    "The root of (15) on a frozen step leaves 4.1e-4 m/s across the slip (compare, frozen/clamp)"};
-constexpr Words kRow{
+    "The root of (15) on a frozen step leaves 4.1e-4 m/s across the slip (compare, frozen/clamp)",
+    kBothHalves};
+constexpr Cause kRow{
     "kRow",
     "either half of the paper's method slips alone: ξ on quiet contacts at 8.5e-7 m/s, a stored "
-    "vector on the paper's contacts at 1.2e-4 m/s"};
-constexpr Words kVertices{
+    "vector on the paper's contacts at 1.2e-4 m/s",
+    kBothHalves};
+constexpr Cause kVertices{
     "kVertices",
     "vertices alone carry: one row of the box's meets each narrow bar, 1/3 of the width apart, "
     "where the bars' edges, which cross the box's, stand 1/12 apart. With one row only the limit "
-    "analysis gives 18.394 N"};
-constexpr Words kNotAssociated{
+    "analysis gives 18.394 N",
+    kVerticesAlone};
+constexpr Cause kNotAssociated{
     "kNotAssociated",
     "limit analysis is necessary, not sufficient: Coulomb's sliding is not associated. When the "
     "box "
     "gives, the pressure centres stand 0.178 to 0.182 of the width apart at E, 4 E and 16 E, where "
-    "an equilibrium with 0.083 would need less force; it holds without creep (4e-11 m/s)"};
-constexpr Words kCreeps{
+    "an equilibrium with 0.083 would need less force; it holds without creep (4e-11 m/s)",
+    kNotSufficient};
+constexpr Cause kCreeps{
     "kCreeps",
-    "the scalar ξ leaves slip across ũ: what the method holds creeps on (compare, frozen/clamp)"};
-constexpr Words kNoThreshold{
+    "the scalar ξ leaves slip across ũ: what the method holds creeps on (compare, frozen/clamp)",
+    kScalarLeaves};
+constexpr Cause kNoThreshold{
     "kNoThreshold",
     "what the method holds creeps on (kCreeps), so that holding is not a matter of force alone: at "
     "16 E it holds with 31.3 N and lets go with 32.2 N, at half the step with 30.0 and 33.8 N. A "
-    "search begun a last bit beside ended at 31.4 and at 29.7 N"};
+    "search begun a last bit beside ended at 31.4 and at 29.7 N",
+    kScalarLeaves};
 constexpr Words kUnsure{
     "kUnsure",
     "five per cent either way, by which half the step moves the force at E, but not "
@@ -41,10 +47,11 @@ constexpr Words kUnsure{
 constexpr Words kTwoRuns{"kTwoRuns",
                          "a factor of three about two runs, whose searches began a last bit apart"};
 constexpr Words kTwoPerCent{"kTwoPerCent", "two per cent either way of what was measured once"};
-constexpr Words kOldSlipsOut{
+constexpr Cause kOldSlipsOut{
     "kOldSlipsOut",
     "the paper's own contrast, Fig. 3: without post-correction and without friction's reaction the "
-    "box's own contacts act 42 mm apart and would need 64 N, of which they carry 22 N"};
+    "box's own contacts act 42 mm apart and would need 64 N, of which they carry 22 N",
+    kNoCorrection};
 constexpr Words kThirdToThree{"kThirdToThree", "from a third to three times the 13° measured"};
 
 }  // namespace

@@ -6,23 +6,26 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kOldSinks{
+constexpr Cause kOldSinks{
     "kOldSinks",
     "the method before the paper, without post-correction: settled like the others, its balls "
-    "still move at 1.3e-2 J (quiet 5e-5 J), and part as soon as the friction is lowered"};
+    "still move at 1.3e-2 J (quiet 5e-5 J), and part as soon as the friction is lowered",
+    kNoCorrection};
 
-constexpr Words kFewVertices{
+constexpr Cause kFewVertices{
     "kFewVertices",
     "with 162 vertices a ball two balls touch in about four, whose facets lie up to 0.087 rad from "
     "the line of centres: that shifts the critical μ by up to 0.52 · 0.087 = 0.045. Measured: it "
-    "stands from 0.253 (quiet) and 0.278 (paper) on; with 252 and 362 vertices from 0.21 to 0.238"};
+    "stands from 0.253 (quiet) and 0.278 (paper) on; with 252 and 362 vertices from 0.21 to 0.238",
+    kVerticesAlone};
 
-constexpr Words kSlipsOn{
+constexpr Cause kSlipsOn{
     "kSlipsOn",
     "the paper's contacts on 252 vertices go on sticking and slipping between the balls, at 3e-4 "
     "to "
     "3e-3 m/s (quiet 3e-6); the top ball sinks by 0.7 mm in 5 s, and the pressures, mean of a "
-    "second, are out of balance by more than 1e-3 of the weight. With 362 vertices they balance"};
+    "second, are out of balance by more than 1e-3 of the weight. With 362 vertices they balance",
+    kScalarLeaves};
 
 constexpr Words kNoBalance{
     "kNoBalance", "no μ balances them: the limit analysis looks up to 10, and then says infinity"};

@@ -6,18 +6,20 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kGivesWay{
+constexpr Cause kGivesWay{
     "kGivesWay",
     "the scalar ξ: it holds friction only against a slip that goes on, and when the push is "
     "released "
     "the slab must keep a force that the present free slip does not name. On quiet contacts ξ "
     "leaves "
     "−1.7e-5 m (40 %) and −9.4e-6 m (80 %), as on the paper's; a stored vector on the paper's "
-    "contacts springs back not at all"};
-constexpr Words kVibrates{
+    "contacts springs back not at all",
+    kScalarLeaves};
+constexpr Cause kVibrates{
     "kVibrates",
     "the scalar ξ: on quiet contacts it leaves 2.3e-11 J (40 %) and 3.5e-11 J (80 %), as on the "
-    "paper's, where a stored vector leaves 1.5e-13 and 1.9e-13 J"};
+    "paper's, where a stored vector leaves 1.5e-13 and 1.9e-13 J",
+    kScalarLeaves};
 
 }  // namespace
 

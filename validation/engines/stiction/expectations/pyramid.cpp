@@ -6,24 +6,28 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kScalar{
+constexpr Cause kScalar{
     "kScalar",
     "the scalar ξ: on quiet contacts it drifts 2.1e-4 m (rigid ground 1.8e-4), as on the paper's, "
     "where a stored vector drifts 2.3e-6 m (3.0e-6) and slips at 2.3e-6 m/s (coarse mesh). "
     "The root of (15) on a frozen step leaves 9.2e-5 m/s across the slip, two unknowns a contact "
-    "2.6e-12 (compare, frozen/box-pyramid)"};
-constexpr Words kLearnsNothing{
+    "2.6e-12 (compare, frozen/box-pyramid)",
+    kScalarLeaves};
+constexpr Cause kLearnsNothing{
     "kLearnsNothing",
     "the paper's own contrast, its method with ξ = 1: each contact answers its own slip and learns "
-    "nothing of its neighbours'. The iteration takes 85 % of the drift away (1.4e-3 to 2.1e-4 m)"};
-constexpr Words kOldBursts{
+    "nothing of its neighbours'. The iteration takes 85 % of the drift away (1.4e-3 to 2.1e-4 m)",
+    kNoLearning};
+constexpr Cause kOldBursts{
     "kOldBursts",
     "the paper's own contrast, Fig. 5: without post-correction energy is injected at each contact, "
-    "and the pyramid bursts within 0.3 s, before the slope tilts"};
-constexpr Words kNearlyAFifth{"kNearlyAFifth",
+    "and the pyramid bursts within 0.3 s, before the slope tilts",
+    kNoCorrection};
+constexpr Cause kNearlyAFifth{"kNearlyAFifth",
                               "the iteration takes 79 % (rigid ground 75 %) of the slip of ξ = 1 "
                               "away, not 80: what is left is "
-                              "what the scalar ξ leaves across ũ. Quiet takes all of it (1.7e-13)"};
+                              "what the scalar ξ leaves across ũ. Quiet takes all of it (1.7e-13)",
+                              kScalarLeaves};
 constexpr Words kQuarter{"kQuarter", "from the tolerance to a quarter more than was measured"};
 
 }  // namespace

@@ -6,19 +6,21 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kNever{
+constexpr Cause kNever{
     "kNever",
     "neither half of the paper's method gets there alone: ξ on quiet contacts is at 6.7e-6 m/s "
     "after "
     "100 steps (half the step) and never below 1e-9 in 3000, a stored vector on the paper's "
-    "contacts is at 3.8e-7. Both replaced: 9 steps"};
-constexpr Words kTwice{"kTwice",
+    "contacts is at 3.8e-7. Both replaced: 9 steps",
+    kBothHalves};
+constexpr Cause kTwice{"kTwice",
                        "one vertex of the slab lies in the box: its contact and those of the box's "
                        "vertices say nearly "
                        "the same twice, and a sweep passes the slip to and fro between them. At "
                        "half the step there is "
                        "no such vertex, and 9 steps do. Conjugate directions (quiet's default) "
-                       "take 7 here"};
+                       "take 7 here",
+                       kTwiceSaid};
 constexpr Words kNotInRun{"kNotInRun", "a claim of never: not once in the 3000 steps of the run"};
 constexpr Words kHalf{
     "kHalf",

@@ -6,11 +6,12 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kCounts{
+constexpr Cause kCounts{
     "kCounts",
     "c_i of (5) counts the contacts that a vertex bears, not those it makes, so that it bounds "
     "nothing where vertices of both sides touch: κ is 1.72 there, and below 1 at half the step, "
-    "where only the box's vertices touch"};
+    "where only the box's vertices touch",
+    kUnboundedGain};
 constexpr Words kUnstable{"kUnstable",
                           "from κ = 4/3, where z² − 2(1 − κ)z + (1 − κ) = 0 turns unstable (0.33 "
                           "above the bound), to 2.1, "

@@ -8,24 +8,27 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kEither{
+constexpr Cause kEither{
     "kEither",
     "neither half of the method rests alone. On quiet contacts, which don't come and go, ξ leaves "
     "3.5e-6 m/s (rest/one), 4.1e-5 (fixed), 5.5e-5 (random) and brings 0, 1 of 12 and 0 of 20 to "
     "rest: a scalar acts along the slip only, and the root of (15) that GSL finds on a frozen step "
     "leaves 1.5e-4 m/s across it, two unknowns a contact 5e-12 (compare, frozen/slab). A stored "
     "vector on the paper's contacts, which come and go, leaves "
-    "2.6e-5, 3.6e-3 and 1.4e-5 m/s"};
-constexpr Words kNormals{
+    "2.6e-5, 3.6e-3 and 1.4e-5 m/s",
+    kBothHalves};
+constexpr Cause kNormals{
     "kNormals",
     "mostly the paper's contacts, of which some come or go in 2228 of 2500 steps (slab/kappa): "
     "with "
     "a stored vector they leave 1.2e-7 J (rest/one), 1.5e-7 (fixed), 5.7e-9 (random), ξ on quiet "
-    "contacts leaves 1.7e-12, 1.5e-10 and 3.0e-10: no rest either, but a thousandth"};
-constexpr Words kDrift{"kDrift",
+    "contacts leaves 1.7e-12, 1.5e-10 and 3.0e-10: no rest either, but a thousandth",
+    kContactsGo};
+constexpr Cause kDrift{"kDrift",
                        "either half of the method drifts alone: a stored vector on the paper's "
                        "contacts 1.9e-6 m, ξ on "
-                       "quiet contacts 8.9e-7 m. The method before the paper drifts 9.2e-8 m"};
+                       "quiet contacts 8.9e-7 m. The method before the paper drifts 9.2e-8 m",
+                       kBothHalves};
 
 }  // namespace
 

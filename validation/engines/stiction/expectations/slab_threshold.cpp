@@ -6,24 +6,27 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kCreepsBelow{
+constexpr Cause kCreepsBelow{
     "kCreepsBelow",
     "a box that the scalar ξ holds creeps at 1e-5 m/s on every slope, for ξ leaves slip across ũ "
     "(compare, frozen/slab): the search finds the slope at which the creep has grown, not the one "
     "at "
-    "which friction gives. Quiet's slopes hold at 1.3e-14 m/s"};
+    "which friction gives. Quiet's slopes hold at 1.3e-14 m/s",
+    kScalarLeaves};
 constexpr Words kTenthDegrees{
     "kTenthDegrees",
     "0.3° either way: a verdict on creep, of which one was turned by half the step"};
 
-constexpr Words kCreepsFine{
+constexpr Cause kCreepsFine{
     "kCreepsFine",
     "the scalar ξ leaves slip across ũ: on this mesh what holds creeps at 5e-9 to 8e-9 m/s, on "
-    "slab/threshold's at 1e-5. Quiet's slopes hold below 1e-13 m/s"};
-constexpr Words kStaleForce{
+    "slab/threshold's at 1e-5. Quiet's slopes hold below 1e-13 m/s",
+    kScalarLeaves};
+constexpr Cause kStaleForce{
     "kStaleForce",
     "friction's force is kept where contact was lost, and counts again where it closes: with "
-    "memory=reset and all else alike (method=paper) the same box holds up to 0.01° below theory"};
+    "memory=reset and all else alike (method=paper) the same box holds up to 0.01° below theory",
+    kStale};
 constexpr Words kNowhere{
     "kNowhere",
     "the last slope that the search tries, 2° below theory: the box still slides on it"};

@@ -6,11 +6,12 @@ namespace stiction {
 
 namespace {
 
-constexpr Words kPolyhedron{
+constexpr Cause kPolyhedron{
     "kPolyhedron",
     "the ball is a polyhedron, and goes from edge to edge: at 162, 642 and 1442 surface vertices "
     "the acceleration of the rolling one is 5.2, 5.7 and 2 % too small, that of the sliding one "
-    "0.12, 0.16 and 0.04 % too large, and the turning 0.9, 12 and 3 %, and −22, 3 and −0.1 % off"};
+    "0.12, 0.16 and 0.04 % too large, and the turning 0.9, 12 and 3 %, and −22, 3 and −0.1 % off",
+    kFacetsRoll};
 
 constexpr Words kFacets{
     "kFacets",
