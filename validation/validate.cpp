@@ -2,10 +2,10 @@
 // The program behind `./stiction validate`: cases → records → table, report.md, junit.xml,
 // records.csv.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -19,13 +19,16 @@
 #include "reports/formats/csv.h"
 #include "reports/formats/junit.h"
 #include "reports/formats/markdown.h"
+#include "reports/formats/summary.h"
 #include "reports/formats/table.h"
 #include "reports/formats/vtk.h"
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
+#include "reports/text/configuration_text.h"
 #include "solver/demand.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
+#include "validation/core/progress.h"
 #include "validation/core/runner.h"
 #include "validation/engine/conformance/conformance.h"
 #include "validation/judge/show_expectations.h"
@@ -44,6 +47,7 @@ struct Arguments {
   bool full = false;
   bool vtk = false;
   bool no_page = false;
+  bool verbose = false;
   std::string out = "validation-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   double tolerance_scale = 1.0;
@@ -98,6 +102,8 @@ void define(CLI::App& app, Arguments& arguments) {
                "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder");
   app.add_flag("--no-page", arguments.no_page,
                "Leave out report.html, which ./stiction makes from the records with node");
+  app.add_flag("--verbose", arguments.verbose,
+               "Print every check of every record, as report.md has it");
   app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
@@ -144,45 +150,88 @@ void list_cases(const std::vector<Case>& cases, const Selection& selection) {
   }
 }
 
-// Prints records in the order of their jobs, each as soon as those before it are known; on a
-// terminal a line below says what is still running.
+// What an earlier run took for these jobs, CPU s; jobs that it hasn't got take what they do on average.
+std::vector<double> weights_of(const std::vector<Job>& jobs, const std::filesystem::path& earlier) {
+  std::map<std::string, double> seconds;  // by case and engine, a variant's on average
+  std::map<std::string, int> counts;
+  double sum = 0.0;
+  try {
+    for (const Record& record : read_records(earlier).records) {
+      const std::string key = record.case_name + "\n" + record.engine;
+      seconds[key] += record.cost.cpu_seconds;
+      ++counts[key];
+      sum += record.cost.cpu_seconds;
+    }
+  } catch (const std::exception&) {
+    seconds.clear();  // none, or not readable: that is no fault of this run
+  }
+  constexpr double kLeast = 0.02;  // s: starting a case takes that
+  const double usual = seconds.empty() ? 1.0 : sum / static_cast<double>(seconds.size());
+  std::vector<double> weights;
+  for (const Job& job : jobs) {
+    const std::string key = job.which.name + "\n" + job.engine.name;
+    const auto found = seconds.find(key);
+    weights.push_back(found == seconds.end() ? usual : found->second / counts[key] + kLeast);
+  }
+  return weights;
+}
+
+std::vector<std::string> names_of(const std::vector<Job>& jobs) {
+  std::vector<std::string> names;
+  for (const Job& job : jobs) names.push_back(job.which.name);
+  return names;
+}
+
+// What is seen while jobs run: a line of progress, what fails as soon as it is known, and with
+// --verbose all records, in the order of their jobs.
 class Console {
  public:
-  Console(const std::vector<Job>& jobs, const TableStyle& style)
-      : jobs_(jobs), style_(style), waiting_(jobs.size()), progress_(isatty(STDERR_FILENO)) {
-    fmt::print("{}", table_header(style_));
-    show_progress();
-  }
-
-  // A case that broke off says so on stderr too.
-  void complain(const Record& record) const {
-    if (progress_) fmt::print(stderr, "\r\033[K");
-    fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
+  Console(const std::vector<Job>& jobs, const TableStyle& style, const Arguments& arguments)
+      : arguments_(arguments),
+        style_(style),
+        waiting_(jobs.size()),
+        progress_(names_of(jobs), weights_of(jobs, earlier_records(arguments.out))) {
+    if (arguments_.verbose) fmt::print("{}", table_header(style_));
+    std::fflush(stdout);
+    progress_.show();
   }
 
   void finished(std::size_t index, const Record& record) {
+    progress_.finished(index);
+    progress_.hide();
+    if (record.verdict == Verdict::kError) {
+      fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
+    }
     // What an engine cannot take stands in a few lines at the end.
-    waiting_[index] = record.verdict == Verdict::kNotApplicable ? "" : table_rows(record, style_);
-    ++done_;
-    if (progress_) fmt::print(stderr, "\r\033[K");
+    waiting_[index] = arguments_.verbose && record.verdict != Verdict::kNotApplicable
+                          ? table_rows(record, style_)
+                          : std::string();
+    *waiting_[index] += failure_block(
+        record, style_,
+        rerun_command(record, arguments_.problems, arguments_.selection.engine) + scaled());
     while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
     std::fflush(stdout);
-    show_progress();
+    progress_.show();
   }
+
+  void end() { progress_.hide(); }
 
  private:
-  void show_progress() const {
-    if (!progress_ || done_ == jobs_.size()) return;
-    fmt::print(stderr, "\r\033[K[{}/{}] {} …", done_, jobs_.size(), jobs_[next_].which.name);
-    std::fflush(stderr);
+  std::string scaled() const {
+    const double scale = arguments_.tolerance_scale;
+    return scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale);
   }
 
-  const std::vector<Job>& jobs_;
+  static std::filesystem::path earlier_records(const std::string& out) {
+    return can_redraw_stderr() ? std::filesystem::path(out) / "latest" / "records.jsonl"
+                               : std::filesystem::path();
+  }
+
+  const Arguments& arguments_;
   TableStyle style_;
   std::vector<std::optional<std::string>> waiting_;
   std::size_t next_ = 0;
-  std::size_t done_ = 0;
-  bool progress_;
+  Progress progress_;
 };
 
 // Refuses, before anything runs, settings that are unknown or out of range, and those that no job
@@ -232,10 +281,10 @@ int validate(Arguments& arguments) {
   RecordStore store = RecordStore::create(arguments.out);
   const TableStyle style = terminal_style();
   std::vector<Record> records(jobs.size());
-  Console console(jobs, style);
+  Console console(jobs, style, arguments);
+  const auto start = std::chrono::steady_clock::now();
   const auto finished = [&](std::size_t index, Record record) {
     store.append(record);
-    if (record.verdict == Verdict::kError) console.complain(record);
     console.finished(index, record);
     records[index] = std::move(record);
   };
@@ -246,12 +295,16 @@ int validate(Arguments& arguments) {
     return "frames/" + stem + ".bin";
   };
   run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, finished, keep);
+  console.end();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  const RunFacts facts{.wall_seconds = took.count(), .height = terminal_height()};
   store.write_file("report.md", markdown_report(records));
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("{}", closing_summary(records, style));
-  fmt::print("Report: {}\n", (store.folder() / "report.md").string());
+  fmt::print("{}{}", arguments.verbose ? "\n" : "", summary_screen(records, style, facts));
+  fmt::print("{}Report: {}\n", arguments.verbose ? "" : "All checks: --verbose, or report.md\n",
+             (store.folder() / "report.md").string());
   if (!arguments.no_page) store.tell_caller();
   if (std::fflush(stdout) != 0) throw InputError("the table could not be written to stdout");
   return exit_code(records);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "reports/formats/markdown_family.h"
+#include "reports/formats/summary.h"
 #include "reports/text/check_text.h"
 #include "reports/text/family.h"
 #include "reports/text/markdown_text.h"
@@ -129,6 +130,8 @@ std::string markdown_report(const std::vector<Record>& records, const std::strin
   const std::vector<Family> families = families_of(records);
   std::string report = fmt::format("# {}\n\n**{}** of {} records. {}.\n\n", markdown_escaped(title),
                                    verdicts_text(tally), tally.records(), cost_text(tally));
+  // As on a terminal, in columns.
+  if (!records.empty()) report += "```\n" + summary_screen(records, {}) + "```\n\n";
   report += environment_table(records);
   if (tally.fail + tally.error > 0) {
     report += "## What failed\n\n";

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include "solver/demand.h"
 
@@ -35,11 +36,26 @@ Settings parse_settings(const std::vector<std::string>& words) {
 }
 
 TableStyle terminal_style() {
+  const auto variable = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return std::string_view(value ? value : "");
+  };
   TableStyle style;
-  style.colour = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+  style.colour =
+      isatty(STDOUT_FILENO) && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
   winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
+  const long told = std::strtol(std::string(variable("COLUMNS")).c_str(), nullptr, 10);
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    style.width = size.ws_col;
+  } else if (told > 0 && told < 10000) {
+    style.width = static_cast<std::size_t>(told);
+  }
   return style;
+}
+
+std::size_t terminal_height() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_row : 0;
 }
 
 std::string file_stem(const std::string& case_name, std::size_t index) {
