@@ -8,6 +8,7 @@
 
 #include "reports/text/check_text.h"
 #include "reports/text/configuration_text.h"
+#include "reports/text/text.h"
 
 namespace stiction {
 namespace {
@@ -144,7 +145,7 @@ Standings standings_of(const std::vector<Record>& records) {
   for (const Record& record : records) {
     if (record.verdict == Verdict::kNotApplicable) continue;
     const std::string name = configuration_name(record);
-    Group& group = groups[engines.size() > 1 ? record.engine + ", " + name : name];
+    Group& group = groups[engines.size() > 1 ? one_line(record.engine) + ", " + name : name];
     group.records.push_back(&record);
     group.cases.insert(record.case_name);
   }
