@@ -23,6 +23,7 @@
 #include "reports/formats/vtk.h"
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/help_page.h"
 #include "solver/demand.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
@@ -52,56 +53,99 @@ struct Arguments {
 };
 
 std::string engine_help() {
-  std::string text = "Engines and their settings (--set NAME=VALUE):\n";
+  std::string text;
   for (const EngineKind& kind : engine_catalog()) {
-    text += fmt::format("  {}: {}\n", kind.name, kind.description);
+    text += bullet(kind.name + ": " + kind.description, 69, "");
     for (const auto& [name, meaning] : kind.settings_help) {
-      text += fmt::format("    {:<10} {}\n", name, meaning);
+      text += bullet(name + ": " + meaning, 69, "    - ");
     }
   }
-  text +=
-      "Programs, built when they are first called for (settings: ./stiction engine show NAME):\n";
+  text += "\nPrograms, built when they are called for (./stiction engine show NAME):\n";
   for (const EngineProgram& one : engine_programs()) {
-    text += fmt::format("  {} (Debian: {})\n", one.name, one.packages);
+    text += bullet(fmt::format("{} (Debian: {})", one.name, one.packages), 69, "    ");
   }
   return text;
+}
+
+HelpPage help_page() {
+  return {
+      .name = "stiction-validate",
+      .summary = "runs validation cases, or problems of your own, and writes a report",
+      .synopsis = {"./stiction validate [--case GLOB]... [--engine NAME|COMMAND] [OPTIONS]",
+                   "./stiction validate PROBLEM.toml... [OPTIONS]"},
+      .description =
+          "Simulates cases whose answer is known and says of each measured figure how far it is "
+          "from that, "
+          "by which tolerance it is judged and what it cost. Prints who holds, how accurately and "
+          "at which "
+          "cost, then every check that fails with the command that runs its case again.",
+      .exit_codes = {{"0", "every check holds, or falls short as expected"},
+                     {"1", "some check fails"},
+                     {"2", "could not run: bad input, a case that broke off, a full disk"}},
+      .files = {{"validation-report/latest/records.jsonl, records.csv",
+                 "every figure; reports/record/schema.md explains the fields"},
+                {"validation-report/latest/report.md, junit.xml",
+                 "every check as text, and for CI"},
+                {"validation-report/latest/report.html",
+                 "the page: opens offline, with plots and recordings"},
+                {"validation-report/latest/frames/, vtk/",
+                 "recordings; vtk/ with --vtk, for ParaView"}},
+      .examples = {{"./stiction validate --quick", "one case of each kind, in seconds"},
+                   {"./stiction validate --case 'slab/*' --set kappa=0.7",
+                    "some cases with a setting changed"},
+                   {"./stiction validate --engine \"python3 my_engine.py\"",
+                    "an engine of your own in every case that it can take"}},
+      .see_also = {"./stiction help compare", "./stiction help report", "./stiction help engine",
+                   "validation/user/TUTORIAL.md", "validation/user/examples/ramp.toml"},
+      .more = {{"Engines and their settings", engine_help()}}};
 }
 
 void define(CLI::App& app, Arguments& arguments) {
   app.add_option("problem", arguments.problems,
                  "Your own problems, as TOML files (validation/user/examples/ramp.toml explains); "
-                 "without any, the built-in cases run");
+                 "without any, the built-in cases run")
+      ->type_name("PROBLEM");
   app.add_option("--case", arguments.selection.globs,
                  "Only cases whose name matches, e.g. 'incline/*' or '*/mu=0.3/*'; repeatable")
-      ->type_name("GLOB");
-  app.add_flag("--list", arguments.list, "Show the names of the cases and end");
-  app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind");
-  app.add_flag("--full", arguments.full, "The long cases as well");
+      ->type_name("GLOB")
+      ->group("What runs");
+  app.add_flag("--list", arguments.list, "Show the names of the cases and end")->group("What runs");
+  app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind")
+      ->group("What runs");
+  app.add_flag("--full", arguments.full, "The long cases as well")->group("What runs");
   app.add_option("--engine", arguments.selection.engine,
                  "The engine to validate: a name from below, or a program that speaks the engine "
                  "protocol, e.g. \"python3 my_engine.py\"")
       ->type_name("NAME|COMMAND")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("What runs");
   app.add_option(
          "--configuration", arguments.selection.configuration,
          "Only this one of the engine's configurations ('./stiction engine show' lists them)")
-      ->type_name("NAME");
-  add_engine_limits(app, arguments.limits);
+      ->type_name("NAME")
+      ->group("What runs");
+  for (CLI::Option* const option : add_engine_limits(app, arguments.limits))
+    option->group("How it runs");
   app.add_option("--set", arguments.settings, "A setting of the engine, over that of each case")
-      ->type_name("NAME=VALUE");
+      ->type_name("NAME=VALUE")
+      ->group("How it runs");
   app.add_option("--out", arguments.out,
                  "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
                  "to the last")
       ->type_name("DIR")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("What is written");
   app.add_flag("--vtk", arguments.vtk,
-               "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder");
+               "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder")
+      ->group("What is written");
   app.add_flag("--no-page", arguments.no_page,
-               "Leave out report.html, which ./stiction makes from the records with node");
+               "Leave out report.html, which ./stiction makes from the records with node")
+      ->group("What is written");
   app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("How it runs");
   app.add_option("--tolerance-scale", arguments.tolerance_scale,
                  "Multiplies every tolerance; 0 fails whatever is not exact and so shows every "
                  "residual")
@@ -111,16 +155,15 @@ void define(CLI::App& app, Arguments& arguments) {
         const bool is_scale = std::strtod(text.c_str(), &end) >= 0.0 && *end == '\0';
         return is_scale ? std::string() : "must be a number from 0, not '" + text + "'";
       })
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("How it runs");
   app.add_option(
          "--show-expectations", arguments.show_expectations,
          "Run nothing: list what the engine is expected to fall short of beside what this "
          "run measured, and its failures, as rows of validation/engines/stiction/expectations/")
-      ->type_name("RECORDS.jsonl");
-  app.footer(engine_help() +
-             "\nExit code: 0 every check holds or falls short as expected, 1 "
-             "some fail, 2 could not run (bad input, a case "
-             "that broke off, a full disk).");
+      ->type_name("RECORDS.jsonl")
+      ->group("What is written");
+  set_help(app, help_page());
 }
 
 const char* set_name(CaseSet set) {
