@@ -12,6 +12,7 @@
 #include "reports/documents/document.h"
 #include "reports/documents/kept_figures.h"
 #include "reports/record/record_json.h"
+#include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 
 namespace stiction {
@@ -186,18 +187,44 @@ int main(int argc, char** argv) {
          "--update", arguments.update,
          "Renew the extracts from these runs first: folders of ./stiction validate, compare or "
          "bench; of what several runs have measured, the last counts")
-      ->type_name("RUN…");
+      ->type_name("RUN…")
+      ->group("What is done");
   app.add_option("--against", arguments.against,
                  "Write nothing; say which figures of these runs have another verdict than in the "
                  "documents, or have left their band")
-      ->type_name("RUN…");
-  app.add_flag("--check", arguments.check, "Write nothing; say which documents are out of date");
+      ->type_name("RUN…")
+      ->group("What is done");
+  app.add_flag("--check", arguments.check, "Write nothing; say which documents are out of date")
+      ->group("What is done");
   app.add_option("--root", arguments.root, "Of the source tree")
       ->type_name("DIR")
-      ->capture_default_str();
-  app.footer(
-      "Exit code: 0 all agree, 1 something differs, 2 a figure could not be found or a file "
-      "not read.");
+      ->capture_default_str()
+      ->group("Where");
+  stiction::set_help(
+      app,
+      {.name = "stiction-readme",
+       .summary = "writes the measured figures of README and documents",
+       .synopsis = {"./stiction readme [--update RUN...]",
+                    "./stiction readme --check | --against RUN..."},
+       .description = "Every measured figure of a document stands between markers and comes from a "
+                      "record. This writes "
+                      "them from the extracts that are kept in the tree, renews the extracts from "
+                      "runs, or says what "
+                      "is out of date.",
+       .exit_codes = {{"0", "all agree"},
+                      {"1", "something differs"},
+                      {"2", "a figure could not be found, or a file not read"}},
+       .files = {{"reports/documents/figures/*.toml", "which number of which record a figure is"},
+                 {"reports/documents/figures/*.json",
+                  "the extracts, with revision, machine and date"},
+                 {"reports/documents/tables/*.md",
+                  "tables in which {{figure}} stands for a figure"}},
+       .examples = {{"./stiction readme --update validation-report", "after a run of validate"},
+                    {"./stiction readme --check",
+                     "is any document out of date? (a test of ./stiction test)"},
+                    {"./stiction readme --against validation-report", "does a fresh run agree?"}},
+       .see_also = {"./stiction help validate", "./stiction help compare",
+                    "reports/documents/README.md"}});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -2,6 +2,7 @@
 // The program behind `./stiction validate`: cases → records → table, report.md, junit.xml,
 // records.csv.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <thread>
@@ -24,11 +26,13 @@
 #include "reports/formats/vtk.h"
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/help_page.h"
+#include "reports/screen/progress_line.h"
+#include "reports/screen/screen.h"
 #include "reports/text/configuration_text.h"
 #include "solver/demand.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
-#include "validation/core/progress.h"
 #include "validation/core/runner.h"
 #include "validation/engine/conformance/conformance.h"
 #include "validation/judge/show_expectations.h"
@@ -56,58 +60,102 @@ struct Arguments {
 };
 
 std::string engine_help() {
-  std::string text = "Engines and their settings (--set NAME=VALUE):\n";
+  std::string text;
   for (const EngineKind& kind : engine_catalog()) {
-    text += fmt::format("  {}: {}\n", kind.name, kind.description);
+    text += bullet(kind.name + ": " + kind.description, 69, "");
     for (const auto& [name, meaning] : kind.settings_help) {
-      text += fmt::format("    {:<10} {}\n", name, meaning);
+      text += bullet(name + ": " + meaning, 69, "    - ");
     }
   }
-  text +=
-      "Programs, built when they are first called for (settings: ./stiction engine show NAME):\n";
+  text += "\nPrograms, built when they are called for (./stiction engine show NAME):\n";
   for (const EngineProgram& one : engine_programs()) {
-    text += fmt::format("  {} (Debian: {})\n", one.name, one.packages);
+    text += bullet(fmt::format("{} (Debian: {})", one.name, one.packages), 69, "    ");
   }
   return text;
+}
+
+HelpPage help_page() {
+  return {
+      .name = "stiction-validate",
+      .summary = "runs validation cases, or problems of your own, and writes a report",
+      .synopsis = {"./stiction validate [--case GLOB]... [--engine NAME|COMMAND] [OPTIONS]",
+                   "./stiction validate PROBLEM.toml... [OPTIONS]"},
+      .description =
+          "Simulates cases whose answer is known and says of each measured figure how far it is "
+          "from that, "
+          "by which tolerance it is judged and what it cost. Prints who holds, how accurately and "
+          "at which "
+          "cost, then every check that fails with the command that runs its case again.",
+      .exit_codes = {{"0", "every check holds, or falls short as expected"},
+                     {"1", "some check fails"},
+                     {"2", "could not run: bad input, a case that broke off, a full disk"}},
+      .files = {{"validation-report/latest/records.jsonl, records.csv",
+                 "every figure; reports/record/schema.md explains the fields"},
+                {"validation-report/latest/report.md, junit.xml",
+                 "every check as text, and for CI"},
+                {"validation-report/latest/report.html",
+                 "the page: opens offline, with plots and recordings"},
+                {"validation-report/latest/frames/, vtk/",
+                 "recordings; vtk/ with --vtk, for ParaView"}},
+      .examples = {{"./stiction validate --quick", "one case of each kind, in seconds"},
+                   {"./stiction validate --case 'slab/*' --set kappa=0.7",
+                    "some cases with a setting changed"},
+                   {"./stiction validate --engine \"python3 my_engine.py\"",
+                    "an engine of your own in every case that it can take"}},
+      .see_also = {"./stiction help compare", "./stiction help report", "./stiction help engine",
+                   "validation/user/TUTORIAL.md", "validation/user/examples/ramp.toml"},
+      .more = {{"Engines and their settings", engine_help()}}};
 }
 
 void define(CLI::App& app, Arguments& arguments) {
   app.add_option("problem", arguments.problems,
                  "Your own problems, as TOML files (validation/user/examples/ramp.toml explains); "
-                 "without any, the built-in cases run");
+                 "without any, the built-in cases run")
+      ->type_name("PROBLEM");
   app.add_option("--case", arguments.selection.globs,
                  "Only cases whose name matches, e.g. 'incline/*' or '*/mu=0.3/*'; repeatable")
-      ->type_name("GLOB");
-  app.add_flag("--list", arguments.list, "Show the names of the cases and end");
-  app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind");
-  app.add_flag("--full", arguments.full, "The long cases as well");
+      ->type_name("GLOB")
+      ->group("What runs");
+  app.add_flag("--list", arguments.list, "Show the names of the cases and end")->group("What runs");
+  app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind")
+      ->group("What runs");
+  app.add_flag("--full", arguments.full, "The long cases as well")->group("What runs");
   app.add_option("--engine", arguments.selection.engine,
                  "The engine to validate: a name from below, or a program that speaks the engine "
                  "protocol, e.g. \"python3 my_engine.py\"")
       ->type_name("NAME|COMMAND")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("What runs");
   app.add_option(
          "--configuration", arguments.selection.configuration,
          "Only this one of the engine's configurations ('./stiction engine show' lists them)")
-      ->type_name("NAME");
-  add_engine_limits(app, arguments.limits);
+      ->type_name("NAME")
+      ->group("What runs");
+  for (CLI::Option* const option : add_engine_limits(app, arguments.limits))
+    option->group("How it runs");
   app.add_option("--set", arguments.settings, "A setting of the engine, over that of each case")
-      ->type_name("NAME=VALUE");
+      ->type_name("NAME=VALUE")
+      ->group("How it runs");
   app.add_option("--out", arguments.out,
                  "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
                  "to the last")
       ->type_name("DIR")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("What is written");
   app.add_flag("--vtk", arguments.vtk,
-               "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder");
+               "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder")
+      ->group("What is written");
   app.add_flag("--no-page", arguments.no_page,
-               "Leave out report.html, which ./stiction makes from the records with node");
+               "Leave out report.html, which ./stiction makes from the records with node")
+      ->group("What is written");
   app.add_flag("--verbose", arguments.verbose,
-               "Print every check of every record, as report.md has it");
+               "Print every check of every record, as report.md has it")
+      ->group("What is written");
   app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("How it runs");
   app.add_option("--tolerance-scale", arguments.tolerance_scale,
                  "Multiplies every tolerance; 0 fails whatever is not exact and so shows every "
                  "residual")
@@ -117,16 +165,15 @@ void define(CLI::App& app, Arguments& arguments) {
         const bool is_scale = std::strtod(text.c_str(), &end) >= 0.0 && *end == '\0';
         return is_scale ? std::string() : "must be a number from 0, not '" + text + "'";
       })
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("How it runs");
   app.add_option(
          "--show-expectations", arguments.show_expectations,
          "Run nothing: list what the engine is expected to fall short of beside what this "
          "run measured, and its failures, as rows of validation/engines/stiction/expectations/")
-      ->type_name("RECORDS.jsonl");
-  app.footer(engine_help() +
-             "\nExit code: 0 every check holds or falls short as expected, 1 "
-             "some fail, 2 could not run (bad input, a case "
-             "that broke off, a full disk).");
+      ->type_name("RECORDS.jsonl")
+      ->group("What is written");
+  set_help(app, help_page());
 }
 
 const char* set_name(CaseSet set) {
@@ -176,12 +223,6 @@ std::vector<double> weights_of(const std::vector<Job>& jobs, const std::filesyst
   return weights;
 }
 
-std::vector<std::string> names_of(const std::vector<Job>& jobs) {
-  std::vector<std::string> names;
-  for (const Job& job : jobs) names.push_back(job.which.name);
-  return names;
-}
-
 // What is seen while jobs run: a line of progress, what fails as soon as it is known, and with
 // --verbose all records, in the order of their jobs.
 class Console {
@@ -189,16 +230,20 @@ class Console {
   Console(const std::vector<Job>& jobs, const TableStyle& style, const Arguments& arguments)
       : arguments_(arguments),
         style_(style),
+        jobs_(jobs),
+        weights_(weights_of(jobs, earlier_records(arguments.out))),
+        total_(std::accumulate(weights_.begin(), weights_.end(), 0.0)),
         waiting_(jobs.size()),
-        progress_(names_of(jobs), weights_of(jobs, earlier_records(arguments.out))) {
+        progress_(jobs.size()) {
     if (arguments_.verbose) fmt::print("{}", table_header(style_));
     std::fflush(stdout);
-    progress_.show();
+    show_progress();
   }
 
   void finished(std::size_t index, const Record& record) {
-    progress_.finished(index);
-    progress_.hide();
+    work_done_ += weights_[index];
+    ++count_done_;
+    progress_.clear();
     if (record.verdict == Verdict::kError) {
       fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
     }
@@ -211,10 +256,8 @@ class Console {
         rerun_command(record, arguments_.problems, arguments_.selection.engine) + scaled());
     while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
     std::fflush(stdout);
-    progress_.show();
+    show_progress();
   }
-
-  void end() { progress_.hide(); }
 
  private:
   std::string scaled() const {
@@ -223,15 +266,25 @@ class Console {
   }
 
   static std::filesystem::path earlier_records(const std::string& out) {
-    return can_redraw_stderr() ? std::filesystem::path(out) / "latest" / "records.jsonl"
-                               : std::filesystem::path();
+    return screen_of(STDERR_FILENO).moving ? std::filesystem::path(out) / "latest" / "records.jsonl"
+                                           : std::filesystem::path();
+  }
+
+  void show_progress() {
+    if (count_done_ == jobs_.size()) return;
+    progress_.show(count_done_, jobs_[next_].which.name, work_done_ / total_);
   }
 
   const Arguments& arguments_;
   TableStyle style_;
+  const std::vector<Job>& jobs_;
+  std::vector<double> weights_;  // of the jobs, and their sum
+  double total_;
+  double work_done_ = 0.0;
+  std::size_t count_done_ = 0;
   std::vector<std::optional<std::string>> waiting_;
   std::size_t next_ = 0;
-  Progress progress_;
+  ProgressLine progress_;
 };
 
 // Refuses, before anything runs, settings that are unknown or out of range, and those that no job
@@ -295,7 +348,6 @@ int validate(Arguments& arguments) {
     return "frames/" + stem + ".bin";
   };
   run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, finished, keep);
-  console.end();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const RunFacts facts{.wall_seconds = took.count(), .height = terminal_height()};
   store.write_file("report.md", markdown_report(records));

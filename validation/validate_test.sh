@@ -24,7 +24,7 @@ grep -q 'height after 0.1 s: measured' out || failed "tolerance scale 0" "no res
 holds 0 "a large tolerance scale passes it" \
   "$validate" --case half-space/free-fall --tolerance-scale 10 --out ten
 holds 0 "--help is a page" "$validate" --help
-for word in --case --list --quick --out --jobs --tolerance-scale --set 'Exit code'; do
+for word in --case --list --quick --out --jobs --tolerance-scale --set 'EXIT STATUS'; do
   grep -qF -- "$word" out || failed "--help is a page" "it lacks $word"
 done
 

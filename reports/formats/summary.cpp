@@ -9,6 +9,8 @@
 #include <map>
 #include <set>
 
+#include "reports/screen/progress_line.h"
+#include "reports/screen/screen.h"
 #include "reports/text/check_text.h"
 #include "reports/text/configuration_text.h"
 #include "reports/text/family.h"
@@ -48,17 +50,6 @@ std::string columns(const std::vector<std::vector<std::string>>& rows,
   return text;
 }
 
-std::string plural(std::size_t count, const char* word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
-std::string duration(double seconds) {
-  const auto whole = static_cast<long>(std::round(seconds));
-  if (whole < 60) return fmt::format("{} s", format_seconds(seconds));
-  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
-}
-
 std::string title_line(const std::vector<Record>& records, const TableStyle& style,
                        const RunFacts& facts) {
   std::set<std::string> cases, engines, revisions;
@@ -72,10 +63,10 @@ std::string title_line(const std::vector<Record>& records, const TableStyle& sty
   if (engines != std::set<std::string>{"stiction"}) who = "stiction: " + who;
   if (revisions.size() == 1 && !revisions.begin()->empty()) who += " " + *revisions.begin();
   const double cpu = tally_of(records).cpu_seconds;
-  std::string line = fmt::format("{} · {}, {} · ", who, plural(records.size(), "record"),
-                                 plural(cases.size(), "case"));
+  std::string line = fmt::format("{} · {}, {} · ", who, counted(records.size(), "record"),
+                                 counted(cases.size(), "case"));
   line += facts.wall_seconds > 0.0
-              ? fmt::format("{} ({} s CPU)", duration(facts.wall_seconds), format_seconds(cpu))
+              ? fmt::format("{} ({} s CPU)", duration_text(facts.wall_seconds), format_seconds(cpu))
               : fmt::format("{} s CPU", format_seconds(cpu));
   return block("", line, 0, style);
 }
@@ -175,7 +166,7 @@ std::string standings_text(const Standings& standings, const TableStyle& style) 
   }
   std::string title = "Who holds";
   if (compared) {
-    title += fmt::format(", in the {} that {} ran", plural(standings.shared_cases, "case"),
+    title += fmt::format(", in the {} that {} ran", counted(standings.shared_cases, "case"),
                          standings.compared == standings.rows.size()
                              ? std::string("all")
                              : fmt::format("the first {}", standings.compared));

@@ -6,10 +6,9 @@
 #include <unistd.h>
 
 #include <cctype>
-#include <cstdlib>
 #include <cstring>
-#include <string_view>
 
+#include "reports/screen/screen.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -36,21 +35,8 @@ Settings parse_settings(const std::vector<std::string>& words) {
 }
 
 TableStyle terminal_style() {
-  const auto variable = [](const char* name) {
-    const char* const value = std::getenv(name);
-    return std::string_view(value ? value : "");
-  };
-  TableStyle style;
-  style.colour =
-      isatty(STDOUT_FILENO) && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
-  winsize size{};
-  const long told = std::strtol(std::string(variable("COLUMNS")).c_str(), nullptr, 10);
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
-    style.width = size.ws_col;
-  } else if (told > 0 && told < 10000) {
-    style.width = static_cast<std::size_t>(told);
-  }
-  return style;
+  const Screen screen = screen_of(STDOUT_FILENO);
+  return {.width = screen.width, .colour = screen.colour};
 }
 
 std::size_t terminal_height() {

@@ -21,8 +21,7 @@ ExitCode exit_code(const std::vector<Record>& records);
 /// "NAME=VALUE" words as settings; throws InputError for another word.
 Settings parse_settings(const std::vector<std::string>& words);
 
-/// As wide as the terminal, else as COLUMNS says; coloured where it is one that takes colours and
-/// NO_COLOR is not set.
+/// Of stdout (reports/screen/screen.h).
 TableStyle terminal_style();
 
 /// Lines of the terminal; 0 where stdout is none.

@@ -1,19 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { parseArgs } from "node:util";
 
-export const USAGE = `stiction report: records → one self-contained HTML page
+export const USAGE = `NAME
+       stiction-report - one self-contained HTML page of one or several runs
 
-  report DIR… [--out FILE] [--title TEXT] [--against DIR]… [--svg DIR] [--limit MB]
+SYNOPSIS
+       ./stiction report DIR... [--against DIR]... [--out FILE] [OPTIONS]
 
-  DIR            a run's folder, or an out-dir whose 'latest' points to one; several are merged
-  --out FILE     the page; without it report.html in the first run's folder
-  --title TEXT   the page's title
-  --against DIR  an earlier run to compare with; repeatable
-  --svg DIR      writes each plot as an SVG file too
-  --limit MB     how large the page may get; time series and recordings are left out beyond it,
-                 largest first (15)
+DESCRIPTION
+       Makes a page of what runs of validate, compare, bench or track have
+       recorded: verdicts, plots and recordings, in one file that opens offline and
+       can be mailed. With --against it says what changed since an earlier run.
 
-Exit code: 0 written, 2 could not (bad input, a full disk).
+ARGUMENTS
+       DIR
+              A run's folder, or an out-dir whose 'latest' points to one; several
+              are merged
+
+WHAT IS SHOWN
+       --against DIR
+              An earlier run to compare with; repeatable
+       --title TEXT
+              The page's title
+
+WHAT IS WRITTEN
+       --out FILE
+              The page; without it report.html in the first run's folder
+       --svg DIR
+              Each plot as an SVG file too
+       --limit MB
+              How large the page may get; time series and recordings are left out
+              beyond it, largest first [15]
+
+OPTIONS
+       -h, --help
+              Print this help message and exit
+
+EXIT STATUS
+       0
+              written
+       2
+              could not: bad input, a full disk
+
+FILES
+       RUN/report.html
+              the page
+       RUN/records.jsonl, RUN/frames/
+              what it is made of (reports/record/schema.md)
+
+EXAMPLES
+       ./stiction report validation-report
+              the page of the last run
+       ./stiction report NEW --against OLD
+              what changed in verdicts, digits and cost
+       ./stiction report validation-report --svg plots
+              each plot as an SVG file too
+
+SEE ALSO
+       ./stiction help validate, reports/web/README.md
 `;
 
 /** The command line as data. Throws an Error with one sentence for what it cannot be. */
