@@ -121,6 +121,7 @@ std::string failing_lines(const std::vector<Record>& records, const TableStyle& 
 
 std::string size_text(const std::optional<double>& value) {
   if (!value) return "–";
+  if (std::isnan(*value)) return "broke";
   return *value == 0.0 ? std::string("0") : fmt::format("{:.0e}", *value);
 }
 
@@ -223,14 +224,17 @@ std::string accuracy_text(const Standings& standings, std::size_t most, const Ta
   for (const Standing& row : standings.rows) {
     all.insert(all.end(), row.records.begin(), row.records.end());
   }
-  std::vector<std::vector<std::string>> rows = {{"", "error", "tolerance", "of it"}};
+  std::vector<std::vector<std::string>> rows = {{"", "error", "tolerance", "of it", ""}};
   for (const auto& [name, at] : headlines(leader.records)) {
     if (rows.size() > most) break;
     rows.push_back({one_line(name), error_text(*at.check), tolerance_text(*at.check),
-                    share_text(at.check->of_tolerance)});
+                    share_text(at.check->of_tolerance),
+                    at.check->verdict == Verdict::kPass
+                        ? std::string()
+                        : std::string(verdict_word(at.check->verdict))});
   }
   std::string text = fmt::format("How accurate ({})\n", leader.name);
-  if (rows.size() > 1) text += columns(rows, {0}, style);
+  if (rows.size() > 1) text += columns(rows, {0, 4}, style);
   const Accuracy nearest = nearest_to_failing(all);
   if (nearest.check != nullptr) {
     text += block(
