@@ -10,20 +10,24 @@ function haystack(row) {
   let text = haystacks.get(row);
   if (text === undefined) {
     text =
-      `${row.case} ${row.title} ${row.engine} ${row.variant} ${row.check?.quantity ?? ""} ${row.frames ? "recorded" : ""}`.toLowerCase();
+      `${row.case} ${row.title} ${row.engine} ${row.variant} ${row.configuration} ${row.quantities} ${row.frames ? "recorded" : ""}`.toLowerCase();
     haystacks.set(row, text);
   }
   return text;
 }
 
-/** `options`: {q, verdict: "fail,error", family, run}; all words of q must occur. */
-export function filtered(rows, { q = "", verdict = "", family = "", run = "" }) {
+/** `options`: {q, verdict: "fail,error", family, configuration, run}; all words of q must occur. */
+export function filtered(
+  rows,
+  { q = "", verdict = "", family = "", configuration = "", run = "" },
+) {
   const words = words_of(q);
   const verdicts = verdict ? new Set(verdict.split(",")) : null;
   return rows.filter(
     (row) =>
       (!verdicts || verdicts.has(row.verdict)) &&
       (!family || row.family === family) &&
+      (!configuration || row.column === configuration) &&
       (run === "" || row.run === Number(run)) &&
       (words.length === 0 || words.every((word) => haystack(row).includes(word))),
   );
