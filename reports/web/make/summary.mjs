@@ -87,6 +87,24 @@ function place_of({ cells }) {
   return place < 0 || place >= VERDICTS.indexOf("pass") ? VERDICTS.length : place;
 }
 
+// What the causes of shortfalls come down to, most frequent first: [{because, records, configurations, case}],
+// the case being the one furthest beyond.
+function causes_of(records, name_of) {
+  const checks = records.flatMap((record) =>
+    record.checks
+      .filter(({ verdict, because }) => is_expected(verdict) && because)
+      .map((check) => ({ record, check })),
+  );
+  return [...group_by(checks, ({ check }) => check.because)]
+    .map(([because, list]) => ({
+      because,
+      records: new Set(list.map(({ record }) => record)).size,
+      configurations: ordered_configurations(list.map(({ record }) => name_of(record))),
+      case: list.reduce((a, b) => (margin(b.check) > margin(a.check) ? b : a)).record.case,
+    }))
+    .sort((a, b) => b.records - a.records);
+}
+
 /**
  * {configurations, families, work, slip}: the table and the pictures of the records that are judged;
  * null where there are none.
@@ -110,7 +128,7 @@ export function summary_of(records) {
     ({ configuration }) => configuration,
   );
   const shared_set = new Set(shared.cases);
-  const work = work_precision_plot(judged, { name_of, height: 230 });
+  const work = work_precision_plot(judged, { name_of, height: 230, always: true });
   const slip = slip_plot(judged, name_of);
   return {
     shared: { cases: shared.cases.length, configurations: shared.configurations.length },
@@ -131,6 +149,7 @@ export function summary_of(records) {
       .map((family) => ({ ...family, place: place_of(family) }))
       .sort((a, b) => a.place - b.place)
       .map(({ place, ...family }) => ({ ...family, all_hold: place === VERDICTS.length })),
+    causes: causes_of(judged, name_of),
     work: work && { id: "summary/work", kind: "work-precision", ...work },
     slip: slip && { id: "summary/slip", kind: "series", ...slip },
   };

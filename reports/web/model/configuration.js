@@ -20,6 +20,7 @@ const QUIET_RULES = ["conjugate-vector", "stored-vector"];
 function derived_of({ engine, settings }) {
   const { method, rule, memory, configuration } = settings;
   if (configuration) return configuration;
+  if (engine === "stiction" && Object.keys(settings).length === 0) return QUIET;
   if (method === "quiet" || method === "old") return method;
   if (method === undefined && QUIET_RULES.includes(rule)) return QUIET;
   if (method !== undefined && method !== "paper") return engine;

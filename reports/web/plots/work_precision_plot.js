@@ -13,6 +13,7 @@ const DECADES = 6; // shown on either side of the tolerance
 const BROKEN = DECADES + 1.6; // where the strip of what broke off is
 const STRIP = [DECADES + 0.8, DECADES + 2.4];
 const MOST_MARKS = 1500;
+const TELLING = 2;
 const BIG = 240; // px²
 const SMALL = 34;
 
@@ -60,14 +61,24 @@ function words(points, shared, unjudged, untimed, lines, one) {
     .join(" ");
 }
 
+// Whether points differ enough to make a picture: in what they cost or in how precise they are.
+function is_spread(points) {
+  const spread = (values) =>
+    values.reduce((a, b) => Math.max(a, b), 0) / values.reduce((a, b) => Math.min(a, b), Infinity);
+  const of = (value_of) => points.map(value_of).filter((value) => value > 0);
+  return (
+    spread(of(({ seconds }) => seconds)) >= TELLING || spread(of(({ ratio }) => ratio)) >= TELLING
+  );
+}
+
 /**
- * The plot of some records. Null when nothing was both timed and measured. `name_of(record)` is what its
- * configuration is called.
+ * The plot of some records. Null when nothing was both timed and measured, or, but for `always`, when all lies
+ * on one spot. `name_of(record)` is what a record's configuration is called.
  */
-export function work_precision_plot(records, { name_of, height = 260, click = true } = {}) {
+export function work_precision_plot(records, { name_of, height = 260, always = false } = {}) {
   const all = work_points(records, name_of);
   const points = all.filter(({ seconds }) => seconds > 0);
-  if (points.length < 2) return null;
+  if (points.length === 0 || (!always && !is_spread(points))) return null;
   const names = ordered_configurations(points.map(({ configuration }) => configuration));
   const styles = configuration_styles(names);
   const keys = numbered(names);
@@ -124,7 +135,7 @@ export function work_precision_plot(records, { name_of, height = 260, click = tr
   };
   const y = encoding.y;
   const unjudged = marks.filter(({ judged }) => !judged).length;
-  const point = { type: "point", size: SMALL, strokeWidth: 1.4, cursor: click ? "pointer" : null };
+  const point = { type: "point", size: SMALL, strokeWidth: 1.4, cursor: "pointer" };
   return {
     title: "Precision and what it costs",
     caption: words(
@@ -173,20 +184,6 @@ export function work_precision_plot(records, { name_of, height = 260, click = tr
               },
             ]
           : []),
-        {
-          data: { values: marks.filter(({ judged }) => judged) },
-          mark: { ...point, filled: true, opacity: 0.6 },
-          encoding,
-        },
-        ...(unjudged > 0
-          ? [
-              {
-                data: { values: marks.filter(({ judged }) => !judged) },
-                mark: { ...point, filled: false, opacity: 0.8 },
-                encoding,
-              },
-            ]
-          : []),
         ...(sums.length > 0
           ? [
               {
@@ -200,6 +197,20 @@ export function work_precision_plot(records, { name_of, height = 260, click = tr
                   strokeWidth: 1.5,
                 },
                 encoding: { ...encoding, tooltip: encoding.tooltip },
+              },
+            ]
+          : []),
+        {
+          data: { values: marks.filter(({ judged }) => judged) },
+          mark: { ...point, filled: true, opacity: 0.6 },
+          encoding,
+        },
+        ...(unjudged > 0
+          ? [
+              {
+                data: { values: marks.filter(({ judged }) => !judged) },
+                mark: { ...point, filled: false, opacity: 0.8 },
+                encoding,
               },
             ]
           : []),

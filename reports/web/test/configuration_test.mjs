@@ -22,6 +22,7 @@ test("a configuration's name is the record's, or read from an older record's set
   assert.equal(of({ rule: "fixed-point" }), "paper, fixed point");
   assert.equal(of({ configuration: "best" }, { engine: "bullet" }), "best");
   assert.equal(of({}, { engine: "bullet" }), "bullet");
+  assert.equal(of({}), "quiet", "its own engine without settings");
 });
 
 test("this project's configurations come first, in their order", () => {

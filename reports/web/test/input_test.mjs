@@ -167,7 +167,7 @@ test("each plot becomes an SVG file", () => {
   const files = readdirSync(svg);
   assert.match(out, new RegExp(`Plots: ${files.length} SVG files`));
   for (const kind of [
-    "overview",
+    "work-precision",
     "series",
     "convergence",
     "scaling",

@@ -112,7 +112,7 @@ export function varied_records() {
         },
       ],
       cost: { ...record().cost, cpu_seconds: 0.2 + 0.1 * i },
-      checks: [check({ digits: 3.5 + i })],
+      checks: [check({ digits: 3.5 + i, of_tolerance: 0.33 / 10 ** i })],
     }),
   );
   const thresholds = [0.1, 0.3, 0.5].map((mu) =>

@@ -10,6 +10,7 @@ import { facts } from "./facts.js";
 import { failures_list } from "./failures.js";
 import { matrix } from "./matrix.js";
 import { glyph } from "../widgets/glyph.js";
+import { style_mark } from "../widgets/style_mark.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { case_hash, hash_of } from "../route.js";
 import { tally_of } from "../tally.js";
@@ -138,6 +139,30 @@ const overview_part = ({ summary }) =>
     ),
   );
 
+// Why something falls short, most frequent cause first.
+const causes_part = ({ summary }) =>
+  summary?.causes.length > 0 &&
+  h(
+    "section",
+    { class: "causes", "aria-labelledby": "causes-title" },
+    h("h2", { id: "causes-title" }, "Why some fall short"),
+    h(
+      "ul",
+      {},
+      summary.causes.map(({ because, records, configurations, case: name }) =>
+        h(
+          "li",
+          {},
+          h("strong", {}, `${plural(records, "record")}: `),
+          `${because} (`,
+          configurations.map((one, i) => [i > 0 && ", ", style_mark(one, 9), ` ${one}`]),
+          "), most in ",
+          h("a", { href: case_hash(name) }, name),
+        ),
+      ),
+    ),
+  );
+
 const more_part = (shown, tally, index) => [
   play_line(shown, index),
   Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
@@ -193,7 +218,12 @@ export function summary_view({ index, rows, comparison }) {
       ? null
       : index.compared
         ? [failures_list(current), compared_parts(index, current)]
-        : [failures_list(current), overview_part(index), more_part(shown, tally, index)],
+        : [
+            failures_list(current),
+            overview_part(index),
+            causes_part(index),
+            more_part(shown, tally, index),
+          ],
     index.engines && engines_parts(index.engines, index.runs),
   );
 }

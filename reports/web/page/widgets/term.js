@@ -23,6 +23,10 @@ export function term(word, text = word) {
   element.addEventListener("focus", show);
   element.addEventListener("click", show);
   for (const end of ["pointerleave", "blur"]) element.addEventListener(end, hide_tip);
-  element.addEventListener("keydown", ({ key }) => key === "Escape" && hide_tip());
+  element.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    hide_tip();
+    event.stopPropagation(); // or the page would go back to its table
+  });
   return element;
 }
