@@ -176,17 +176,18 @@ function thin_changes(changes) {
       seconds: short_number(to_number(record.cost.cpu_seconds)),
     };
   const records = changes.map(({ before, after }) => after ?? before);
-  const labels = record_labels(
-    records,
-    () => "",
-    (i) => records[i].case,
-  );
+  // Of each case as little as tells its records apart; the configuration where one is alone.
+  const labels = new Map();
+  for (const group of group_by(records, (record) => record.case).values())
+    record_labels(group, () => "").forEach((label, i) =>
+      labels.set(group[i], label || configuration_of(group[i])),
+    );
   return changes.map(({ before, after, ...rest }, i) => ({
     ...rest,
     before: thin(before),
     after: thin(after),
     variant: variant_key(records[i]),
-    label: labels[i],
+    label: labels.get(records[i]),
   }));
 }
 

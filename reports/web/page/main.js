@@ -15,6 +15,7 @@ import { hash_of, parse_hash } from "./route.js";
 import { know_configurations } from "../plots/configuration_style.js";
 import { rows_of } from "./rows.js";
 import { summary_view } from "./views/summary_view.js";
+import { start_terms } from "./widgets/term.js";
 import { start_theme } from "./widgets/theme.js";
 import { hide_tip } from "./widgets/tip.js";
 
@@ -109,6 +110,7 @@ async function start(app) {
 }
 
 start_theme();
+start_terms();
 const app = document.getElementById("app");
 start(app).catch((error) =>
   replace(

@@ -27,15 +27,19 @@ export function power_law(points) {
 
 const LEAST_POINTS = 3;
 const EXPLAINED = 0.99;
+const SPAN = 2; // largest ÷ smallest: what hardly changes has no exponent to tell
 
 const is_monotone = (values) =>
   values.every((y, i) => i === 0 || y >= values[i - 1]) ||
   values.every((y, i) => i === 0 || y <= values[i - 1]);
 
-/** power_law() where the points follow one: three or more, rising or falling all the way, near the line. */
+/** power_law() where the points follow one: three or more, rising or falling all the way by
+ * a factor worth telling, near the line. */
 export function clear_power_law(points) {
   const positive = points.every(({ x, y }) => x > 0 && y > 0);
   if (!positive || new Set(points.map(({ x }) => x)).size < LEAST_POINTS) return null;
+  const ys = points.map(({ y }) => y);
+  if (Math.max(...ys) < SPAN * Math.min(...ys)) return null;
   const in_order = [...points].sort((a, b) => a.x - b.x).map(({ y }) => y);
   const fit = is_monotone(in_order) ? power_law(points) : null;
   return fit && fit.explained >= EXPLAINED ? fit : null;

@@ -129,7 +129,13 @@ export function parameter_plot(curves) {
               },
               {
                 data: { values: marks },
-                mark: { type: "text", align: "right", dx: -8, dy: -12, color: "$ink" },
+                mark: {
+                  type: "text",
+                  align: fits[0].fit.exponent > 0 ? "right" : "left",
+                  dx: fits[0].fit.exponent > 0 ? -8 : 8,
+                  dy: -12,
+                  color: "$ink",
+                },
                 encoding: { x: encoding.x, y: encoding.y, text: { field: "text" } },
               },
             ]

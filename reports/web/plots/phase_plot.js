@@ -64,6 +64,7 @@ export function phase_plot(entries) {
           : {
               yOffset: { field: "variant_key", type: "ordinal", scale: { domain: variants.keys } },
               color: channels.channel(channels.colours),
+              opacity: channels.channel(channels.opacities),
             }),
         tooltip: [
           tip("variant", "variant"),

@@ -4,6 +4,8 @@
 import { variant_styles } from "./configuration_style.js";
 import { numbered } from "./names.js";
 
+const PALER = 0.5;
+
 /** As many are drawn where each has a curve of its own. */
 export const MOST_VARIANTS = 7;
 
@@ -24,6 +26,10 @@ export function variant_channels(variants) {
     colours: styles.map(({ colour }) => colour),
     shapes: styles.map(({ shape }) => shape),
     dashes: styles.map(({ dash }) => dash),
+    // Where only colours can be told: from the second of a configuration on they are paler.
+    opacities: variants.map(({ configuration }, i) =>
+      variants.findIndex((one) => one.configuration === configuration) === i ? 1 : PALER,
+    ),
     channel: (range, legend = {}) => ({
       field: "variant_key",
       type: "ordinal",

@@ -167,8 +167,8 @@ export function work_precision_plot(records, { name_of, height = 260, always = f
         },
         {
           data: { values: [{ place: 0, text: "tolerance" }] },
-          mark: { type: "text", align: "right", baseline: "bottom", dy: -2, color: "$ink" },
-          encoding: { x: { value: { expr: "width" } }, y, text: { field: "text" } },
+          mark: { type: "text", align: "left", baseline: "bottom", dx: 3, dy: -2, color: "$ink" },
+          encoding: { x: { value: 0 }, y, text: { field: "text" } },
         },
         ...(lines.length > 0
           ? [

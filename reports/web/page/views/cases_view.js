@@ -53,6 +53,7 @@ export function cases_view({ index, rows }) {
         type: "button",
         class: `toggle verdict-${verdict}`,
         "data-verdict": verdict,
+        "data-term": verdict,
         onclick: () => {
           const chosen = new Set((options.verdict ?? "").split(",").filter(Boolean));
           if (!chosen.delete(verdict)) chosen.add(verdict);

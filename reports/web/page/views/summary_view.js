@@ -115,6 +115,30 @@ function provenance(runs) {
 const to_case = (datum) =>
   typeof datum.case === "string" && datum.case !== "" && (location.hash = case_hash(datum.case));
 
+// Why something falls short, most frequent cause first.
+const causes_part = ({ causes }) =>
+  causes.length > 0 &&
+  h(
+    "section",
+    { class: "causes", "aria-labelledby": "causes-title" },
+    h("h2", { id: "causes-title" }, "Why some fall short"),
+    h(
+      "ul",
+      {},
+      causes.map(({ because, records, configurations, case: name }) =>
+        h(
+          "li",
+          {},
+          h("strong", {}, `${plural(records, "record")}: `),
+          `${because} (`,
+          configurations.map((one, i) => [i > 0 && ", ", style_mark(one, 9), ` ${one}`]),
+          "), most in ",
+          h("a", { href: case_hash(name) }, name),
+        ),
+      ),
+    ),
+  );
+
 // Who holds what, beside what it costs and how it comes to rest.
 const overview_part = ({ summary }) =>
   summary &&
@@ -126,6 +150,7 @@ const overview_part = ({ summary }) =>
       { class: "overview-table", "aria-labelledby": "matrix-title" },
       h("h2", { id: "matrix-title" }, "Who holds, who creeps"),
       matrix(summary),
+      causes_part(summary),
     ),
     h(
       "div",
@@ -136,30 +161,6 @@ const overview_part = ({ summary }) =>
           heading: "h2",
           on_click: () => (location.hash = case_hash(summary.slip.case)),
         }),
-    ),
-  );
-
-// Why something falls short, most frequent cause first.
-const causes_part = ({ summary }) =>
-  summary?.causes.length > 0 &&
-  h(
-    "section",
-    { class: "causes", "aria-labelledby": "causes-title" },
-    h("h2", { id: "causes-title" }, "Why some fall short"),
-    h(
-      "ul",
-      {},
-      summary.causes.map(({ because, records, configurations, case: name }) =>
-        h(
-          "li",
-          {},
-          h("strong", {}, `${plural(records, "record")}: `),
-          `${because} (`,
-          configurations.map((one, i) => [i > 0 && ", ", style_mark(one, 9), ` ${one}`]),
-          "), most in ",
-          h("a", { href: case_hash(name) }, name),
-        ),
-      ),
     ),
   );
 
@@ -176,7 +177,11 @@ const tally_line = (tally, cases) =>
     VERDICTS.filter((name) => tally[name] > 0).map((name) =>
       h(
         "a",
-        { class: `tally verdict-${name}`, href: hash_of("cases", "", { verdict: name }) },
+        {
+          class: `tally verdict-${name}`,
+          "data-term": name,
+          href: hash_of("cases", "", { verdict: name }),
+        },
         glyph(name, 13),
         ` ${counted(name, tally[name], format_count(tally[name]))}`,
       ),
@@ -218,12 +223,7 @@ export function summary_view({ index, rows, comparison }) {
       ? null
       : index.compared
         ? [failures_list(current), compared_parts(index, current)]
-        : [
-            failures_list(current),
-            overview_part(index),
-            causes_part(index),
-            more_part(shown, tally, index),
-          ],
+        : [failures_list(current), overview_part(index), more_part(shown, tally, index)],
     index.engines && engines_parts(index.engines, index.runs),
   );
 }
