@@ -174,7 +174,9 @@ export function varied_records() {
   const skipped = record({ case: "basket/balls", verdict: "not-applicable", checks: [] });
   const odd = record({
     case: "drop/odd",
-    checks: [check({ value: "nan", error: "inf", of_tolerance: "inf", digits: 0, verdict: "fail" })],
+    checks: [
+      check({ value: "nan", error: "inf", of_tolerance: "inf", digits: 0, verdict: "fail" }),
+    ],
     verdict: "fail",
   });
   return [...stop, ...thresholds, failing, broken, shown, skipped, odd];
