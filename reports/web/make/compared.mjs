@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A comparison in short, for the summary: how much was compared, and of each case who is best.
-import {
-  chief_quantity,
-  failed_in_part,
-  failure_of,
-  figure_of,
-} from "../model/figure.js";
+import { chief_quantity, failed_in_part, failure_of, figure_of } from "../model/figure.js";
 import { group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
 import { comparison_scores, variants_of } from "../plots/plots.js";
+import { winners_of } from "./winners.mjs";
 
 function case_line([name, group]) {
   const records = group.map(({ record }) => record);
@@ -46,6 +42,7 @@ export function compared_of(entries, runs) {
     figures: entries.reduce((sum, { record }) => sum + record.figures.length, 0),
     failed: cases.reduce((sum, { failed }) => sum + failed, 0),
     cases,
+    winners: winners_of(told),
     scores: comparison_scores(entries, runs),
   };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { margin } from "../model/check_text.js";
+import { configuration_of } from "../model/configuration.js";
 import { to_number } from "../model/number.js";
 import { fewest_digits, worst_check } from "../model/verdict.js";
 import { variant_key } from "../model/variant.js";
@@ -22,6 +23,16 @@ export const short_number = (value) =>
   Number.isFinite(value)
     ? Number(value.toPrecision(7))
     : String(value).replace("Infinity", "inf").toLowerCase();
+
+// All that a record's checks, figures and series are about, each once, for the search.
+const quantities_of = ({ checks, figures, series }) =>
+  [
+    ...new Set([
+      ...checks.map(({ quantity }) => quantity),
+      ...figures.map(({ quantity }) => quantity),
+      ...series.map(({ name }) => name),
+    ]),
+  ].join("\n");
 
 /** One record in the index. page/rows.js reads it in the same order. */
 export function row_of(texts, { record, run, part, label }) {
@@ -61,5 +72,7 @@ export function row_of(texts, { record, run, part, label }) {
         ]
       : 0,
     label ? text(label) : 0,
+    text(configuration_of(record)),
+    text(quantities_of(record)),
   ];
 }

@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs → what the page holds: an index that is read at once, and parts that are read when needed.
-import { compare } from "../model/compare.js";
+import { compare, noise_of, same_reason } from "../model/compare.js";
+import { configuration_of, ordered_configurations } from "../model/configuration.js";
 import { ENGINE_FINDINGS, is_of_engines, own_labels, record_labels } from "../model/engine.js";
 import { family_name, group_by } from "../model/family.js";
 import { is_comparison } from "../model/figure.js";
 import { is_findings } from "../model/finding.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
-import { overview_rows } from "../model/overview.js";
 import { VERDICTS } from "../model/verdict.js";
 import { variant_key } from "../model/variant.js";
 import { comparison_plots } from "../plots/comparison_plot.js";
-import { margin_plot } from "../plots/margin_plot.js";
+import { know_configurations } from "../plots/configuration_style.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { compared_of } from "./compared.mjs";
 import { engines_of, with_whole_questions } from "./engines.mjs";
 import { row_of, short_number, Texts } from "./index_row.mjs";
 import { run_heads } from "./run_heads.mjs";
+import { column_names, summary_of } from "./summary.mjs";
 
 const RECORDS_A_PART = 200;
 const MOST_CHANGES = 5000;
+
+// What the configurations are called, in the cases and in the summary.
+const names_of = (records) => [
+  ...records.map(configuration_of),
+  ...records.filter((record) => !is_of_engines(record)).map(column_names(records)),
+];
 
 // Entries in parts of about the same size; a case is never split.
 function parts_of(by_case) {
@@ -65,6 +72,8 @@ export function page_data({ runs, against, title, warnings }) {
   const by_case = names.map((name) => [name, groups.get(name)]);
   const cut = parts_of(by_case);
 
+  const configurations = ordered_configurations(names_of(entries.map(({ record }) => record)));
+  know_configurations(configurations);
   const texts = new Texts();
   const rows = [];
   cut.forEach((part, place) => {
@@ -81,20 +90,6 @@ export function page_data({ runs, against, title, warnings }) {
   const engines = engines_of(shown, heads);
   const current = shown.filter(({ record }) => !is_of_engines(record));
   const by_family = [...group_by(by_case, ([name]) => family_name(name))];
-  const current_families = by_family
-    .map(([name, cases]) => ({
-      name,
-      records: cases.flatMap(([, group]) =>
-        group
-          .filter(({ record, run }) => heads[run].role === "shown" && !is_of_engines(record))
-          .map(({ record }) => record),
-      ),
-    }))
-    .filter(({ records }) => records.length > 0);
-  const shown_families = overview_rows(current_families, ({ records }) =>
-    records.map(({ verdict }) => verdict),
-  );
-
   const families = by_family.map(([name, cases]) => ({
     name,
     plots: family_plots(
@@ -119,7 +114,7 @@ export function page_data({ runs, against, title, warnings }) {
   const compared = is_comparison(current.map(({ record }) => record))
     ? compared_of(in_order, heads)
     : null;
-  const overview = compared || current.length === 0 ? null : margin_plot(shown_families);
+  const summary = compared ? null : summary_of(current.map(({ record }) => record));
   return {
     index: {
       title,
@@ -132,7 +127,8 @@ export function page_data({ runs, against, title, warnings }) {
         ...engines,
         findings: findings.filter(({ of_engines }) => of_engines),
       },
-      overview: overview && { id: "overview", kind: "overview", ...overview },
+      summary,
+      configurations,
       families: families.map(({ name, plots }) => ({
         name,
         plots: plots.map(({ id, kind, title: plot_title }) => ({ id, kind, title: plot_title })),
@@ -154,9 +150,13 @@ export function page_data({ runs, against, title, warnings }) {
       counts: Object.fromEntries(
         [...group_by(changes, (change) => change.class)].map(([name, list]) => [name, list.length]),
       ),
+      unchanged: unchanged_of(changes),
+      noise: noise_of(changes),
       changes: thin_changes(changes.slice(0, MOST_CHANGES)),
       plots: comparison_plots(
-        changes.map((change) => ({ ...change, family: family_name(change.case) })),
+        changes
+          .filter(is_beyond_noise)
+          .map((change) => ({ ...change, family: family_name(change.case) })),
       ).map((plot, i) => ({ ...plot, id: `comparison/${i + 1}` })),
       seconds: cost_sums(changes),
     },
@@ -176,18 +176,32 @@ function thin_changes(changes) {
       seconds: short_number(to_number(record.cost.cpu_seconds)),
     };
   const records = changes.map(({ before, after }) => after ?? before);
-  const labels = record_labels(
-    records,
-    () => "",
-    (i) => records[i].case,
-  );
+  // Of each case as little as tells its records apart; the configuration where one is alone.
+  const labels = new Map();
+  for (const group of group_by(records, (record) => record.case).values())
+    record_labels(group, () => "").forEach((label, i) =>
+      labels.set(group[i], label || configuration_of(group[i])),
+    );
   return changes.map(({ before, after, ...rest }, i) => ({
     ...rest,
     before: thin(before),
     after: thin(after),
     variant: variant_key(records[i]),
-    label: labels[i],
+    label: labels.get(records[i]),
   }));
+}
+
+const is_beyond_noise = ({ class: name }) => name !== "same";
+
+// How many changed by no more than noise, and why they count as unchanged; how many were too short to time.
+function unchanged_of(changes) {
+  const same = changes.filter((change) => !is_beyond_noise(change));
+  return {
+    by_reason: Object.fromEntries(
+      [...group_by(same, same_reason)].map(([reason, list]) => [reason, list.length]),
+    ),
+    untimed: same.filter(({ timed }) => !timed).length,
+  };
 }
 
 function cost_sums(changes) {

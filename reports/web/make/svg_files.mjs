@@ -11,7 +11,7 @@ const file_name = (id) => `${id.replace(/[^\w.=-]+/g, "_").slice(0, 120)}.svg`;
 export async function write_svg_files(folder, data) {
   make_folder(folder);
   const plots = [
-    ...(data.index.overview ? [data.index.overview] : []),
+    ...[data.index.summary?.work, data.index.summary?.slip].filter(Boolean),
     ...(data.index.compared?.scores ?? []).flatMap(({ plots: list }) => list),
     ...data.families.flatMap(({ plots: list }) => list),
     ...(data.comparison?.plots ?? []),

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tells records of the same case apart: the run, the engine, its settings.
+// What tells records of the same case apart: the run, the engine, its configuration and settings.
+import { configuration_of } from "./configuration.js";
 
 /** Every attribute of a record that can differ between variants. `run` is its run's short name. */
 export function attributes_of(record, run = "") {
-  return { run, engine: record.engine, ...record.settings };
+  return {
+    run,
+    engine: record.engine,
+    configuration: configuration_of(record),
+    ...record.settings,
+  };
 }
 
 /** A key of engine and settings: the same in two runs of the same variant. */
@@ -13,7 +19,7 @@ export function variant_key(record) {
 }
 
 // What people call a variant by, most telling first; these need no "name=".
-const TELLING = ["run", "engine", "method", "rule"];
+const TELLING = ["run", "engine", "configuration", "method", "rule"];
 
 const place_of = (name) => (TELLING.includes(name) ? TELLING.indexOf(name) : TELLING.length);
 

@@ -9,8 +9,16 @@ function element_of(name) {
   return element;
 }
 
+// A plain loop: Uint8Array.from() with a function takes ten times as long, and that is most of a large page's start.
+function decoded(text) {
+  const signs = atob(text);
+  const bytes = new Uint8Array(signs.length);
+  for (let i = 0; i < signs.length; ++i) bytes[i] = signs.charCodeAt(i);
+  return bytes;
+}
+
 async function unpacked(element) {
-  const packed = Uint8Array.from(atob(element.textContent), (sign) => sign.charCodeAt(0));
+  const packed = decoded(element.textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer();
 }

@@ -12,8 +12,10 @@ import { start_keys } from "./widgets/keys.js";
 import { draw_all } from "./widgets/plot_figure.js";
 import { show_plots } from "./views/plots_view.js";
 import { hash_of, parse_hash } from "./route.js";
+import { know_configurations } from "../plots/configuration_style.js";
 import { rows_of } from "./rows.js";
 import { summary_view } from "./views/summary_view.js";
+import { start_terms } from "./widgets/term.js";
 import { start_theme } from "./widgets/theme.js";
 import { hide_tip } from "./widgets/tip.js";
 
@@ -24,6 +26,7 @@ async function start(app) {
   const comparison = index.runs.some(({ role }) => role === "against")
     ? await json_of("comparison")
     : null;
+  know_configurations(index.configurations);
   const data = { index, rows: rows_of(index), comparison };
   const views = [
     ["summary", "Summary"],
@@ -107,6 +110,7 @@ async function start(app) {
 }
 
 start_theme();
+start_terms();
 const app = document.getElementById("app");
 start(app).catch((error) =>
   replace(

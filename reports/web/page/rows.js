@@ -37,15 +37,19 @@ function check_of(values, texts) {
   return { ...check, margin: margin(check) };
 }
 
+const CONFIGURATION = 17; // its place in a row
+
 // What tells a record from the others of its case and run: [label], "" where it is the only one.
 function labels_of(rows, texts, compared) {
-  const attributes = (row) =>
-    Object.fromEntries(
+  const attributes = (row) => ({
+    configuration: texts[row[CONFIGURATION]],
+    ...Object.fromEntries(
       texts[row[5]].split(" ").map((word) => {
         const equals = word.indexOf("=");
         return equals < 0 ? ["engine", word] : [word.slice(0, equals), word.slice(equals + 1)];
       }),
-    );
+    ),
+  });
   const labels = new Map();
   for (const group of group_by(rows, (row) => `${row[0]} ${row[2]}`).values()) {
     if (group.length < 2) continue;
@@ -61,7 +65,12 @@ function labels_of(rows, texts, compared) {
 }
 
 /** One object a record, in natural order of the case names. */
-export function rows_of({ rows, texts, compared }) {
+export function rows_of({ rows, texts, compared, summary }) {
+  const columns = new Set(summary?.configurations.map(({ name }) => name));
+  const column_of = (engine, configuration) => {
+    const long = `${engine} · ${configuration}`;
+    return columns.has(long) ? long : configuration;
+  };
   const families = new Map();
   const family_of = (name) => {
     if (!families.has(name)) families.set(name, family_name(texts[name]));
@@ -87,6 +96,8 @@ export function rows_of({ rows, texts, compared }) {
       fewest,
       check,
       label,
+      configuration,
+      quantities,
     ] = row;
     return {
       index,
@@ -109,6 +120,9 @@ export function rows_of({ rows, texts, compared }) {
       error: texts[error],
       fewest: fewest === null ? null : to_number(fewest),
       check: check_of(check, texts),
+      configuration: texts[configuration],
+      column: column_of(texts[engine], texts[configuration]),
+      quantities: texts[quantities],
     };
   });
 }

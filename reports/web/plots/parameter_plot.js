@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A quantity over a parameter: convergence with the observed order, scaling with the fitted exponent,
-// or a plain dependence.
+// or a plain dependence. A power law is fitted only over what has a size, and only where the points follow one.
 import { name_with_unit, to_number } from "../model/number.js";
-import { quantity_axis, rounded } from "./axes.js";
-import { power_law } from "./fit.js";
-import { numbered, tip, tip_number } from "./names.js";
-import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
-import { cut_words, MOST_VARIANTS, variant_channel } from "./series_plot.js";
+import { quantity_axis, rounded, wants_log } from "./axes.js";
+import { clear_power_law } from "./fit.js";
+import { tip, tip_number } from "./names.js";
+import { cut_words, MOST_VARIANTS, variant_channels } from "./variant_channels.js";
 
 const STEP = /step|size|spacing|width|Δ|^h$|^dt$/i;
 const ERROR = /error|deviation|difference|residual/i;
 const COUNT = /contact|bod(y|ies)|vert(ex|ices)|element|cell|thread|size|count|number/i;
+const SIZE = /^(resolution|refinement)\b/i;
 const COST_UNITS = ["s", "ms", "µs", "ns", "instructions", "byte", "B"];
 
 /** "convergence", "scaling" or "dependence". */
@@ -20,11 +20,22 @@ export function kind_of(series) {
   return "dependence";
 }
 
+/** Whether x is a size and not the number of a pose, a seed, an ingredient or a step: those follow no law. */
+export const is_size = ({ x_name, x_unit }) =>
+  x_unit !== "1" || COUNT.test(x_name) || SIZE.test(x_name);
+
 const WORDS = {
   convergence: { title: "Convergence: ", exponent: "observed order" },
   scaling: { title: "Scaling: ", exponent: "exponent" },
   dependence: { title: "", exponent: "exponent" },
 };
+
+// Of what is only numbered: whole numbers where it has them.
+function number_axis(x_name, values) {
+  const axis = quantity_axis("x", x_name, "1");
+  const whole = values.every(({ x }) => Number.isInteger(x));
+  return whole ? { ...axis, axis: { ...axis.axis, tickMinStep: 1, format: "d" } } : axis;
+}
 
 // Beside each fitted line its exponent; once when all agree.
 function exponent_labels(fits, lines, word) {
@@ -52,28 +63,31 @@ export function parameter_plot(curves) {
   );
   const signed = raw.some(({ y }) => y < 0);
   const magnitude = signed && (kind === "convergence" || raw.every(({ y }) => y < 0));
-  const labels = shown.map(({ label }) => label);
-  const variants = numbered(labels);
+  const channels = variant_channels(shown);
+  const variants = channels.names;
   const values = raw.map(({ variant, x, y }) => ({
     variant,
     variant_key: variants.key_of(variant),
     x: rounded(x),
     y: rounded(magnitude ? Math.abs(y) : y),
   }));
-  const log_x = values.every(({ x }) => x > 0);
-  const log_y = log_x && values.every(({ y }) => y > 0);
+  const measured = values.filter(({ y }) => y !== null);
+  const positive = measured.length > 0 && measured.every(({ y }) => y > 0);
+  const with_size = is_size(shown[0].series);
+  const log_x = with_size && positive && values.every(({ x }) => x > 0);
+  const log_y = log_x || (positive && wants_log(measured.map(({ y }) => y)));
   const y_name = magnitude ? `|${name}|` : name;
 
-  const fits = log_y
+  const fits = log_x
     ? shown
         .map(({ label }) => ({
           label,
-          fit: power_law(values.filter(({ variant }) => variant === label)),
+          fit: clear_power_law(measured.filter(({ variant }) => variant === label)),
         }))
         .filter(({ fit }) => fit)
     : [];
   const lines = fits.flatMap(({ label, fit }) => {
-    const xs = values.filter(({ variant }) => variant === label).map(({ x }) => x);
+    const xs = measured.filter(({ variant }) => variant === label).map(({ x }) => x);
     return [Math.min(...xs), Math.max(...xs)].map((x) => ({
       variant: label,
       variant_key: variants.key_of(label),
@@ -87,9 +101,9 @@ export function parameter_plot(curves) {
       `${label ? `${label}: ` : ""}${WORDS[kind].exponent} ${fit.exponent.toFixed(3)}`,
   );
   const encoding = {
-    x: quantity_axis("x", x_name, x_unit, { log: log_x }),
+    x: with_size ? quantity_axis("x", x_name, x_unit, { log: log_x }) : number_axis(x_name, values),
     y: quantity_axis("y", y_name, unit, { log: log_y }),
-    color: variant_channel(variants, SERIES_COLOURS),
+    color: channels.channel(channels.colours),
   };
   return {
     kind,
@@ -97,6 +111,8 @@ export function parameter_plot(curves) {
     caption: [
       cut_words(curves.length),
       exponents.length > 0 && `Dashed: fitted power law; ${exponents.join("; ")}.`,
+      measured.length < values.length &&
+        `${values.length - measured.length} of ${values.length} values are no finite number and left out.`,
     ]
       .filter(Boolean)
       .join(" "),
@@ -113,7 +129,13 @@ export function parameter_plot(curves) {
               },
               {
                 data: { values: marks },
-                mark: { type: "text", align: "right", dx: -8, dy: -12, color: "$ink" },
+                mark: {
+                  type: "text",
+                  align: fits[0].fit.exponent > 0 ? "right" : "left",
+                  dx: fits[0].fit.exponent > 0 ? -8 : 8,
+                  dy: -12,
+                  color: "$ink",
+                },
                 encoding: { x: encoding.x, y: encoding.y, text: { field: "text" } },
               },
             ]
@@ -123,7 +145,7 @@ export function parameter_plot(curves) {
           mark: { type: "point", filled: true, size: 70, opacity: 1 },
           encoding: {
             ...encoding,
-            shape: variant_channel(variants, SERIES_SHAPES),
+            shape: channels.channel(channels.shapes),
             tooltip: [tip("variant", "variant"), tip_number("x", x_name), tip_number("y", y_name)],
           },
         },

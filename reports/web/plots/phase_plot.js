@@ -3,8 +3,7 @@
 import { to_number } from "../model/number.js";
 import { rounded } from "./axes.js";
 import { name_axis, numbered, tip, tip_number } from "./names.js";
-import { SERIES_COLOURS } from "./palette.js";
-import { cut_words, MOST_VARIANTS, variant_channel } from "./series_plot.js";
+import { cut_words, MOST_VARIANTS, variant_channels } from "./variant_channels.js";
 
 // In the order of a time step; phases of other engines come after, by name.
 const ORDER = [
@@ -18,11 +17,15 @@ const ORDER = [
   "integrate",
 ];
 
-/** `entries`: [{label, record}] of one case. Null when no phase was timed. */
+/** `entries`: [{label, configuration, record}] of one case. Null when no phase was timed. */
 export function phase_plot(entries) {
-  const values = entries.slice(0, MOST_VARIANTS).flatMap(({ label, record }) =>
+  const timed = entries
+    .slice(0, MOST_VARIANTS)
+    .filter(({ record }) => Object.keys(record.cost.phase_seconds).length > 0)
+    .map((entry) => ({ ...entry, label: entry.label || "all phases" }));
+  const values = timed.flatMap(({ label, record }) =>
     Object.entries(record.cost.phase_seconds).map(([phase, seconds]) => ({
-      variant: label || "all phases",
+      variant: label,
       phase,
       seconds: rounded(to_number(seconds)),
     })),
@@ -33,7 +36,8 @@ export function phase_plot(entries) {
     (a, b) => place(a) - place(b) || (a < b ? -1 : 1),
   );
   const rows = numbered(phases);
-  const variants = numbered([...new Set(values.map(({ variant }) => variant))]);
+  const channels = variant_channels(timed);
+  const variants = channels.names;
   for (const value of values)
     Object.assign(value, {
       phase_key: rows.key_of(value.phase),
@@ -56,10 +60,11 @@ export function phase_plot(entries) {
           axis: { title: "wall-clock time (s)", tickCount: 5 },
         },
         ...(single
-          ? { color: { value: "$s0" } }
+          ? { color: { value: channels.colours[0] } }
           : {
               yOffset: { field: "variant_key", type: "ordinal", scale: { domain: variants.keys } },
-              color: variant_channel(variants, SERIES_COLOURS),
+              color: channels.channel(channels.colours),
+              opacity: channels.channel(channels.opacities),
             }),
         tooltip: [
           tip("variant", "variant"),

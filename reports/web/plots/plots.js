@@ -2,6 +2,7 @@
 // Records → plots, for the page and for SVG files. A plot is
 // {id, kind, title, caption, description, spec}; `spec` is Vega-Lite without colours and width.
 import { group_by, short_name } from "../model/family.js";
+import { configuration_of } from "../model/configuration.js";
 import { compared_variants, is_answer, is_engine_case, record_labels } from "../model/engine.js";
 import { is_comparison } from "../model/figure.js";
 import { engine_work_plot } from "./engine_work_plot.js";
@@ -72,9 +73,13 @@ export function case_plots(case_name, entries, runs) {
     entries.map(({ record }) => record),
     (i) => runs[entries[i].run].short,
   );
-  const labelled = entries.map(({ record }, i) => ({ record, label: labels[i] }));
+  const labelled = entries.map(({ record }, i) => ({
+    record,
+    label: labels[i],
+    configuration: configuration_of(record),
+  }));
   const curves = labelled
-    .flatMap(({ record, label }) => record.series.map((series) => ({ label, series })))
+    .flatMap((entry) => entry.record.series.map((series) => ({ ...entry, series })))
     .filter(({ series }) => series.x.length > 0);
   const same_axes = group_by(curves, ({ series }) => axes_key(series));
   const series_plots = [...same_axes.values()].map((group) =>
@@ -91,13 +96,14 @@ export function case_plots(case_name, entries, runs) {
 
 // Of a history: times, and digits of what its cases check, each in one picture.
 function run_plots(described) {
-  const curves = described.flatMap(({ record, label }) =>
-    record.series.filter(is_over_runs).map((series) => ({ label, series })),
+  const curves = described.flatMap((entry) =>
+    entry.record.series.filter(is_over_runs).map((series) => ({ ...entry, series })),
   );
   const times = curves.filter(({ series }) => series.name === "time");
   const digits = curves
     .filter(({ series }) => series.name.startsWith("digits: "))
-    .map(({ label, series }) => ({
+    .map(({ label, series, ...entry }) => ({
+      ...entry,
       label: `${label}  ${series.name.slice("digits: ".length)}`,
       series: { ...series, name: "digits" },
     }));
@@ -133,7 +139,7 @@ export function family_plots(family, entries, runs) {
   const of_case = group_by(current, ({ record }) => record.case);
   const described = current.map(({ record }, i) => ({
     record,
-    variant: variants[i],
+    configuration: configuration_of(record),
     label: [short_name(record.case), of_case.get(record.case).length > 1 && variants[i]]
       .filter(Boolean)
       .join("  "),
@@ -141,7 +147,7 @@ export function family_plots(family, entries, runs) {
   const threshold = threshold_plot(described);
   const prediction = prediction_plot(described);
   // Of engines each question has a curve of its own.
-  const work = records.some(is_answer) ? null : work_precision_plot(described);
+  const work = records.some(is_answer) ? null : work_precision_plot(records);
   return with_id(
     [
       threshold && { kind: "threshold", ...threshold },

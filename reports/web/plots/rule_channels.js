@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the variants of a comparison look, the same in each of its plots: a colour for each rule, a dash
 // for each of its readings, a filled mark on quiet contacts.
+import { FIXED_POINT, NO_MEMORY, QUIET, SECANT } from "../model/configuration.js";
+import { configuration_styles } from "./configuration_style.js";
 import { numbered } from "./names.js";
-import { SERIES_COLOURS, SERIES_DASHES } from "./palette.js";
+import { SERIES_DASHES } from "./palette.js";
+
+// The rules of this project's configurations have their colours.
+const CONFIGURATIONS = {
+  "conjugate-vector": QUIET,
+  "fixed-point": FIXED_POINT,
+  secant: SECANT,
+  none: NO_MEMORY,
+};
 
 const cycled = (list, count) => Array.from({ length: count }, (_, i) => list[i % list.length]);
 
@@ -18,6 +28,11 @@ export function rule_channels(variants) {
   for (const { rule, words } of variants)
     if (!readings.get(rule).includes(words)) readings.get(rule).push(words);
   const most = Math.max(...[...readings.values()].map((list) => list.length));
+  const named = rules.map((rule) =>
+    Object.hasOwn(CONFIGURATIONS, rule) ? CONFIGURATIONS[rule] : rule,
+  );
+  const styles = configuration_styles(named);
+  const colours = named.map((name) => styles.get(name).colour);
   const channel = (field, range, count) => ({
     field,
     type: "ordinal",
@@ -31,9 +46,9 @@ export function rule_channels(variants) {
       contacts_key: contacts.indexOf(on),
     }),
     contacts,
-    color: channel("rule_key", SERIES_COLOURS, rules.length),
+    color: channel("rule_key", colours, rules.length),
     named_color: {
-      ...channel("rule_key", SERIES_COLOURS, rules.length),
+      ...channel("rule_key", colours, rules.length),
       legend: { labelExpr: numbered(rules).labels, symbolType: "stroke", symbolSize: 300 },
     },
     dash: channel("reading_key", SERIES_DASHES, most),

@@ -5,15 +5,21 @@ import { series_plot } from "./series_plot.js";
 /** `curves`: as series_plot() takes them. */
 export function run_plot(curves) {
   const plot = series_plot(curves);
-  const { mark, encoding } = plot.spec;
+  const [{ mark, encoding, ...line }, ...rules] = plot.spec.layer;
   const x = { ...encoding.x, axis: { ...encoding.x.axis, tickMinStep: 1, format: "d" } };
   return {
     kind: "trend",
     ...plot,
     spec: {
       ...plot.spec,
-      mark: { ...mark, point: { filled: true, size: 40 }, clip: false },
-      encoding: { ...encoding, x },
+      layer: [
+        {
+          ...line,
+          mark: { ...mark, point: { filled: true, size: 40 }, clip: false },
+          encoding: { ...encoding, x },
+        },
+        ...rules,
+      ],
     },
   };
 }

@@ -13,6 +13,8 @@ const LEAST = 3; // rules and cases that make a picture
 const TELLING = 10; // largest ÷ least
 const ROW = 21; // px
 const LETTERS = 11; // in a line of a column's name
+const ROOMY = 8; // columns that stand in half a page's width
+const MOST_NUMBERED = 16; // columns whose numbers can be read
 
 const folder_of = (name) => name.split("/")[0];
 const end_of = (name) => name.slice(folder_of(name).length + 1);
@@ -56,6 +58,13 @@ const cell_text = (value) =>
     ? value.toExponential(1).replace(".0e", "e")
     : figure_text(value);
 
+// The numbers of what held, of what failed, and of the best, as they look.
+const texts_of = (values) => [
+  { values: values.filter((one) => !one.best && one.failure === "held"), color: "$ink" },
+  { values: values.filter((one) => one.failure !== "held"), color: "$fail" },
+  { values: values.filter((one) => one.best), color: "$ink", fontWeight: 700 },
+];
+
 function panel(cells, contacts, { quantity, rows, columns, range }) {
   const best = new Map();
   for (const { case: name, value, failure } of cells)
@@ -71,6 +80,7 @@ function panel(cells, contacts, { quantity, rows, columns, range }) {
     failed: failure !== "" || value === Infinity,
     failure: failure || "held",
   }));
+  const crowded = columns.keys.length > MOST_NUMBERED;
   const x = {
     field: "column_key",
     type: "ordinal",
@@ -78,10 +88,10 @@ function panel(cells, contacts, { quantity, rows, columns, range }) {
     scale: { domain: columns.keys, paddingInner: 0.04, paddingOuter: 0 },
     axis: {
       title: null,
-      labelExpr: `split(${columns.labels}, '|')`,
-      labelAngle: 0,
-      labelFontSize: 10.5,
-      labelOverlap: false,
+      labelExpr: crowded ? `replace(${columns.labels}, '|', '')` : `split(${columns.labels}, '|')`,
+      labelAngle: crowded ? -60 : 0,
+      labelFontSize: crowded ? 9 : 10.5,
+      labelOverlap: crowded,
       ticks: false,
       domain: false,
       labelLimit: 150,
@@ -97,9 +107,11 @@ function panel(cells, contacts, { quantity, rows, columns, range }) {
   const failed = values.filter((one) => one.failure !== "held").length;
   return {
     kind: "scores",
+    quantity: quantity.quantity,
+    wide: columns.keys.length > ROOMY,
     title: `${name_with_unit(quantity.quantity, quantity.unit)}${on_contacts(contacts)}`,
     caption:
-      "Best rule on top. Green is little. Bold: least of a column. " +
+      `Best rule on top. Green is little. ${crowded ? "The numbers stand in the data and under the pointer. " : "Bold: least of a column. "}` +
       (failed > 0 ? `✕: ${failed} of ${values.length} failed.` : "None failed."),
     description: `${quantity.quantity} of ${rows.keys.length} rules in ${columns.keys.length} cases${on_contacts(contacts)}.`,
     spec: {
@@ -127,11 +139,10 @@ function panel(cells, contacts, { quantity, rows, columns, range }) {
             tooltip,
           },
         },
-        ...[
-          { values: values.filter((one) => !one.best && one.failure === "held"), color: "$ink" },
-          { values: values.filter((one) => one.failure !== "held"), color: "$fail" },
-          { values: values.filter((one) => one.best), color: "$ink", fontWeight: 700 },
-        ].map(({ values: some, ...look }) => ({
+        ...(crowded
+          ? [{ values: values.filter((one) => one.failure !== "held"), color: "$fail" }]
+          : texts_of(values)
+        ).map(({ values: some, ...look }) => ({
           data: { values: some },
           mark: { type: "text", fontSize: 11, ...look },
           encoding: { x, y, text: { field: "text" }, tooltip },

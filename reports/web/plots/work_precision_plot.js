@@ -1,149 +1,216 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What precision costs: relative error over CPU time. Small marks are records, large ones a variant's
-// sum over the cases that all variants ran; the Pareto front joins the variants that no other beats.
-import { group_by } from "../model/family.js";
-import { format_seconds, to_number } from "../model/number.js";
+// What precision costs: error ÷ tolerance of each record's worst check over its CPU time. A line at 1 is the
+// tolerance; what broke off stands in a strip of its own; a line joins the efforts of a configuration in a
+// case; large marks are configurations over the cases that all of them ran.
+import { ordered_configurations } from "../model/configuration.js";
+import { format_count, to_number } from "../model/number.js";
+import { configuration_styles } from "./configuration_style.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
-import { pareto_front } from "./fit.js";
 import { numbered, tip, tip_number } from "./names.js";
-import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
-import { cut_words, MOST_VARIANTS, variant_channel } from "./series_plot.js";
+import { effort_groups, shared_sums, work_points } from "../model/work.js";
 
-const MOST_POINTS = 1500;
+const DECADES = 6; // shown on either side of the tolerance
+const BROKEN = DECADES + 1.6; // where the strip of what broke off is
+const STRIP = [DECADES + 0.8, DECADES + 2.4];
+const MOST_MARKS = 1500;
 const TELLING = 2;
-const SUM_SIZES = [330, 190, 110, 80, 60, 50, 40]; // px²; later ones lie on earlier ones
+const BIG = 240; // px²
+const SMALL = 34;
 
-// The relative error of a record's least precise check with a scale that decides, or that is shown where none does
-// (the old method); null when there is none.
-function error_of(record) {
-  const wanted = record.verdict === "for-information" ? ["for-information"] : ["pass", "fail", "expected-shortfall", "refuted"];
-  const digits = record.checks
-    .filter(({ verdict, digits: own }) => own !== undefined && wanted.includes(verdict))
-    .map((check) => to_number(check.digits))
-    .filter(Number.isFinite);
-  return digits.length > 0 ? 10 ** -Math.min(...digits) : null;
+const place_of = ({ ratio, broke }) => {
+  if (broke) return BROKEN;
+  const decades = ratio > 0 ? Math.log10(ratio) : -Infinity;
+  return rounded(Math.min(DECADES, Math.max(-DECADES, decades)));
+};
+
+// Of very many, those of one configuration at about the same place are one mark, with the worst one's case.
+function thinned(marks) {
+  for (let per_decade = 20; marks.length > MOST_MARKS && per_decade >= 2; per_decade /= 2) {
+    const bins = new Map();
+    for (const mark of marks) {
+      const cell = (value) => Math.round(value * per_decade);
+      const key = `${mark.configuration} ${cell(Math.log10(mark.seconds))} ${cell(mark.place)} ${mark.judged}`;
+      const bin = bins.get(key);
+      if (bin) bin.records += mark.records;
+      else bins.set(key, { ...mark });
+    }
+    marks = [...bins.values()];
+  }
+  return marks.slice(0, MOST_MARKS);
 }
 
-// Largest ÷ smallest.
-function spread(points, field) {
-  const values = points.map((point) => point[field]);
+const ratio_text = ({ broke, ratio }) =>
+  broke ? "broke off" : ratio === 0 ? "exact" : `${Number(ratio.toPrecision(2))} × tolerance`;
+
+const Y_TICKS = [-6, -4, -2, 0, 2, 4, 6, BROKEN];
+const Y_LABELS =
+  `datum.value > ${DECADES} ? 'broke off' : datum.value == ${DECADES} ? '≥ 1e6' : ` +
+  `datum.value == -${DECADES} ? '≤ 1e-6' : datum.value == 0 ? '1' : '1e' + datum.value`;
+
+function words(points, shared, unjudged, untimed, lines, one) {
+  return [
+    "Below the line a record holds; left is cheaper.",
+    shared.sums.length > 0 &&
+      `Large: each of ${shared.sums.length} configurations over the ${format_count(shared.cases)} case${shared.cases === 1 ? "" : "s"} that all of them ran (sum of CPU time, worst ratio).`,
+    lines > 0 && "Lines join the efforts of one configuration in one case.",
+    unjudged > 0 && "Hollow: for information, judged by nobody.",
+    untimed > 0 && `${format_count(untimed)} without CPU time are left out.`,
+    one && "Marks are several records where they lie close together.",
+  ]
+    .filter(Boolean)
+    .join(" ");
+}
+
+// Whether points differ enough to make a picture: in what they cost or in how precise they are.
+function is_spread(points) {
+  const spread = (values) =>
+    values.reduce((a, b) => Math.max(a, b), 0) / values.reduce((a, b) => Math.min(a, b), Infinity);
+  const of = (value_of) => points.map(value_of).filter((value) => value > 0);
   return (
-    values.reduce((a, b) => Math.max(a, b), 0) / values.reduce((a, b) => Math.min(a, b), Infinity)
+    spread(of(({ seconds }) => seconds)) >= TELLING || spread(of(({ ratio }) => ratio)) >= TELLING
   );
 }
 
 /**
- * `entries`: [{variant, record}] of one family. Null when nothing was both timed and measured, or when
- * all lies on one spot.
+ * The plot of some records. Null when nothing was both timed and measured, or, but for `always`, when all lies
+ * on one spot. `name_of(record)` is what a record's configuration is called.
  */
-export function work_precision_plot(entries) {
-  const points = entries
-    .map(({ variant, record }) => ({
-      variant,
-      case: record.case,
-      seconds: to_number(record.cost.cpu_seconds),
-      error: error_of(record),
-    }))
-    .filter(({ seconds, error }) => seconds > 0 && error !== null);
-  if (!(spread(points, "seconds") >= TELLING || spread(points, "error") >= TELLING)) return null;
-  const variants = [...group_by(points, ({ variant }) => variant).entries()];
-  const cases = variants.map(([, group]) => new Set(group.map((point) => point.case)));
-  const shared = [...cases[0]].filter((name) => cases.every((set) => set.has(name)));
-  const is_shared = new Set(shared);
-  const sums =
-    variants.length < 2 || shared.length === 0
-      ? []
-      : variants.map(([variant, group]) => {
-          const counted = group.filter((point) => is_shared.has(point.case));
-          return {
-            variant,
-            case: `${shared.length} shared case${shared.length > 1 ? "s" : ""}`,
-            seconds: counted.reduce((sum, { seconds }) => sum + seconds, 0),
-            error: counted.reduce((most, { error }) => Math.max(most, error), 0),
-          };
-        });
-  const candidates = sums.length > 0 ? sums : points;
-  const front = pareto_front(
-    candidates,
-    ({ seconds }) => seconds,
-    ({ error }) => error,
+export function work_precision_plot(records, { name_of, height = 260, always = false } = {}) {
+  const all = work_points(records, name_of);
+  const points = all.filter(({ seconds }) => seconds > 0);
+  if (points.length === 0 || (!always && !is_spread(points))) return null;
+  const names = ordered_configurations(points.map(({ configuration }) => configuration));
+  const styles = configuration_styles(names);
+  const keys = numbered(names);
+  const shared = shared_sums(points);
+  const shown = (point) => ({
+    case: point.case,
+    configuration: point.configuration,
+    configuration_key: keys.key_of(point.configuration),
+    seconds: rounded(point.seconds),
+    place: place_of(point),
+    "error ÷ tolerance": ratio_text(point),
+    check: point.quantity,
+    judged: point.judged,
+    records: 1,
+  });
+  const marks = thinned(points.map(shown));
+  const lines = effort_groups(points).flatMap((group, line_key) =>
+    group.map((point) => ({ ...shown(point), line_key })),
   );
-  const names = numbered(variants.map(([variant]) => variant).slice(0, MOST_VARIANTS));
-  const round = (list) =>
-    list.map((point) => ({
-      ...point,
-      variant_key: names.key_of(point.variant) ?? MOST_VARIANTS - 1,
-      seconds: rounded(point.seconds),
-      error: rounded(point.error),
-    }));
-  const all = [...points, ...sums];
+  const sums = shared.sums.map((point) => ({ ...shown(point), check: "worst of these" }));
+  const channel = (range, legend) => ({
+    field: "configuration_key",
+    type: "ordinal",
+    scale: { domain: keys.keys, range },
+    legend,
+  });
+  const legend = names.length > 1 ? { labelExpr: keys.labels } : null;
+  const look = (field) => names.map((name) => styles.get(name)[field]);
   const encoding = {
     x: quantity_axis("seconds", "CPU time", "s", {
       log: true,
-      domain: log_domain(all.map(({ seconds }) => seconds)),
+      domain: log_domain([...marks, ...sums].map(({ seconds }) => seconds)),
     }),
-    y: quantity_axis("error", "relative error of the least precise check", "1", {
-      log: true,
-      domain: log_domain(all.map(({ error }) => error)),
-    }),
-    color: variant_channel(names, SERIES_COLOURS),
-    shape: variant_channel(names, SERIES_SHAPES),
+    y: {
+      field: "place",
+      type: "quantitative",
+      scale: { domain: [-DECADES - 0.3, STRIP[1]], nice: false },
+      axis: {
+        title: "error ÷ tolerance",
+        values: Y_TICKS,
+        labelExpr: Y_LABELS,
+        gridOpacity: 0.7,
+      },
+    },
+    color: channel(look("colour"), legend),
+    shape: channel(look("shape"), legend),
     tooltip: [
       tip("case", "case"),
-      tip("variant", "variant"),
+      tip("configuration", "configuration"),
+      tip("error ÷ tolerance", "error"),
+      tip("check", "worst check"),
       tip_number("seconds", "CPU s"),
-      tip_number("error", "relative error"),
     ],
   };
-  const on_front = front
-    .map(
-      ({ variant, case: name, seconds }) =>
-        `${sums.length > 0 ? variant : name} (${format_seconds(seconds)} s)`,
-    )
-    .slice(0, 4)
-    .join(", ");
+  const y = encoding.y;
+  const unjudged = marks.filter(({ judged }) => !judged).length;
+  const point = { type: "point", size: SMALL, strokeWidth: 1.4, cursor: "pointer" };
   return {
-    title: "Work and precision",
-    caption:
-      `Lower left is better. Dashed: Pareto front, ${on_front}${front.length > 4 ? ", …" : ""}.` +
-      (sums.length > 0
-        ? ` Large marks: each variant over the ${shared.length} case${shared.length > 1 ? "s" : ""} that all variants ran (sum of times, worst error).`
-        : "") +
-      (cut_words(variants.length) && ` Named: ${cut_words(variants.length).toLowerCase()}`),
-    description: `Relative error over CPU time of ${points.length} records.`,
+    title: "Precision and what it costs",
+    caption: words(
+      points,
+      shared,
+      unjudged,
+      all.length - points.length,
+      lines.length,
+      marks.some(({ records: count }) => count > 1),
+    ),
+    description: `Error ÷ tolerance over CPU time of ${points.length} records; ${points.filter(({ broke }) => broke).length} broke off.`,
     spec: {
-      height: 260,
+      height,
       layer: [
         {
-          data: { values: round(front) },
-          mark: {
-            type: "line",
-            color: "$muted",
-            strokeDash: [5, 4],
-            strokeWidth: 1.5,
-            interpolate: "step-after",
-          },
-          encoding: { x: encoding.x, y: encoding.y },
+          data: { values: [{ low: STRIP[0], high: STRIP[1] }] },
+          mark: { type: "rect", color: "$fail", opacity: 0.09 },
+          encoding: { y: { ...y, field: "low" }, y2: { field: "high" } },
         },
         {
-          data: { values: round(points.slice(0, MOST_POINTS)) },
-          mark: { type: "point", size: 38, strokeWidth: 1.6, opacity: 0.75, cursor: "pointer" },
-          encoding,
+          data: { values: [{ low: -DECADES - 0.3, high: 0 }] },
+          mark: { type: "rect", color: "$band", opacity: 0.6 },
+          encoding: { y: { ...y, field: "low" }, y2: { field: "high" } },
         },
+        {
+          data: { values: [{ place: 0, text: "tolerance" }] },
+          mark: { type: "rule", color: "$ink", strokeWidth: 1.25 },
+          encoding: { y },
+        },
+        {
+          data: { values: [{ place: 0, text: "tolerance" }] },
+          mark: { type: "text", align: "left", baseline: "bottom", dx: 3, dy: -2, color: "$ink" },
+          encoding: { x: { value: 0 }, y, text: { field: "text" } },
+        },
+        ...(lines.length > 0
+          ? [
+              {
+                data: { values: lines },
+                mark: { type: "line", strokeWidth: 1.2, opacity: 0.7 },
+                encoding: {
+                  x: encoding.x,
+                  y,
+                  color: encoding.color,
+                  detail: { field: "line_key" },
+                },
+              },
+            ]
+          : []),
         ...(sums.length > 0
           ? [
               {
-                data: { values: round(sums) },
-                mark: { type: "point", filled: true, opacity: 1 },
-                encoding: {
-                  ...encoding,
-                  size: {
-                    field: "variant_key",
-                    type: "ordinal",
-                    scale: { domain: names.keys, range: SUM_SIZES.slice(0, names.keys.length) },
-                    legend: null,
-                  },
+                data: { values: sums },
+                mark: {
+                  type: "point",
+                  filled: true,
+                  size: BIG,
+                  opacity: 1,
+                  stroke: "$surface",
+                  strokeWidth: 1.5,
                 },
+                encoding: { ...encoding, tooltip: encoding.tooltip },
+              },
+            ]
+          : []),
+        {
+          data: { values: marks.filter(({ judged }) => judged) },
+          mark: { ...point, filled: true, opacity: 0.6 },
+          encoding,
+        },
+        ...(unjudged > 0
+          ? [
+              {
+                data: { values: marks.filter(({ judged }) => !judged) },
+                mark: { ...point, filled: false, opacity: 0.8 },
+                encoding,
               },
             ]
           : []),

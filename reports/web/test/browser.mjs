@@ -23,6 +23,34 @@ const FLAGS = [
 const WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
 
+// CPU time that the page's process has taken, ms: unlike the clock's it doesn't grow with what else runs.
+async function process_time(context, page) {
+  const session = await context.newCDPSession(page);
+  await session.send("Performance.enable");
+  const { metrics } = await session.send("Performance.getMetrics");
+  await session.detach();
+  return Math.round(1000 * metrics.find(({ name }) => name === "ProcessTime").value);
+}
+
+/**
+ * Opens a page several times and gives the last, with `told`: the least time until it was ready, by the clock
+ * and in CPU time of its process. Within the budget one of them must be: the machine may be busy.
+ */
+export async function open_within(browser, file, budget_ms, options = {}) {
+  const clock = [];
+  const cpu = [];
+  let page;
+  for (let i = 0; i < 3; ++i) {
+    await page?.context().close();
+    page = await browser.open(file, options);
+    clock.push(page.ready_ms);
+    cpu.push(page.ready_cpu_ms);
+  }
+  page.told = `ready in ${clock.join(", ")} ms, CPU ${cpu.join(", ")} ms, allowed ${budget_ms}`;
+  page.in_time = Math.min(...clock, ...cpu) < budget_ms;
+  return page;
+}
+
 /** {open(file, {hash, width, height, dark, wait}), close()}; each page has `faults`, a list of sentences. */
 export async function start_browser({ webgl = true } = {}) {
   const browser = await chromium.launch({
@@ -62,6 +90,7 @@ export async function start_browser({ webgl = true } = {}) {
       await page.goto(own + hash);
       if (wait) await page.waitForSelector("[data-ready]", { timeout: 30_000 });
       page.ready_ms = Date.now() - start;
+      page.ready_cpu_ms = await process_time(context, page);
       return page;
     },
     close: () => browser.close(),

@@ -97,8 +97,7 @@ const sweep = () =>
       variant: variant_of({ memory: "keep", method: "paper", rule }),
       checks: [hash_check()],
       figures: [figure("least final creep", "m/s", 1e-5 * (i + 1))],
-      failures:
-        i === 1 ? [{ reason: "it broke", parameter: "gain", values: [-0.5, 2.5] }] : [],
+      failures: i === 1 ? [{ reason: "it broke", parameter: "gain", values: [-0.5, 2.5] }] : [],
       series: [
         {
           name: "final creep",

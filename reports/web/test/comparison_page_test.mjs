@@ -31,17 +31,17 @@ async function accessible(page) {
   );
 }
 
-test("the summary has the findings first, then who is best and where rules fail", async () => {
+test("the summary has the winners first, then the findings and where rules fail", async () => {
   for (const dark of [false, true]) {
     const page = await browser.open(file, { dark });
     const findings = await page.locator(".findings li").allInnerTexts();
     assert.deepEqual(findings, FINDINGS);
-    assert.ok(
-      await page
-        .locator(".findings")
-        .first()
-        .evaluate((element) => element.getBoundingClientRect().top < 300),
-    );
+    const tops = await page
+      .locator(".winners-part, .findings")
+      .evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect().top));
+    assert.ok(tops[0] < 300 && tops[1] > tops[0], tops.join());
+    const slab = page.locator("table.winners tr", { hasText: "rules/slab" }).first();
+    assert.match(await slab.innerText(), /m\/s[^]*then/);
     assert.match(
       await page.locator("h1").innerText(),
       /^8 rules side by side in 9 cases; 20 runs failed\.$/,
@@ -141,5 +141,5 @@ test("the diagrams are SVG files too", () => {
 test("a run without comparisons has none of it", async () => {
   const page = await browser.open(make_page(make_run(lines_of([record()]))));
   assert.equal(await page.locator(".findings, table.compared").count(), 0);
-  assert.equal(await page.locator(".overview .plot-overview").count(), 1);
+  assert.equal(await page.locator(".overview .plot-work-precision").count(), 1);
 });

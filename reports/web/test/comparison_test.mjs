@@ -17,7 +17,7 @@ import { log_place, moved_apart } from "../plots/end_labels.js";
 import { is_history } from "../plots/history_plot.js";
 import { case_plots, comparison_scores, family_plots } from "../plots/plots.js";
 import { is_rule_work } from "../plots/rule_work_plot.js";
-import { cut_words } from "../plots/series_plot.js";
+import { cut_words } from "../plots/variant_channels.js";
 import { compared_records, figure, FINDINGS } from "./compared_records.mjs";
 import { check, record } from "./records.mjs";
 
@@ -30,7 +30,9 @@ const layers_with = (plot, field) =>
   plot.spec.layer.filter(({ data }) => data.values.some((value) => field in value));
 
 test("records with figures are those of a comparison", () => {
-  assert.ok(!is_comparison([record(), record({ checks: [check({ verdict: "for-information" })] })]));
+  assert.ok(
+    !is_comparison([record(), record({ checks: [check({ verdict: "for-information" })] })]),
+  );
   assert.ok(is_comparison(compared_records()));
 });
 
@@ -39,7 +41,10 @@ test("figures in words: what was never reached, what was not measured", () => {
   assert.equal(figure_text(NaN), "–");
   assert.equal(figure_text(2638), "2638");
   assert.equal(figure_text(4.6412e-19), "4.64e-19");
-  assert.equal(figure_of(record({ figures: [figure("slipped", "m", "inf")] }), "slipped"), Infinity);
+  assert.equal(
+    figure_of(record({ figures: [figure("slipped", "m", "inf")] }), "slipped"),
+    Infinity,
+  );
   assert.ok(Number.isNaN(figure_of(record(), "stopping distance")));
 });
 

@@ -157,7 +157,7 @@ test("with other records these are judged first; names are never markup", async 
   const both = make_page(make_run(lines_of(hostile)), make_run(lines_of([failing]), "other"));
   const page = await browser.open(both);
   assert.match(await page.locator("h1").innerText(), /^1 fails, 0 hold/);
-  assert.equal(await page.locator(".overview .plot-overview").count(), 1);
+  assert.equal(await page.locator(".overview .plot-work-precision").count(), 1);
   assert.equal(await page.locator("table.matrix tbody tr").count(), ROWS.length);
   await page.locator("table.matrix tbody td a").first().click();
   await page.locator(".plot-work-precision svg").waitFor();

@@ -174,7 +174,7 @@ test("the index has rows and columns in the order of the records, and nothing ju
   assert.equal(rows[0].seconds, 1e-4);
   assert.equal(cheapest.length, QUESTIONS.filter(({ curve }) => curve).length);
   assert.equal(index.compared, null);
-  assert.equal(index.overview, null);
+  assert.equal(index.summary, null);
   assert.deepEqual(findings[0].notes, ENGINE_FINDINGS);
   assert.equal(
     Object.values(judged.counts).reduce((a, b) => a + b, 0),
@@ -187,7 +187,7 @@ test("two runs are told apart; what else a page holds is judged as ever", () => 
   assert.equal(twice.rows.length, 2 * ROWS.length);
   assert.equal(new Set(twice.rows.map(({ name }) => name)).size, 2 * ROWS.length);
   const mixed = data_of(all, [record(), record({ case: "incline/stop/mu=0.5" })]).index;
-  assert.ok(mixed.overview);
+  assert.ok(mixed.summary);
   assert.equal(mixed.engines.rows.length, ROWS.length);
   assert.equal(mixed.check_counts.pass, 2);
   assert.equal(data_of([record()]).index.engines, null);

@@ -57,7 +57,7 @@ test("markup in names stays text in every view", async () => {
 test("tooltips show text", async () => {
   const page = await browser.open(make_page(make_run(lines_of(hostile_records()))));
   await draw_plots(page);
-  await page.locator(".plot-overview .mark-symbol path").first().hover();
+  await page.locator(".overview .plot-work-precision .role-mark.mark-symbol path").last().hover();
   await page.locator(".tip:not([hidden])").waitFor();
   assert.match(await page.locator(".tip").innerText(), /<img src=x/);
   assert.equal(await page.locator(".tip img").count(), 0);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { band_text, margin, margin_text, short_margin, value_text } from "../model/check_text.js";
-import { compare } from "../model/compare.js";
+import { compare, cost_noise, same_reason } from "../model/compare.js";
 import { family_name, short_name } from "../model/family.js";
 import { natural_sort } from "../model/natural.js";
 import {
@@ -75,9 +75,7 @@ test("margins", () => {
 // The expected texts are those of reports/text/check_text_test.cpp.
 test("a band says on which side of it a value lies", () => {
   const banded = (value, verdict) =>
-    band_text(
-      check({ value, expected: 0.3, band: [0.31, 0.35], verdict }),
-    );
+    band_text(check({ value, expected: 0.3, band: [0.31, 0.35], verdict }));
   assert.equal(banded(0.32, "expected-shortfall"), "as expected in [0.31, 0.35] m");
   assert.equal(banded(3e5, "fail"), "worse than expected [0.31, 0.35] m");
   assert.equal(banded(0.28, "fail"), "worse than expected [0.31, 0.35] m");
@@ -171,6 +169,39 @@ test("two runs are compared by case, engine and settings", () => {
   assert.equal(changes[4].hash_equal, false);
 });
 
+test("what changes within noise is unchanged, with the reason", () => {
+  const times = (cpu_seconds) => ({ ...record().cost, cpu_seconds });
+  const of = (name, more) => record({ case: name, state_hash: name, ...more });
+  const pair = (change_before, change_after) => {
+    const steady = Array.from({ length: 10 }, (_, i) => of(`steady/${i}`, { cost: times(1) }));
+    const [change] = compare(
+      [...steady, of("a", change_before)],
+      [...steady, of("a", change_after)],
+    ).filter((one) => one.case === "a");
+    return change;
+  };
+  const digits = (value, of_tolerance = 0.5) => ({
+    checks: [check({ digits: value, of_tolerance })],
+  });
+  assert.equal(pair({}, {}).class, "same");
+  assert.equal(same_reason(pair({}, {})), "end-state");
+  assert.equal(pair(digits(3.5), { ...digits(3.3), state_hash: "b" }).class, "same");
+  assert.equal(same_reason(pair(digits(3.5), { ...digits(3.3), state_hash: "b" })), "digits");
+  assert.equal(pair(digits(3.5), digits(3.1)).class, "fewer-digits");
+  assert.equal(pair(digits(12, 1e-5), digits(9, 1e-3)).class, "same", "below 1 % both times");
+  assert.equal(pair({ cost: times(1) }, { cost: times(1.14) }).class, "same");
+  assert.equal(pair({ cost: times(1) }, { cost: times(1.2) }).class, "slower");
+  assert.equal(pair({ cost: times(1) }, { cost: times(0.8) }).class, "faster");
+  assert.equal(pair({ cost: times(0.01) }, { cost: times(0.03) }).class, "same", "too short");
+});
+
+test("the noise of CPU times is their spread, about what the median pair takes", () => {
+  const even = cost_noise([0.9, 0.95, 1, 1, 1.05, 1.1, 1, 0.98, 1.3]);
+  assert.ok(even.median === 1 && even.factor > 1.15 && even.factor < 1.35, JSON.stringify(even));
+  assert.deepEqual(cost_noise([2, 3]), { median: 1, factor: 1.15, pairs: 2 });
+  assert.equal(cost_noise(Array(9).fill(1.5)).median, 1.5);
+});
+
 test("where nothing says of what size zero is, tolerances are compared", () => {
   const of = (of_tolerance) =>
     record({ checks: [check({ expected: 0, scale: undefined, digits: undefined, of_tolerance })] });
@@ -212,16 +243,26 @@ test("rows are filtered and sorted", () => {
     seconds: 1,
     ns: 0,
     check: { quantity: "creep", margin: index, digits: 3 },
+    column: "quiet",
+    configuration: "quiet",
+    quantities: "creep\ndrift",
     ...change,
   });
   const rows = [
     row(0),
     row(1, { verdict: "fail" }),
     row(2, { check: null }),
-    row(3, { check: { quantity: "slip", margin: Infinity, digits: NaN } }),
+    row(3, {
+      check: { quantity: "slip", margin: Infinity, digits: NaN },
+      quantities: "slip\nkinetic energy",
+      column: "old",
+    }),
   ];
   const indices = (list) => list.map(({ index }) => index);
-  assert.deepEqual(indices(filtered(rows, { q: "CASE creep" })), [0, 1]);
+  assert.deepEqual(indices(filtered(rows, { q: "CASE creep" })), [0, 1, 2]);
+  assert.deepEqual(indices(filtered(rows, { q: "drift" })), [0, 1, 2], "not the worst check's");
+  assert.deepEqual(indices(filtered(rows, { q: "kinetic" })), [3]);
+  assert.deepEqual(indices(filtered(rows, { configuration: "old" })), [3]);
   assert.deepEqual(indices(filtered(rows, { verdict: "fail,error" })), [1]);
   assert.deepEqual(indices(sorted(rows, "verdict")), [1, 0, 2, 3]);
   assert.deepEqual(indices(sorted(rows, "-margin")), [3, 1, 0, 2]);

@@ -112,7 +112,7 @@ export function varied_records() {
         },
       ],
       cost: { ...record().cost, cpu_seconds: 0.2 + 0.1 * i },
-      checks: [check({ digits: 3.5 + i })],
+      checks: [check({ digits: 3.5 + i, of_tolerance: 0.33 / 10 ** i })],
     }),
   );
   const thresholds = [0.1, 0.3, 0.5].map((mu) =>
@@ -174,7 +174,9 @@ export function varied_records() {
   const skipped = record({ case: "basket/balls", verdict: "not-applicable", checks: [] });
   const odd = record({
     case: "drop/odd",
-    checks: [check({ value: "nan", error: "inf", of_tolerance: "inf", digits: 0, verdict: "fail" })],
+    checks: [
+      check({ value: "nan", error: "inf", of_tolerance: "inf", digits: 0, verdict: "fail" }),
+    ],
     verdict: "fail",
   });
   return [...stop, ...thresholds, failing, broken, shown, skipped, odd];

@@ -130,10 +130,13 @@ test("what falls short as expected is told as such, with band and cause, and is 
   const page = await browser.open(make_page(make_run(lines_of([short, refuted, old, record()]))));
   assert.equal(
     await page.locator("h1").innerText(),
-    "1 holds, 2 fall short as known, 1 refutes a claim of the paper.",
+    "Nothing fails: 1 holds, 2 fall short as expected, 1 refuted.",
   );
   assert.equal(await page.locator(".failures").count(), 0);
-  assert.match(await page.locator(".facts").innerText(), /2 expected shortfalls, 1 refuted, 1 holds/);
+  assert.match(
+    await page.locator(".facts").innerText(),
+    /2 expected shortfalls, 1 refuted, 1 holds/,
+  );
   await page.locator(".tally.verdict-refuted").click();
   await page.locator(".c-case a").click();
   await page.locator(".claim.verdict-refuted").waitFor();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the numbers come from, and whose work the page holds.
+import { GLOSSARY } from "../../model/glossary.js";
 import { json_of } from "../asset.js";
 import { h, replace } from "../dom.js";
 
-export async function show_about(element, _, { index }) {
+export async function show_about(element, part, { index }) {
   const licences = await json_of("licences");
   const run_row = (run) =>
     h(
@@ -51,6 +52,12 @@ export async function show_about(element, _, { index }) {
       {},
       "The page was made from records alone and holds everything it shows; it opens no connection, and its policy forbids any.",
     ),
+    h("h2", { id: "words" }, "What the words mean"),
+    h(
+      "dl",
+      { class: "glossary" },
+      GLOSSARY.map(({ name, meaning }) => [h("dt", {}, name), h("dd", {}, meaning)]),
+    ),
     h("h2", {}, "Third-party software in this page"),
     h(
       "p",
@@ -70,4 +77,5 @@ export async function show_about(element, _, { index }) {
       ),
     ),
   );
+  if (part === "words") setTimeout(() => element.querySelector("#words").scrollIntoView());
 }

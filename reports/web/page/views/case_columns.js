@@ -2,6 +2,7 @@
 import { expected_text, value_text } from "../../model/check_text.js";
 import { format_digits, format_seconds_short, format_value } from "../../model/number.js";
 import { h } from "../dom.js";
+import { style_mark } from "../widgets/style_mark.js";
 import { margin_bar } from "../widgets/margin_bar.js";
 import { verdict_mark } from "../widgets/glyph.js";
 import { case_hash } from "../route.js";
@@ -28,7 +29,9 @@ export function case_columns(runs) {
         h(
           "span",
           { class: "variant" },
-          [several && runs[row.run].short, row.label, row.frames && "▶ recorded"]
+          row.label === "" || row.label.startsWith(row.column) ? style_mark(row.column, 9) : "",
+          " ",
+          [several && runs[row.run].short, row.label || row.column, row.frames && "▶ recorded"]
             .filter(Boolean)
             .join(" · "),
         ),
@@ -52,6 +55,7 @@ export function case_columns(runs) {
     {
       key: "margin",
       label: "|Error| ÷ tolerance",
+      term: "of tolerance",
       class: "c-margin",
       sortable: true,
       cell: (row) => (row.check ? margin_bar(row.check.margin, true, row.verdict) : ""),
@@ -59,6 +63,7 @@ export function case_columns(runs) {
     {
       key: "digits",
       label: "Digits",
+      term: "digits",
       class: "c-digits number",
       sortable: true,
       cell: of_check(({ digits }) => (digits === null ? "–" : format_digits(digits))),
@@ -66,6 +71,7 @@ export function case_columns(runs) {
     {
       key: "seconds",
       label: "CPU",
+      term: "CPU time",
       unit: "s",
       class: "c-seconds number",
       sortable: true,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All records: search, filter, sort. Its state is the page's address.
+import { ordered_configurations } from "../../model/configuration.js";
 import { VERDICTS, VERDICT_WORDS } from "../../model/verdict.js";
 import { format_count } from "../../model/number.js";
 import { case_columns } from "./case_columns.js";
@@ -52,6 +53,7 @@ export function cases_view({ index, rows }) {
         type: "button",
         class: `toggle verdict-${verdict}`,
         "data-verdict": verdict,
+        "data-term": verdict,
         onclick: () => {
           const chosen = new Set((options.verdict ?? "").split(",").filter(Boolean));
           if (!chosen.delete(verdict)) chosen.add(verdict);
@@ -76,6 +78,10 @@ export function cases_view({ index, rows }) {
     );
   const families = [...new Set(current.map((row) => row.family))];
   const family = choice("family", "Family", [["", "all"], ...families.map((name) => [name, name])]);
+  const columns = ordered_configurations(current.map((row) => row.column));
+  const configuration =
+    columns.length > 1 &&
+    choice("configuration", "Configuration", [["", "all"], ...columns.map((name) => [name, name])]);
   const sort = choice("sort", "Sort by", Object.entries(SORTS));
   const shown_runs = index.runs.map((run, i) => [i, run]).filter(([, run]) => run.role === "shown");
   const run =
@@ -107,6 +113,7 @@ export function cases_view({ index, rows }) {
       search,
       h("div", { class: "toggles", role: "group", "aria-label": "Verdicts" }, toggles),
       family,
+      configuration,
       run,
       sort,
       reset,
@@ -127,6 +134,7 @@ export function cases_view({ index, rows }) {
       for (const toggle of toggles)
         toggle.setAttribute("aria-pressed", chosen.has(toggle.dataset.verdict));
       family.lastChild.value = options.family ?? "";
+      if (configuration) configuration.lastChild.value = options.configuration ?? "";
       if (run) run.lastChild.value = options.run ?? "";
       const order = options.sort ?? "verdict";
       if (!(order in SORTS)) {

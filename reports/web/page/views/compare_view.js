@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two runs: what changed in verdicts, digits and cost.
-import { CHANGE_CLASSES, CHANGE_WORDS } from "../../model/compare.js";
+// Two runs: what changed in verdicts, digits and cost beyond noise; the rest is counted, and folded.
+import { CHANGE_CLASSES, CHANGE_WORDS, LEAST_SECONDS, SAME_WORDS } from "../../model/compare.js";
 import { format_count, format_error, format_seconds } from "../../model/number.js";
 import { breakable, h, replace } from "../dom.js";
 import { glyph, verdict_mark } from "../widgets/glyph.js";
@@ -45,6 +45,109 @@ function change_row(change) {
   );
 }
 
+const changes_table = (changes, label) => [
+  h(
+    "div",
+    { class: "data-scroll", tabindex: "0", role: "region", "aria-label": label },
+    h(
+      "table",
+      { class: "changes" },
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          [
+            ["Change"],
+            ["Case"],
+            ["Verdict"],
+            ["Digits", 1],
+            ["CPU before s", 1],
+            ["CPU now s", 1],
+            ["Ratio", 1],
+            ["End state"],
+          ].map(([name, number]) => h("th", { scope: "col", class: number ? "number" : "" }, name)),
+        ),
+      ),
+      h("tbody", {}, changes.slice(0, MOST_ROWS).map(change_row)),
+    ),
+  ),
+  changes.length > MOST_ROWS &&
+    h("p", {}, `The first ${MOST_ROWS} of ${format_count(changes.length)}.`),
+];
+
+const percent = (factor) => `${Math.round(100 * (factor - 1))} %`;
+
+// What counts as noise, in words, with how many pairs that leaves out.
+function left_out({ unchanged, noise, counts, changes }) {
+  const same = counts.same ?? 0;
+  if (same === 0) return null;
+  const reasons = Object.entries(unchanged.by_reason).map(([reason, count]) =>
+    h("li", {}, `${format_count(count)}: ${SAME_WORDS[reason]}`),
+  );
+  const cost =
+    noise.pairs > 0
+      ? `CPU time counts beyond ± ${percent(noise.factor)}${noise.median === 1 ? "" : ` of the median pair, × ${format_error(noise.median)}`} (the spread of ${format_count(noise.pairs)} pairs, at least 15 %)`
+      : "";
+  const short =
+    unchanged.untimed > 0
+      ? `${format_count(unchanged.untimed)} took less than ${LEAST_SECONDS} s, too short to compare`
+      : "";
+  const body = h("div");
+  const details = h(
+    "details",
+    {
+      class: "unchanged",
+      ontoggle: () => {
+        if (!details.open || body.children.length > 0) return;
+        replace(
+          body,
+          changes_table(
+            changes.filter((change) => change.class === "same"),
+            "Unchanged",
+          ),
+        );
+      },
+    },
+    h("summary", {}, `${format_count(same)} unchanged within noise`),
+    body,
+  );
+  return h(
+    "section",
+    { class: "left-out" },
+    details,
+    h(
+      "ul",
+      {},
+      reasons,
+      [cost, short].filter(Boolean).map((text) => h("li", {}, `${text}.`)),
+    ),
+  );
+}
+
+const plural = (count, one, many = `${one}s`) =>
+  `${format_count(count)} ${count === 1 ? one : many}`;
+
+const HEAD = {
+  worse: (count) => `${plural(count, "verdict")} became worse`,
+  gone: (count) => `${plural(count, "record is", "records are")} gone`,
+  "fewer-digits": (count) => `${format_count(count)} with fewer digits`,
+  slower: (count) => `${format_count(count)} slower`,
+  better: (count) => `${plural(count, "verdict")} became better`,
+  "more-digits": (count) => `${format_count(count)} with more digits`,
+  faster: (count) => `${format_count(count)} faster`,
+  new: (count) => `${format_count(count)} new`,
+};
+
+function headline(counts) {
+  const said = Object.entries(HEAD)
+    .filter(([name]) => counts[name] > 0)
+    .map(([name, write]) => write(counts[name]));
+  if (said.length === 0) return "Nothing changed beyond noise.";
+  return `${counts.worse > 0 ? "" : "No verdict became worse; "}${said.join(", ")}.`;
+}
+
 export function show_compare(element, chosen, { index, comparison }) {
   const { counts, changes, total, seconds, plots } = comparison;
   const run_line = (role, words) => {
@@ -61,13 +164,8 @@ export function show_compare(element, chosen, { index, comparison }) {
         .join("; "),
     );
   };
-  const present = CHANGE_CLASSES.filter((name) => counts[name] > 0);
-  const interesting = present.filter((name) => name !== "same");
-  const classes = present.includes(chosen)
-    ? [chosen]
-    : interesting.length > 0
-      ? interesting
-      : present;
+  const present = CHANGE_CLASSES.filter((name) => counts[name] > 0 && name !== "same");
+  const classes = present.includes(chosen) ? [chosen] : present;
   const shown = changes.filter((change) => classes.includes(change.class));
   const worse = counts.worse ?? 0;
   const ratio = seconds.before > 0 ? seconds.after / seconds.before : NaN;
@@ -80,13 +178,7 @@ export function show_compare(element, chosen, { index, comparison }) {
       h(
         "div",
         {},
-        h(
-          "h1",
-          { class: worse > 0 ? "verdict-fail" : "verdict-pass" },
-          worse > 0
-            ? `${format_count(worse)} verdict${worse === 1 ? "" : "s"} became worse.`
-            : "No verdict became worse.",
-        ),
+        h("h1", { class: worse > 0 ? "verdict-fail" : "verdict-pass" }, headline(counts)),
         h(
           "p",
           { class: "subline" },
@@ -95,58 +187,31 @@ export function show_compare(element, chosen, { index, comparison }) {
         h("ul", { class: "run-lines" }, run_line("against", "earlier"), run_line("shown", "this")),
       ),
     ),
-    h(
-      "nav",
-      { class: "tabs", "aria-label": "Kinds of change" },
+    present.length > 1 &&
       h(
-        "a",
-        { href: hash_of("compare"), "aria-current": present.includes(chosen) ? null : "true" },
-        "changed",
-      ),
-      present.map((name) =>
+        "nav",
+        { class: "tabs", "aria-label": "Kinds of change" },
         h(
           "a",
-          { href: hash_of("compare", name), "aria-current": chosen === name ? "true" : null },
-          `${CHANGE_WORDS[name]} `,
-          h("span", { class: "count" }, format_count(counts[name])),
+          { href: hash_of("compare"), "aria-current": present.includes(chosen) ? null : "true" },
+          "all changes",
         ),
-      ),
-    ),
-    h(
-      "div",
-      { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Changes" },
-      h(
-        "table",
-        { class: "changes" },
-        h(
-          "thead",
-          {},
+        present.map((name) =>
           h(
-            "tr",
-            {},
-            [
-              ["Change"],
-              ["Case"],
-              ["Verdict"],
-              ["Digits", 1],
-              ["CPU before s", 1],
-              ["CPU now s", 1],
-              ["Ratio", 1],
-              ["End state"],
-            ].map(([name, number]) =>
-              h("th", { scope: "col", class: number ? "number" : "" }, name),
-            ),
+            "a",
+            { href: hash_of("compare", name), "aria-current": chosen === name ? "true" : null },
+            `${CHANGE_WORDS[name]} `,
+            h("span", { class: "count" }, format_count(counts[name])),
           ),
         ),
-        h("tbody", {}, shown.slice(0, MOST_ROWS).map(change_row)),
       ),
-    ),
-    shown.length > MOST_ROWS &&
-      h("p", {}, `The first ${MOST_ROWS} of ${format_count(shown.length)}.`),
-    h(
-      "div",
-      { class: "plot-grid" },
-      plots.map((plot) => plot_figure(plot, { heading: "h2" })),
-    ),
+    shown.length > 0 && changes_table(shown, "Changes"),
+    left_out(comparison),
+    plots.length > 0 &&
+      h(
+        "div",
+        { class: "plot-grid" },
+        plots.map((plot) => plot_figure(plot, { heading: "h2" })),
+      ),
   );
 }

@@ -4,39 +4,43 @@ import { figure_text } from "../../model/figure.js";
 import { format_count, format_seconds_short, name_with_unit } from "../../model/number.js";
 import { breakable, h } from "../dom.js";
 import { findings_parts } from "./findings.js";
+import { winners_part } from "./winners_part.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { plots_of_family } from "../records.js";
 import { case_hash, hash_of } from "../route.js";
 
-const PICTURES = 2; // of a folder, on the summary: its chief figure on both kinds of contacts
+const MOST_OPEN = 12; // rows of a list that is not folded
 
 export const compared_headline = ({ rules, cases, failed }) =>
   `${rules} rules side by side in ${cases.length} cases` +
   (failed > 0 ? `; ${format_count(failed)} runs failed.` : "; none failed.");
 
+// Of a folder its chief figure, on each kind of contacts.
 const scores_part = (scores) =>
-  scores.map(({ folder, plots }) =>
-    h(
+  scores.map(({ folder, plots }) => {
+    const chief = plots.filter(({ quantity }) => quantity === plots[0].quantity);
+    const figures = new Set(plots.map(({ quantity }) => quantity)).size;
+    return h(
       "section",
       {},
       h("h2", {}, `Rules by case: ${folder}/…`),
       h(
         "div",
-        { class: "plot-pairs" },
-        plots.slice(0, PICTURES).map((plot) => plot_figure(plot)),
+        { class: chief.some(({ wide }) => wide) ? "" : "plot-pairs" },
+        chief.map((plot) => plot_figure(plot)),
       ),
-      plots.length > PICTURES &&
+      figures > 1 &&
         h(
           "p",
           {},
           h(
             "a",
             { href: hash_of("plots", "scores") },
-            `The same for ${plots.length / PICTURES - 1} other figures`,
+            `The same for ${figures - 1} other figure${figures > 2 ? "s" : ""}`,
           ),
         ),
-    ),
-  );
+    );
+  });
 
 // Comes when its part of the page has been read.
 function work_part(index) {
@@ -86,33 +90,36 @@ function case_row(line) {
 
 function cases_part(cases) {
   const heading = (text, number) => h("th", { scope: "col", class: number ? "number" : "" }, text);
-  return [
-    h("h2", {}, "All cases"),
+  const table = h(
+    "div",
+    { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "All cases" },
     h(
-      "div",
-      { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "All cases" },
+      "table",
+      { class: "compared all-cases" },
       h(
-        "table",
-        { class: "compared all-cases" },
+        "thead",
+        {},
         h(
-          "thead",
+          "tr",
           {},
-          h(
-            "tr",
-            {},
-            heading("Case"),
-            heading("Figure"),
-            heading("Least, by"),
-            heading("Median", true),
-            heading("Most, by"),
-            heading("Failed", true),
-            heading("CPU s", true),
-          ),
+          heading("Case"),
+          heading("Figure"),
+          heading("Least, by"),
+          heading("Median", true),
+          heading("Most, by"),
+          heading("Failed", true),
+          heading("CPU s", true),
         ),
-        h("tbody", {}, cases.map(case_row)),
       ),
+      h("tbody", {}, cases.map(case_row)),
     ),
-  ];
+  );
+  return h(
+    "details",
+    { class: "all-cases-fold", open: cases.length <= MOST_OPEN },
+    h("summary", {}, h("h2", {}, `All ${cases.length} cases: least, median and most`)),
+    table,
+  );
 }
 
 // Folders as the findings come to speak of them.
@@ -128,6 +135,7 @@ function in_order_of(scores, findings) {
 export function compared_parts(index, rows) {
   const { chief, others } = findings_parts(index.findings, rows, index.runs);
   return [
+    winners_part(index.compared.winners),
     chief,
     scores_part(in_order_of(index.compared.scores, index.findings)),
     work_part(index),

@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One family: its plots over all cases, and its cases.
 import { h, replace } from "../dom.js";
-import { verdict_mark } from "../widgets/glyph.js";
+import { glyph, verdict_mark } from "../widgets/glyph.js";
+import { style_mark } from "../widgets/style_mark.js";
 import { margin_bar } from "../widgets/margin_bar.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { plots_of_family } from "../records.js";
 import { case_hash, hash_of } from "../route.js";
 import { group_by, short_name } from "../../model/family.js";
 import { format_seconds } from "../../model/number.js";
-import { rank } from "../../model/verdict.js";
+import { ordered_configurations } from "../../model/configuration.js";
+import { rank, VERDICT_WORDS } from "../../model/verdict.js";
 
 const MOST_CASES = 200;
+
+// The worst verdict of each configuration that ran a case.
+const by_configuration = (rows) =>
+  ordered_configurations(rows.map((row) => row.column)).map((name) => {
+    const own = rows.filter((row) => row.column === name);
+    const { verdict } = own.reduce((a, b) => (rank(b.verdict) < rank(a.verdict) ? b : a));
+    return h(
+      "span",
+      { class: "of-configuration", title: `${name}: ${VERDICT_WORDS[verdict] ?? verdict}` },
+      style_mark(name, 9),
+      " ",
+      glyph(verdict, 13),
+      h("span", { class: "sr" }, `${name} ${VERDICT_WORDS[verdict] ?? verdict}; `),
+    );
+  });
 
 export async function show_family(element, name, { index, rows }) {
   const current = rows.filter((row) => row.family === name && index.runs[row.run].role === "shown");
@@ -36,7 +53,8 @@ export async function show_family(element, name, { index, rows }) {
         h("a", { href: case_hash(case_name) }, short_name(case_name)),
         h("span", { class: "variant" }, list[0].title),
       ),
-      h("td", {}, margin_bar(closest)),
+      h("td", {}, margin_bar(closest, true, worst.check?.verdict)),
+      h("td", {}, by_configuration(list)),
       h("td", { class: "number" }, String(list.length)),
       h("td", { class: "number" }, format_seconds(list.reduce((sum, row) => sum + row.seconds, 0))),
     );
@@ -71,8 +89,8 @@ export async function show_family(element, name, { index, rows }) {
           h(
             "tr",
             {},
-            ["Verdict", "Case", "Closest to its tolerance", "Records", "CPU s"].map((text, i) =>
-              h("th", { scope: "col", class: i > 2 ? "number" : "" }, text),
+            ["Verdict", "Case", "Worst check", "Configurations", "Records", "CPU s"].map(
+              (text, i) => h("th", { scope: "col", class: i > 3 ? "number" : "" }, text),
             ),
           ),
         ),

@@ -8,8 +8,9 @@ import { engines_headline, engines_parts, engines_subline } from "./engines_part
 import { h } from "../dom.js";
 import { facts } from "./facts.js";
 import { failures_list } from "./failures.js";
-import { family_table } from "./family_table.js";
+import { matrix } from "./matrix.js";
 import { glyph } from "../widgets/glyph.js";
+import { style_mark } from "../widgets/style_mark.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { case_hash, hash_of } from "../route.js";
 import { tally_of } from "../tally.js";
@@ -28,11 +29,10 @@ function headline(tally, index) {
     const parts = [
       `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}`,
       tally["expected-shortfall"] > 0 &&
-        `${format_count(tally["expected-shortfall"])} fall${tally["expected-shortfall"] === 1 ? "s" : ""} short as known`,
-      tally.refuted > 0 &&
-        `${format_count(tally.refuted)} refute${tally.refuted === 1 ? "s" : ""} a claim of the paper`,
+        `${format_count(tally["expected-shortfall"])} fall${tally["expected-shortfall"] === 1 ? "s" : ""} short as expected`,
+      tally.refuted > 0 && `${format_count(tally.refuted)} refuted`,
     ];
-    return ["pass", `${parts.filter(Boolean).join(", ")}.`];
+    return ["pass", `Nothing fails: ${parts.filter(Boolean).join(", ")}.`];
   }
   if (tally.bad === 0)
     return [
@@ -58,6 +58,8 @@ function change_line(comparison) {
     ["better", "verdict better", "verdicts better"],
     ["fewer-digits", "with fewer digits"],
     ["more-digits", "with more digits"],
+    ["slower", "slower"],
+    ["faster", "faster"],
     ["new", "new"],
     ["gone", "gone"],
   ]
@@ -67,7 +69,7 @@ function change_line(comparison) {
     "p",
     { class: "change-line" },
     "Against the earlier run: ",
-    h("a", { href: hash_of("compare") }, said.join(", ") || "nothing changed"),
+    h("a", { href: hash_of("compare") }, said.join(", ") || "nothing changed beyond noise"),
     ".",
   );
 }
@@ -110,21 +112,62 @@ function provenance(runs) {
     .join(" · ");
 }
 
-const overview_part = (index, current) =>
+const to_case = (datum) =>
+  typeof datum.case === "string" && datum.case !== "" && (location.hash = case_hash(datum.case));
+
+// Why something falls short, most frequent cause first.
+const causes_part = ({ causes }) =>
+  causes.length > 0 &&
+  h(
+    "section",
+    { class: "causes", "aria-labelledby": "causes-title" },
+    h("h2", { id: "causes-title" }, "Why some fall short"),
+    h(
+      "ul",
+      {},
+      causes.map(({ because, records, configurations, case: name }) =>
+        h(
+          "li",
+          {},
+          h("strong", {}, `${plural(records, "record")}: `),
+          `${because} (`,
+          configurations.map((one, i) => [i > 0 && ", ", style_mark(one, 9), ` ${one}`]),
+          "), most in ",
+          h("a", { href: case_hash(name) }, name),
+        ),
+      ),
+    ),
+  );
+
+// Who holds what, beside what it costs and how it comes to rest.
+const overview_part = ({ summary }) =>
+  summary &&
   h(
     "div",
     { class: "overview" },
-    h("div", { class: "overview-table" }, h("h2", {}, "By family"), family_table(current)),
-    index.overview &&
-      h(
-        "div",
-        { class: "overview-plot" },
-        plot_figure(index.overview, {
+    h(
+      "section",
+      { class: "overview-table", "aria-labelledby": "matrix-title" },
+      h("h2", { id: "matrix-title" }, "Who holds, who creeps"),
+      matrix(summary),
+      causes_part(summary),
+    ),
+    h(
+      "div",
+      { class: "overview-plots" },
+      summary.work && plot_figure(summary.work, { heading: "h2", on_click: to_case }),
+      summary.slip &&
+        plot_figure(summary.slip, {
           heading: "h2",
-          on_click: (datum) => datum.family && (location.hash = hash_of("family", datum.family)),
+          on_click: () => (location.hash = case_hash(summary.slip.case)),
         }),
-      ),
+    ),
   );
+
+const more_part = (shown, tally, index) => [
+  play_line(shown, index),
+  Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
+];
 
 const tally_line = (tally, cases) =>
   h(
@@ -134,11 +177,17 @@ const tally_line = (tally, cases) =>
     VERDICTS.filter((name) => tally[name] > 0).map((name) =>
       h(
         "a",
-        { class: `tally verdict-${name}`, href: hash_of("cases", "", { verdict: name }) },
+        {
+          class: `tally verdict-${name}`,
+          "data-term": name,
+          href: hash_of("cases", "", { verdict: name }),
+        },
         glyph(name, 13),
         ` ${counted(name, tally[name], format_count(tally[name]))}`,
       ),
     ),
+    " ",
+    h("a", { class: "words", href: hash_of("about", "words") }, "what these words mean"),
   );
 
 export function summary_view({ index, rows, comparison }) {
@@ -166,7 +215,7 @@ export function summary_view({ index, rows, comparison }) {
         !only_engines && tally_line(tally, cases),
         index.engines && engines_subline(index.engines),
         h("p", { class: "provenance" }, provenance(index.runs)),
-        play_line(shown, index),
+        (only_engines || index.compared) && play_line(shown, index),
         change_line(comparison),
       ),
     ),
@@ -174,11 +223,7 @@ export function summary_view({ index, rows, comparison }) {
       ? null
       : index.compared
         ? [failures_list(current), compared_parts(index, current)]
-        : [
-            Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
-            failures_list(current),
-            overview_part(index, current),
-          ],
+        : [failures_list(current), overview_part(index), more_part(shown, tally, index)],
     index.engines && engines_parts(index.engines, index.runs),
   );
 }

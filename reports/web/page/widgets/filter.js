@@ -4,28 +4,42 @@ import { rank } from "../../model/verdict.js";
 
 const words_of = (query) => query.toLowerCase().split(/\s+/).filter(Boolean);
 
-const haystacks = new WeakMap();
+// Texts that many rows share are made small once.
+const shared = new Map();
 
-function haystack(row) {
-  let text = haystacks.get(row);
-  if (text === undefined) {
-    text =
-      `${row.case} ${row.title} ${row.engine} ${row.variant} ${row.check?.quantity ?? ""} ${row.frames ? "recorded" : ""}`.toLowerCase();
-    haystacks.set(row, text);
-  }
-  return text;
+function lower(text) {
+  let small = shared.get(text);
+  if (small === undefined) shared.set(text, (small = text.toLowerCase()));
+  return small;
 }
 
-/** `options`: {q, verdict: "fail,error", family, run}; all words of q must occur. */
-export function filtered(rows, { q = "", verdict = "", family = "", run = "" }) {
+const OWN = Symbol("what only this row is found by");
+
+function own_text(row) {
+  row[OWN] ??= `${row.case} ${row.title} ${row.frames ? "recorded" : ""}`.toLowerCase();
+  return row[OWN];
+}
+
+const has_word = (row, word) =>
+  own_text(row).includes(word) ||
+  [row.engine, row.variant, row.configuration, row.quantities].some((text) =>
+    lower(text).includes(word),
+  );
+
+/** `options`: {q, verdict: "fail,error", family, configuration, run}; all words of q must occur. */
+export function filtered(
+  rows,
+  { q = "", verdict = "", family = "", configuration = "", run = "" },
+) {
   const words = words_of(q);
   const verdicts = verdict ? new Set(verdict.split(",")) : null;
   return rows.filter(
     (row) =>
       (!verdicts || verdicts.has(row.verdict)) &&
       (!family || row.family === family) &&
+      (!configuration || row.column === configuration) &&
       (run === "" || row.run === Number(run)) &&
-      (words.length === 0 || words.every((word) => haystack(row).includes(word))),
+      (words.length === 0 || words.every((word) => has_word(row, word))),
   );
 }
 

@@ -7,7 +7,8 @@ import { h, svg } from "../dom.js";
 const PATHS = {
   pass: "M8 1.5a6.5 6.5 0 1 1 0 13a6.5 6.5 0 1 1 0-13zM4.6 8.2l2.5 2.6 4.4-5-1.2-1-3.3 3.8-1.3-1.5z",
   fail: "M8 1l7.4 13.6H.6zM7.1 5.8l.3 4.6h1.2l.3-4.6zM7.2 11.4v1.6h1.6v-1.6z",
-  "expected-shortfall": "M8 15L.6 1.400h14.800zM7.200 4v5h1.600V4zM7.200 10.200v1.600h1.600v-1.600z",
+  "expected-shortfall":
+    "M8 15L.6 1.400h14.800zM7.200 4v5h1.600V4zM7.200 10.200v1.600h1.600v-1.600z",
   refuted:
     "M3.200 1.400L8 6.200l4.800-4.800 1.800 1.800L9.800 8l4.800 4.800-1.800 1.800L8 9.800l-4.800 4.800-1.800-1.800L6.200 8 1.400 3.200z",
   error:
@@ -44,5 +45,5 @@ export const verdict_mark = (verdict, size = 16) =>
     "span",
     { class: `verdict ${class_of(verdict)}` },
     glyph(verdict, size),
-    h("span", { class: "word" }, VERDICT_WORDS[verdict] ?? verdict),
+    h("span", { class: "word", "data-term": verdict }, VERDICT_WORDS[verdict] ?? verdict),
   );

@@ -7,7 +7,7 @@ const MOST_PLAIN = 300;
 const MARGIN = 12; // rows above and below the view
 
 /**
- * `columns`: [{key, label, unit, class, sortable, cell(row)}]. `on_sort(key)` is told of headings,
+ * `columns`: [{key, label, unit, class, term, sortable, cell(row)}]. `on_sort(key)` is told of headings,
  * `open(row)` of rows. Gives {element, show(rows, order), focus(place)}.
  */
 export function big_table({ columns, label, on_sort, open }) {
@@ -21,7 +21,7 @@ export function big_table({ columns, label, on_sort, open }) {
     const content = column.sortable
       ? h(
           "button",
-          { type: "button", onclick: () => on_sort(column.key) },
+          { type: "button", "data-term": column.term, onclick: () => on_sort(column.key) },
           text,
           h("span", { class: "arrow", "aria-hidden": "true" }),
         )

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The box that tells what a mark of a plot stands for.
+// The box that tells what a mark of a plot stands for, or what a word means.
 import { h, replace } from "../dom.js";
 
 const box = h("div", { class: "tip", hidden: true, "aria-hidden": "true" });
@@ -16,8 +16,19 @@ export function show_tip(event, value) {
       h("div", {}, name && h("span", { class: "tip-name" }, `${name} `), String(entry)),
     ),
   );
+  place(event);
+}
+
+/** Tells `text` beside an element. */
+export function show_tip_at(element, text) {
+  if (!box.isConnected) document.body.append(box);
+  replace(box, text);
+  const { left, bottom } = element.getBoundingClientRect();
+  place({ clientX: left - 14, clientY: bottom - 14 });
+}
+
+function place({ clientX, clientY }) {
   box.hidden = false;
-  const { clientX, clientY } = event;
   const { width, height } = box.getBoundingClientRect();
   const left = Math.max(4, Math.min(clientX + 14, innerWidth - width - 8));
   const top = clientY + 18 + height > innerHeight ? clientY - height - 10 : clientY + 18;
