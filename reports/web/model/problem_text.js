@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A problem in words and numbers, for the page and for the manual.
-import { format_count, format_value } from "./number.js";
+import { format_count, format_value, to_number } from "./number.js";
 import { body_groups, first_of, last_of, slope_of } from "./problem.js";
 import { dot, size_of, subtract, turned, unit } from "./vector.js";
 
@@ -218,8 +218,21 @@ const spring_lines = ({ bodies, springs }) =>
 const drag_text = ({ rate, full_until, ends }) =>
   `force −m c v, c = ${short(rate)} 1/s until ${short(full_until)} s, none from ${short(ends)} s on`;
 
-/** What there is beside the bodies, as [{name, lines}]; what a problem has not is left out. */
-export function problem_facts(problem, simulations = 0) {
+// 1 s is what a problem says that a case follows for as long as it takes: then its series tell.
+function duration_lines({ duration }, series) {
+  if (duration !== 1) return [`${short(duration)} s`];
+  const ends = series
+    .filter(({ x_name, x_unit, x }) => x_name === "time" && x_unit === "s" && x.length > 0)
+    .map(({ x }) => to_number(x.at(-1)))
+    .filter(Number.isFinite);
+  return ends.length > 0 ? [`followed for ${short(Math.max(...ends))} s`] : [];
+}
+
+/**
+ * What there is beside the bodies, as [{name, lines}]; what a problem has not is left out. `series` are the
+ * record's, which tell how long it was followed.
+ */
+export function problem_facts(problem, { simulations = 0, series = [] } = {}) {
   const slope = slope_of(problem);
   const touches =
     problem.bodies.length > 1 || problem.bodies.some(({ self_collision }) => self_collision);
@@ -233,7 +246,7 @@ export function problem_facts(problem, simulations = 0) {
     ["Springs", lines(spring_lines(problem))],
     ["At the start", lines(initial_lines(problem))],
     ["Drag", problem.drag.rate > 0 ? [drag_text(problem.drag)] : []],
-    ["Duration", [`${short(problem.duration)} s`]],
+    ["Duration", duration_lines(problem, series)],
     [
       "Simulations",
       simulations > 1 ? [`this is the first of ${format_count(simulations)} simulations`] : [],

@@ -48,6 +48,15 @@ const joined = (a, b) => [
 ];
 const reach = ([left, low, right, high]) => Math.max(right - left, high - low);
 
+// Where the bodies' middle stands above each half-space that is near enough to be drawn.
+function feet_of({ bodies, obstacles }, size, flat) {
+  const middle = bodies.map(({ position }) => position).reduce(add).map((x) => x / bodies.length);
+  return obstacles
+    .map(({ point, normal }) => ({ normal, height: dot(subtract(middle, point), normal) }))
+    .filter(({ height }) => height > 0 && (size === 0 || (height > size / 2 && height < 1.5 * size)))
+    .map(({ normal, height }) => flat(subtract(middle, scaled(normal, height))));
+}
+
 // What of the plane is drawn, m: all bodies, of one that is much larger than the others its middle part.
 function window_of(problem, flat) {
   const boxes = problem.bodies.map((body) =>
@@ -60,6 +69,8 @@ function window_of(problem, flat) {
       : around(corners_of(body).map(flat)),
   );
   const all = boxes.reduce(joined);
+  const feet = feet_of(problem, reach(all), flat);
+  if (feet.length > 0) return joined(all, around(feet));
   const largest = boxes.reduce((a, b) => (reach(b) > reach(a) ? b : a));
   const rest = boxes.filter((box) => box !== largest);
   if (rest.length === 0) return all;
@@ -189,7 +200,7 @@ function body_strokes(body, frame, near, box, surface) {
 const half = ({ shape }) => scaled(subtract(...[...bounds_of(shape)].reverse()), 0.5);
 
 // Edges of a body that are seen in their true length, each on the side where there is most room.
-function dimension_candidates(body, frame, outlines, faces) {
+function dimension_candidates(body, frame) {
   const { shape, position, rotation } = body;
   if (shape.kind === "point") return [];
   const centre =
@@ -253,14 +264,15 @@ function room_of({ a, b, out, offset, text }) {
   return joined(around([from, to]), [left, number[1] - 7, left + wide, number[1] + 7]);
 }
 
-function dimensions(problem, frame, obstacles, size) {
-  const boxes = problem.bodies.map((body) => {
-    const [x, y] = frame.at(body.position);
-    const r = (body.shape.radius ?? 0) * frame.scale;
-    return body.shape.kind === "ball"
-      ? [x - r, y - r, x + r, y + r]
-      : around(corners_of(body).map(frame.at));
-  });
+function room_of_body(body, frame) {
+  if (body.shape.kind !== "ball") return around(corners_of(body).map(frame.at));
+  const [x, y] = frame.at(body.position);
+  const r = body.shape.radius * frame.scale;
+  return [x - r, y - r, x + r, y + r];
+}
+
+// `taken`: boxes where other marks stand.
+function dimensions(problem, frame, { obstacles, boxes, taken }) {
   const inside = obstacles.map(
     ({ point, normal }) =>
       ([left, top, right, bottom]) =>
@@ -270,11 +282,10 @@ function dimensions(problem, frame, obstacles, size) {
           ),
         ),
   );
-  const taken = [[8, 8, 150, 52]]; // gravity's arrow
   const cost = (candidate) => {
     const room = room_of(candidate);
     const outside =
-      room[0] < 2 || room[1] < 2 || room[2] > size[0] - 2 || room[3] > size[1] - 2 ? 8 : 0;
+      room[0] < 2 || room[1] < 2 || room[2] > WIDTH - 2 || room[3] > frame.height - 2 ? 8 : 0;
     return (
       outside +
       6 * taken.filter((other) => overlaps(room, other)).length +
@@ -383,21 +394,42 @@ function actions(problem, obstacles, frame, { near, up }) {
   return { strokes, used };
 }
 
-function gravity_strokes({ gravity }) {
-  const g = last_of(gravity);
-  if (size_of(g) === 0) return { strokes: [], used: false };
-  return {
-    strokes: [
-      arrow([22, 14], [0, 34], "weight"),
-      label([31, 28], `g = ${short(size_of(g))} m/s²`, { anchor: "start", name: "label small" }),
-    ],
-    used: true,
+// Below the upper edge where most room is: at the left, or at the right.
+function gravity_place(obstacles, boxes) {
+  const spots = [
+    [8, 6, 150, 56],
+    [WIDTH - 150, 6, WIDTH - 8, 56],
+  ];
+  const cost = ([left, top, right, bottom]) => {
+    const corners = [
+      [left, top],
+      [right, top],
+      [right, bottom],
+      [left, bottom],
+    ];
+    const crossed = obstacles.filter(({ point, normal }) => {
+      const sides = corners.map(
+        ([x, y]) => (x - point[0]) * normal[0] + (y - point[1]) * normal[1] > 0,
+      );
+      return sides.some((side) => side !== sides[0]);
+    });
+    return crossed.length + boxes.filter((box) => overlaps(box, spots.find(([x]) => x === left))).length;
   };
+  return cost(spots[1]) < cost(spots[0]) ? spots[1] : spots[0];
+}
+
+function gravity_strokes({ gravity }, [left]) {
+  const g = last_of(gravity);
+  if (size_of(g) === 0) return [];
+  return [
+    arrow([left + 14, 14], [0, 34], "weight"),
+    label([left + 23, 28], `g = ${short(size_of(g))} m/s²`, { anchor: "start", name: "label small" }),
+  ];
 }
 
 // The angle of the slope, at the foot of the face that has it; of a slab, at its lowest corner.
 function slope_strokes(problem, slope, frame, box) {
-  if (!slope) return [];
+  if (!slope) return { strokes: [], room: [0, 0, 0, 0] };
   const text = slope_text(slope);
   const obstacle = problem.obstacles.find(({ normal }) => normal === slope.normal);
   const [, , right, bottom] = box;
@@ -412,7 +444,12 @@ function slope_strokes(problem, slope, frame, box) {
     ? Math.min((right - 6 - start[0]) / way[0], (bottom - 6 - start[1]) / Math.max(way[1], 1e-9))
     : 0;
   const corner = plus(start, way, steps);
-  return angle_mark(corner, slope.angle, Math.min(70, Math.max(44, 900 / (60 * slope.angle + 8))), text);
+  const radius = Math.min(70, Math.max(44, 900 / (60 * slope.angle + 8)));
+  const [x, y] = corner;
+  return {
+    strokes: angle_mark(corner, slope.angle, radius, text),
+    room: [x - 1.4 * radius - 7.4 * text.length, y - 8, x, y + 14],
+  };
 }
 
 const KEY = { weight: "gravity", force: "load", motion: "motion", spring: "spring" };
@@ -451,12 +488,14 @@ export function problem_sketch(problem, { surfaces = new Map(), title = "" } = {
     .map((body, place) => ({ body, place }))
     .sort((a, b) => depth_of(a.body) - depth_of(b.body));
   const acting = actions(problem, obstacles, frame, view);
-  const weight = gravity_strokes(problem);
-  const used = [...(weight.used ? ["weight"] : []), ...acting.used.keys()];
+  const boxes = problem.bodies.map((body) => room_of_body(body, frame));
+  const place = gravity_place(obstacles, boxes);
+  const weight = gravity_strokes(problem, place);
+  const slope = slope_strokes(problem, view.slope, frame, box);
+  const used = [...(weight.length > 0 ? ["weight"] : []), ...acting.used.keys()];
   const drawing = e(
     "svg",
     {
-      xmlns: "http://www.w3.org/2000/svg",
       class: "sketch",
       viewBox: `0 0 ${WIDTH} ${Math.round(frame.height)}`,
       role: "img",
@@ -467,10 +506,10 @@ export function problem_sketch(problem, { surfaces = new Map(), title = "" } = {
       body_strokes(body, frame, view.near, box, surfaces.get(place)),
       body.held && held_strokes(body, frame, box),
     ]),
-    slope_strokes(problem, view.slope, frame, box),
-    dimensions(problem, frame, obstacles, [WIDTH, frame.height]),
+    slope.strokes,
+    dimensions(problem, frame, { obstacles, boxes, taken: [place, slope.room] }),
     acting.strokes,
-    weight.strokes,
+    weight,
     obstacles.map((obstacle) => friction_label(obstacle, obstacles, box)),
   );
   return { drawing, caption: caption_of(problem, view, surfaces), key: used.map((name) => [name, KEY[name]]) };

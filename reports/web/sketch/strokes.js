@@ -129,6 +129,6 @@ export function angle_mark(corner, angle, radius, text) {
       d: `M${px(ends[0][0])} ${px(ends[0][1])}A${px(radius)} ${px(radius)} 0 0 1 ${px(ends[1][0])} ${px(ends[1][1])}`,
       class: "thin open",
     }),
-    label([corner[0] - 1.4 * radius - 4, corner[1] + 4], text, { anchor: "end" }),
+    label([corner[0] - 1.4 * radius - 4, corner[1] + 9], text, { anchor: "end" }),
   ];
 }
