@@ -31,7 +31,7 @@ const ALONE = 220; // a single body is not drawn wider, px
 const ARROW = 40; // of ordinary length, px
 const MOST_ARROWS = 8;
 const MOST_DIMENSIONS = 4;
-const LARGE = 5; // times as far as the others reach: such a body is drawn in part
+const LARGE = 12; // times as far as the others reach: such a body is drawn in part
 
 // The least box [left, low, right, high] around points.
 const around = (points) => [
@@ -272,7 +272,7 @@ function room_of_body(body, frame) {
 }
 
 // `taken`: boxes where other marks stand.
-function dimensions(problem, frame, { obstacles, boxes, taken }) {
+function dimensions(problem, frame, { obstacles, boxes, surfaces, taken }) {
   const inside = obstacles.map(
     ({ point, normal }) =>
       ([left, top, right, bottom]) =>
@@ -296,10 +296,11 @@ function dimensions(problem, frame, { obstacles, boxes, taken }) {
   };
   const drawn = [];
   const told = new Set();
-  for (const { bodies } of body_groups(problem)) {
+  const whole = (place) => !surfaces.has(place) || is_box(surfaces.get(place));
+  for (const { places } of body_groups(problem)) {
     const candidates = new Map();
-    for (const body of bodies.slice(0, 12))
-      for (const one of dimension_candidates(body, frame))
+    for (const place of places.filter(whole).slice(0, 12))
+      for (const one of dimension_candidates(problem.bodies[place], frame))
         candidates.set(one.key, [...(candidates.get(one.key) ?? []), one]);
     for (const [key, list] of candidates) {
       if (told.has(key) || drawn.length >= MOST_DIMENSIONS) continue;
@@ -313,7 +314,26 @@ function dimensions(problem, frame, { obstacles, boxes, taken }) {
       drawn.push(dimension(a, b, out, offset, text));
     }
   }
-  return drawn;
+  return drawn.length > 0 ? drawn : overall_dimensions(boxes, frame);
+}
+
+// Of shapes that are no boxes: how far all reach.
+function overall_dimensions(boxes, { scale }) {
+  const [left, top, right, bottom] = boxes.reduce(joined);
+  if (right - left < 1 || bottom - top < 1) return [];
+  const text = (size) => `${short(Number((size / scale).toPrecision(3)))} m`;
+  return [
+    dimension([left, top], [right, top], [0, -1], 12, text(right - left)),
+    dimension([right, top], [right, bottom], [1, 0], 12, text(bottom - top)),
+  ];
+}
+
+// Whether a surface is that of a box: eight vertices are farther from the middle than all between them.
+function is_box({ vertices }) {
+  const middle = vertices.reduce(add).map((x) => x / vertices.length);
+  const sizes = vertices.map((vertex) => size_of(subtract(vertex, middle)));
+  const most = Math.max(...sizes);
+  return sizes.filter((size) => size > 0.98 * most).length === 8;
 }
 
 const amount = (vector, unit_name) => `${short(size_of(vector))} ${unit_name}`;
@@ -326,7 +346,15 @@ const largest_of = ({ value }) =>
 function actions(problem, obstacles, frame, { near, up }) {
   const used = new Map();
   const strokes = [];
+  const rooms = [];
   let count = 0;
+  const write = (at, text, options = {}) => {
+    if (text === "") return;
+    const wide = 7 * text.length;
+    const left = at[0] - { start: 0, middle: wide / 2, end: wide }[options.anchor ?? "middle"];
+    rooms.push([left, at[1] - 12, left + wide, at[1] + 3]);
+    strokes.push(label(at, text, { name: "label small", ...options }));
+  };
   const add_arrow = (from, vector, name, word, text) => {
     const way = frame.way(vector);
     if (size_of(vector) === 0 || Math.hypot(...way) < 0.2 * size_of(vector)) return;
@@ -334,13 +362,11 @@ function actions(problem, obstacles, frame, { near, up }) {
     used.set(name, word);
     const reach_px = unit_of(way).map((x) => x * ARROW);
     const tip = plus(from, reach_px);
-    strokes.push(
-      arrow(from, reach_px, name),
-      label([tip[0] + (way[0] >= 0 ? 4 : -4), tip[1] - 6], text, {
-        anchor: way[0] >= 0 ? "start" : "end",
-        name: "label small",
-      }),
-    );
+    rooms.push(around([from, tip]));
+    strokes.push(arrow(from, reach_px, name));
+    write([tip[0] + (way[0] >= 0 ? 4 : -4), tip[1] - 6], text, {
+      anchor: way[0] >= 0 ? "start" : "end",
+    });
   };
   // About an axis in the picture's plane it is drawn flat, as seen from the side.
   const add_turn = (at, vector, name, word, unit_name) => {
@@ -348,12 +374,8 @@ function actions(problem, obstacles, frame, { near, up }) {
     const spin = dot(vector, near);
     const flat = Math.abs(spin) < 0.3 * size_of(vector);
     used.set(name, word);
-    strokes.push(
-      turning_arrow(at, 18, flat ? dot(vector, up) < 0 : spin < 0, name, flat ? 6 : 18),
-      label(plus(at, [0, flat ? -14 : -25]), once(amount(vector, unit_name)), {
-        name: "label small",
-      }),
-    );
+    strokes.push(turning_arrow(at, 18, flat ? dot(vector, up) < 0 : spin < 0, name, flat ? 6 : 18));
+    write(plus(at, [0, flat ? -14 : -25]), once(amount(vector, unit_name)));
   };
   const told = new Set(); // a number that many share is written once
   const once = (text) => (told.has(text) ? "" : (told.add(text), text));
@@ -368,9 +390,8 @@ function actions(problem, obstacles, frame, { near, up }) {
     const stop = plus(own, unit_of(along), slack ? 190 : Math.max(50, Math.min(length, 260)));
     strokes.push(spring(own, stop));
     used.set("spring", "spring");
-    strokes.push(
-      label(plus(stop, [0, -9]), once(`k = ${short(stiffness)} N/m`), { name: "label small" }),
-    );
+    rooms.push(around([own, stop]));
+    write(plus(stop, [0, -9]), once(`k = ${short(stiffness)} N/m`));
     add_arrow(plus(stop, [0, 12]), anchor_velocity, "motion", "motion", once(amount(anchor_velocity, "m/s")));
   }
   for (const body of problem.bodies) {
@@ -391,7 +412,7 @@ function actions(problem, obstacles, frame, { near, up }) {
     add_arrow(at, push, "force", "load", once(amount(push, "N")));
     add_turn(at, largest_of(couple), "force", "load", "N m");
   }
-  return { strokes, used };
+  return { strokes, used, rooms };
 }
 
 // Below the upper edge where most room is: at the left, or at the right.
@@ -507,7 +528,7 @@ export function problem_sketch(problem, { surfaces = new Map(), title = "" } = {
       body.held && held_strokes(body, frame, box),
     ]),
     slope.strokes,
-    dimensions(problem, frame, { obstacles, boxes, taken: [place, slope.room] }),
+    dimensions(problem, frame, { obstacles, boxes, surfaces, taken: [place, slope.room, ...acting.rooms] }),
     acting.strokes,
     weight,
     obstacles.map((obstacle) => friction_label(obstacle, obstacles, box)),

@@ -29,13 +29,35 @@ export function bounds_of({ kind, size, radius, low, high }) {
       ];
 }
 
-// The first of some vectors whose part across `up` is not small against itself.
-function first_across(vectors, up) {
-  for (const vector of vectors) {
-    const level = across(vector, up);
-    if (size_of(level) > 0.1 * size_of(vector) && size_of(vector) > 0) return unit(level);
-  }
-  return null;
+// The parts of some vectors across `up`, as units, of those that are not small against the whole.
+const parts_across = (vectors, up) =>
+  vectors
+    .map((vector) => ({ vector, level: across(vector, up) }))
+    .filter(({ vector, level }) => size_of(level) > 0.1 * size_of(vector))
+    .map(({ level }) => unit(level));
+
+const HIDDEN = 0.6; // of a body's picture, by another's
+
+// How many bodies a picture hides behind others, or others behind them.
+function hidden_in(boxes, right, up) {
+  const flat = boxes.map((corners) => {
+    const [xs, ys] = [right, up].map((axis) => corners.map((corner) => dot(corner, axis)));
+    return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  });
+  const area = ([left, low, end, high]) => Math.max(0, end - left) * Math.max(0, high - low);
+  let count = 0;
+  flat.forEach((a, i) => {
+    for (const b of flat.slice(i + 1)) {
+      const both = area([
+        Math.max(a[0], b[0]),
+        Math.max(a[1], b[1]),
+        Math.min(a[2], b[2]),
+        Math.min(a[3], b[3]),
+      ]);
+      if (both > HIDDEN * Math.min(area(a), area(b))) ++count;
+    }
+  });
+  return count;
 }
 
 // Of the world's axes that along which the bodies reach farthest.
@@ -60,11 +82,9 @@ const to_the_right = (way) => (dot(way, RIGHT) < 0 ? scaled(way, -1) : way);
 
 const way_of_motion = (motion) => subtract(last_of(motion), first_of(motion));
 
-/** {up, right, near: unit vectors, slope}: `near` points to who looks at it. */
-export function view_of(problem) {
-  const up = up_of(problem);
-  const slope = slope_of(problem);
-  const moving = first_across(
+// Ways across the picture, the most telling first.
+const candidates = (problem, up) => [
+  ...parts_across(
     [
       ...problem.obstacles.map(({ normal }) => normal),
       ...problem.springs.map(({ axis }) => axis),
@@ -74,9 +94,28 @@ export function view_of(problem) {
       ...problem.obstacles.map(({ motion }) => way_of_motion(motion)),
     ],
     up,
-  );
-  const right = slope
-    ? unit(across(slope.normal, up))
-    : to_the_right(moving ?? longest_axis(problem, up));
+  ),
+  longest_axis(problem, up),
+];
+
+const MOST_LOOKED_AT = 60; // bodies: of more none can be told apart anyway
+const MOST_WAYS = 8;
+
+// The first of those that hide fewest bodies.
+function best_of(ways, { bodies }, up) {
+  const boxes = bodies.slice(0, MOST_LOOKED_AT).map(corners_of);
+  let best = null;
+  for (const way of [...ways.slice(0, MOST_WAYS), ways.at(-1)]) {
+    const hidden = hidden_in(boxes, way, up);
+    if (!best || hidden < best.hidden) best = { way, hidden };
+  }
+  return to_the_right(best.way);
+}
+
+/** {up, right, near: unit vectors, slope}: `near` points to who looks at it. */
+export function view_of(problem) {
+  const up = up_of(problem);
+  const slope = slope_of(problem);
+  const right = slope ? unit(across(slope.normal, up)) : best_of(candidates(problem, up), problem, up);
   return { up, right, near: cross(right, up), slope };
 }
