@@ -329,7 +329,7 @@ int compare(Arguments& arguments) {
                                       duration_text(seconds_since(began))),
                           screen.width, ""));
   fmt::print("\n{}\n", comparison_summary(records, found, screen));
-  fmt::print("Findings in {} sentences, and every table: {}{}\n", found.notes.size(),
+  fmt::print("{}, and every table: {}{}\n", counted(found.notes.size(), "finding"),
              (store.folder() / "comparison.md").string(),
              arguments.verbose ? "" : " (here: --verbose)");
   if (!arguments.no_page) store.tell_caller();

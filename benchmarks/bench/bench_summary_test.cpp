@@ -45,7 +45,7 @@ TEST(BenchSummary, TellsWhatAContactCostsAndHowThatGrows) {
   EXPECT_THAT(text, testing::ContainsRegex("whole step +500 +500 +500 +1.00 ± 0.00"));
   EXPECT_THAT(text, HasSubstr("10 000"));
   EXPECT_THAT(text, HasSubstr("Friction, slab, 1 000 contacts"));
-  EXPECT_THAT(text, HasSubstr("none 20 (0.02), secant 35 (0.02)."));
+  EXPECT_THAT(text, HasSubstr("secant 35 (0.02).\n"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 80u) << line;
 }

@@ -12,6 +12,7 @@ function(stiction_man name)
   endif()
   list(JOIN command " " command)
   add_custom_command(OUTPUT ${page} DEPENDS ${program} ${STICTION_ROOT}/reports/screen/man_page
+                            ${STICTION_ROOT}/reports/web/make/arguments.mjs
     COMMAND ${CMAKE_COMMAND} -E make_directory ${STICTION_BUILD}/man
     COMMAND bash -c "set -o pipefail; COLUMNS=80 ${command} --help | ${STICTION_ROOT}/reports/screen/man_page ${PROJECT_VERSION} >${page}"
     VERBATIM)
@@ -35,7 +36,7 @@ stiction_man(stiction-readme readme)
 stiction_man(stiction-test ${STICTION_ROOT}/stiction test)
 find_program(STICTION_NODE node)
 if(STICTION_NODE)
-  stiction_man(stiction-report ${STICTION_NODE} ${STICTION_ROOT}/reports/web/report.mjs)
+  stiction_man(stiction-report ${STICTION_ROOT}/stiction report)
 endif()
 add_custom_target(man ALL DEPENDS ${STICTION_MAN_PAGES})
 install(FILES ${STICTION_MAN_PAGES} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -19,9 +19,10 @@ has() {
   tr '\n' ' ' <"$root/$source" | grep -oE 'add_(option|flag)\( *"[^"]*"' | grep -oE '\-\-[a-z_-]+' |
     sort -u >"$work/options"
   [ -s "$work/options" ] || failed "$source defines no option"
+  sed 's/\\-/-/g' "${pages[@]}" >"$work/pages" || failed "pages are missing"
   while read -r option; do
     [ "$option" != --root ] || continue
-    sed 's/\\-/-/g' "${pages[@]}" | grep -qE -- "(^|[ B,])$option([ ,\\]|$)" ||
+    grep -qE -- "(^|[ B,])$option([ ,\\]|$)" "$work/pages" ||
       failed "$option of $source stands in none of: ${pages[*]##*/}"
   done <"$work/options"
   printf 'ok    %s: %s options\n' "$source" "$(wc -l <"$work/options")"
@@ -41,7 +42,7 @@ for page in "$man"/*.1; do
   for section in "${sections[@]}"; do
     grep -qxF ".SH $section" "$page" || failed "$name has no section $section"
   done
-  examples=$(sed -n '/^.SH EXAMPLES/,/^.fi/p' "$page" | grep -cE '^(\./stiction|[a-z_]+ .*\| \./stiction)')
+  examples=$(sed -n '/^.SH EXAMPLES/,/^.fi/p' "$page" | grep -cE '^(\\&)?(\./stiction|[a-z_]+ .*\| \./stiction)')
   [ "$examples" -ge 3 ] || failed "$name has $examples examples, not 3"
   grep -qE "^${name//-/.-} .- " "$page" || failed "$name: its NAME is not whatis's"
 done

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "reports/text/check_text.h"
 #include "reports/text/number.h"
@@ -28,6 +30,11 @@ constexpr double kFound = 1e-6;
 constexpr std::size_t kFew = 8, kPlaced = 16;
 
 const RuleOnContacts kPaper{"fixed-point", "paper"};
+
+// With the paper's own depth, where it was compared with that alone.
+bool is_papers(const RuleOnContacts& who) {
+  return who.rule == kPaper.rule && who.contacts.rfind(kPaper.contacts, 0) == 0;
+}
 
 // How well a rule answered: the smaller, the better, first by `first`.
 struct Score {
@@ -91,7 +98,7 @@ Score least_work(const Figures& figures, const Cases& cases, const RuleOnContact
     if (figures.failed(name, who) || !(figures.of(name, who, kSlippedShare) <= kFound)) continue;
     seconds = std::min(seconds, figures.of(name, who, kCpuTime));
   }
-  return {seconds, 0.0, std::isinf(seconds) ? "never" : format_error(seconds) + " s CPU"};
+  return {seconds, 0.0, std::isinf(seconds) ? "never" : format_error(seconds) + " s"};
 }
 
 struct Asked {
@@ -103,14 +110,14 @@ struct Asked {
 
 const std::vector<Asked>& questions() {
   static const std::vector<Asked> all = {
-      {"rules/", "creep, memory lost", "scene", least(kCreep, "m/s")},
-      {"rules/", "… steps to 1e-9 m/s", nullptr, soonest(kStepsTo9)},
-      {"load/lost/", "steps, memory lost", "load", soonest(kStepsTo9)},
-      {"load/released/", "… from a slide", "load", soonest(kFrom3)},
-      {"falling-box/", "… from a fall", "load", soonest(kFrom3)},
-      {"poses/", "poses at rest", "slope", most_poses},
-      {"hard/", "way slipped", "hard case", least(kSlipped, "m")},
-      {"work/", "CPU time to slip ≤ 1e-6", nullptr, least_work},
+      {"rules/", "creep", "scene", least(kCreep, "m/s")},
+      {"rules/", "… steps", nullptr, soonest(kStepsTo9)},
+      {"load/lost/", "steps", "load", soonest(kStepsTo9)},
+      {"load/released/", "… from a slide", nullptr, soonest(kFrom3)},
+      {"falling-box/", "… from a fall", nullptr, soonest(kFrom3)},
+      {"poses/", "poses at rest", nullptr, most_poses},
+      {"hard/", "slip", "hard case", least(kSlipped, "m")},
+      {"work/", "CPU to slip ≤ 1e-6", nullptr, least_work},
   };
   return all;
 }
@@ -184,7 +191,7 @@ std::vector<Placing> placings(const std::vector<Record>& records, std::size_t pl
     const std::vector<RuleOnContacts> rules = figures.rules(asked.prefix);
     for (const RuleOnContacts& who : rules) {
       Score score = asked.ask(figures, cases, who);
-      if (who == kPaper) paper = score.figure;
+      if (is_papers(who) && (paper == "–" || who == kPaper)) paper = score.figure;
       scores.emplace_back(std::move(score), who);
     }
     const auto cost = [&](const RuleOnContacts& who) {
@@ -224,11 +231,15 @@ std::string comparison_summary(const std::vector<Record>& records, const Record&
                          [&](const Placing& one) { return one.*column != "–"; });
     };
     std::vector<std::pair<const char*, std::string Placing::*>> columns = {
-        {few ? "question" : "who wins", &Placing::question},
-        {"rule", &Placing::rule},
-        {"contacts", &Placing::contacts},
-        {"figure", &Placing::figure}};
-    std::string words = "Medians; steps to a mean slip of 1e-9 m/s";
+        {few ? "question" : "who wins", &Placing::question}, {"rule", &Placing::rule}};
+    const bool same = std::all_of(placed.begin(), placed.end(), [&](const Placing& one) {
+      return one.contacts == placed.front().contacts;
+    });
+    if (!same) columns.emplace_back("contacts", &Placing::contacts);
+    const std::size_t texts = columns.size();
+    columns.emplace_back("figure", &Placing::figure);
+    std::string words = same ? fmt::format("On {} contacts; ", placed.front().contacts) : "";
+    words += "friction memory lost; medians; steps until the mean slip is 1e-9 m/s";
     if (told(&Placing::cost)) {
       columns.emplace_back("cost", &Placing::cost);
       words += "; cost: friction of a contact over the fixed point's";
@@ -242,17 +253,22 @@ std::string comparison_summary(const std::vector<Record>& records, const Record&
       rows[0].push_back(heading);
       for (std::size_t k = 0; k < placed.size(); ++k) rows[k + 1].push_back(placed[k].*column);
     }
-    text += plain_table(rows, 3, screen.width);
+    text += plain_table(rows, texts, screen.width);
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
     text += bullet(words + ".", screen.width, "") + "\n";
   }
   std::vector<std::string> said;
-  for (const auto& [begin, end] : {std::pair{"Fixed point against secant on paper", "confirmed."},
-                                   {"Rule or contacts", "scenes)"},
-                                   {"(15) on", "at most."}}) {
+  for (const auto& [begin, end, rest] :
+       {std::tuple{"Fixed point against secant on paper", "of the fixed point", ""},
+        {"Rule or contacts", "scenes)", "."},
+        {"(15) on", "are left", "."}}) {
     std::string sentence = finding(found, begin, end);
     if (sentence.empty()) continue;
-    if (sentence.back() == ')') sentence += ".";
-    said.push_back(std::move(sentence));
+    said.push_back(sentence + rest);
+    if (*rest != '\0') continue;
+    const bool confirmed = finding(found, begin, "comparable: confirmed").ends_with("confirmed");
+    said.back() +=
+        confirmed ? "; comparable, as the paper says." : "; not comparable, against the paper.";
   }
   if (placed.empty()) said = found.notes;  // what has no winner is told in words alone
   for (const std::string& sentence : said) text += bullet(sentence, screen.width);

@@ -11,7 +11,7 @@ namespace stiction {
 
 /// A question that a comparison answers, and who answered it best.
 struct Placing {
-  std::string question;        ///< "creep, 7 scenes that lost their memory"
+  std::string question;        ///< "creep, 7 scenes"
   std::string rule, contacts;  ///< who
   std::string figure;          ///< "2.1e-13 m/s", "14 of 14 in 2 steps"
   std::string cost;  ///< "2.4 ×": friction of a contact over the fixed point's; "–" when not timed
