@@ -6,8 +6,8 @@ import { configuration_of, ordered_configurations } from "../model/configuration
 import { OURS } from "../model/engine.js";
 import { family_name, group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
-import { is_decided, is_expected, VERDICTS } from "../model/verdict.js";
-import { shared_cases, work_points } from "../model/work.js";
+import { is_decided, is_expected, VERDICTS, worst_check } from "../model/verdict.js";
+import { shared_cases_of, work_points } from "../model/work.js";
 import { slip_plot } from "../plots/slip_plot.js";
 import { work_precision_plot } from "../plots/work_precision_plot.js";
 import { short_number } from "./index_row.mjs";
@@ -87,18 +87,17 @@ function place_of({ cells }) {
   return place < 0 || place >= VERDICTS.indexOf("pass") ? VERDICTS.length : place;
 }
 
-// What the causes of shortfalls come down to, most frequent first: [{because, records, configurations, case}],
-// the case being the one furthest beyond.
+// What the causes of shortfalls come down to, a record's worst one each, most frequent first: [{because,
+// records, configurations, case}], the case being the one furthest beyond.
 function causes_of(records, name_of) {
-  const checks = records.flatMap((record) =>
-    record.checks
-      .filter(({ verdict, because }) => is_expected(verdict) && because)
-      .map((check) => ({ record, check })),
-  );
+  const checks = records
+    .filter(({ verdict }) => is_expected(verdict))
+    .map((record) => ({ record, check: worst_check(record.checks, margin) }))
+    .filter(({ check }) => check?.because);
   return [...group_by(checks, ({ check }) => check.because)]
     .map(([because, list]) => ({
       because,
-      records: new Set(list.map(({ record }) => record)).size,
+      records: list.length,
       configurations: ordered_configurations(list.map(({ record }) => name_of(record))),
       case: list.reduce((a, b) => (margin(b.check) > margin(a.check) ? b : a)).record.case,
     }))
@@ -122,7 +121,7 @@ export function summary_of(records) {
     },
   );
   const points = work_points(judged, name_of);
-  const shared = shared_cases(points.filter(({ seconds }) => seconds > 0));
+  const shared = shared_cases_of(judged, name_of);
   const broken = group_by(
     points.filter(({ broke }) => broke),
     ({ configuration }) => configuration,

@@ -9,8 +9,7 @@ import { worst_check } from "./verdict.js";
 /** What changes only how much work is done; every other setting makes another curve. */
 export const EFFORTS = ["dt", "sweeps", "cells"];
 
-const LEAST_SHARED = 5; // cases that configurations must share to be summed up over
-const MOST_COMPARED = 8; // configurations among which the largest such set is looked for
+const MOST_COMPARED = 12; // configurations among which such a set is looked for
 
 // The check that tells of a record: of those that decide, else of those for information that have a scale
 // to be told by.
@@ -70,8 +69,8 @@ const subsets = (list) =>
   list.reduce((all, one) => [...all, ...all.map((set) => [...set, one])], [[]]);
 
 /**
- * The largest set of configurations that share some cases, and of these the one with the most cases:
- * {configurations, cases: [names]}; empty below two.
+ * The configurations for which (pairs of them) × (cases that all of them ran) is largest, and these cases, as
+ * standings_of() in reports/text/standing.h: {configurations, cases: [names]}; empty below two.
  */
 export function shared_cases(pairs) {
   const cases = new Map();
@@ -81,23 +80,29 @@ export function shared_cases(pairs) {
     .sort((a, b) => cases.get(b).size - cases.get(a).size)
     .slice(0, MOST_COMPARED);
   let best = { configurations: [], cases: [] };
-  for (const least of [LEAST_SHARED, 1]) {
-    for (const set of subsets(names)) {
-      if (set.length < 2 || set.length < best.configurations.length) continue;
-      const [first, ...others] = set.map((name) => cases.get(name));
-      const shared = [...first].filter((name) => others.every((other) => other.has(name)));
-      if (shared.length < least) continue;
-      if (set.length > best.configurations.length || shared.length > best.cases.length)
-        best = { configurations: set, cases: shared };
-    }
-    if (best.cases.length > 0) break;
+  let most = 0;
+  for (const set of subsets(names)) {
+    if (set.length < 2) continue;
+    const [first, ...others] = set.map((name) => cases.get(name));
+    const shared = [...first].filter((name) => others.every((other) => other.has(name)));
+    const size = ((set.length * (set.length - 1)) / 2) * shared.length;
+    if (size <= most) continue;
+    most = size;
+    best = { configurations: set, cases: shared };
   }
   return best;
 }
 
-/** {sums, cases}: a point for each configuration over the cases that shared_cases() gives. */
-export function shared_sums(points) {
-  const { configurations, cases } = shared_cases(points);
+/** The same of records that are applicable. */
+export const shared_cases_of = (records, name_of = configuration_of) =>
+  shared_cases(
+    records
+      .filter(({ verdict }) => verdict !== "not-applicable")
+      .map((record) => ({ case: record.case, configuration: name_of(record) })),
+  );
+
+/** {sums, cases}: a point for each configuration over the cases that shared_cases() gave. */
+export function shared_sums(points, { configurations, cases }) {
   const wanted = new Set(cases);
   const sums = configurations.map((configuration) => {
     const own = points.filter(

@@ -7,7 +7,7 @@ import { format_count, to_number } from "../model/number.js";
 import { configuration_styles } from "./configuration_style.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { numbered, tip, tip_number } from "./names.js";
-import { effort_groups, shared_sums, work_points } from "../model/work.js";
+import { effort_groups, shared_cases_of, shared_sums, work_points } from "../model/work.js";
 
 const DECADES = 6; // shown on either side of the tolerance
 const BROKEN = DECADES + 1.6; // where the strip of what broke off is
@@ -82,7 +82,7 @@ export function work_precision_plot(records, { name_of, height = 260, always = f
   const names = ordered_configurations(points.map(({ configuration }) => configuration));
   const styles = configuration_styles(names);
   const keys = numbered(names);
-  const shared = shared_sums(points);
+  const shared = shared_sums(points, shared_cases_of(records, name_of));
   const shown = (point) => ({
     case: point.case,
     configuration: point.configuration,
