@@ -12,6 +12,7 @@
 #include "reports/documents/document.h"
 #include "reports/documents/kept_figures.h"
 #include "reports/record/record_json.h"
+#include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 
 namespace stiction {
@@ -41,24 +42,20 @@ void write(const fs::path& file, const std::string& content) {
   if (!stream) throw std::runtime_error(fmt::format("{} cannot be written", file.string()));
 }
 
+using Runs = std::vector<std::vector<Record>>;
+
 // Of a run's folder, of an out-dir with its 'latest', or a file of records.
-std::vector<Record> records_of(const std::vector<std::string>& runs) {
-  std::vector<Record> all;
-  for (const std::string& run : runs) {
-    fs::path file = run;
+Runs read_runs(const std::vector<std::string>& names) {
+  Runs runs;
+  for (const std::string& name : names) {
+    fs::path file = name;
     if (fs::is_directory(file / "latest")) file /= "latest";
     if (fs::is_directory(file)) file /= "records.jsonl";
     RecordFile read = read_records(file);
     if (!read.unfinished.empty()) throw std::runtime_error(read.unfinished);
-    // What a later run has measured again replaces the earlier.
-    for (Record& record : read.records) {
-      std::erase_if(all, [&](const Record& before) {
-        return before.case_name == record.case_name && before.settings == record.settings;
-      });
-    }
-    std::move(read.records.begin(), read.records.end(), std::back_inserter(all));
+    runs.push_back(std::move(read.records));
   }
-  return all;
+  return runs;
 }
 
 class Project {
@@ -75,8 +72,9 @@ class Project {
               [](const auto& a, const auto& b) { return a.program < b.program; });
   }
 
-  // The programs of which these records tell.
-  std::vector<const FigureRules*> told_by(const std::vector<Record>& records) const {
+  // The programs of which these runs tell.
+  std::vector<const FigureRules*> told_by(const Runs& runs) const {
+    const std::vector<Record> records = records_of(runs);
     std::vector<const FigureRules*> told;
     for (const FigureRules& rules : rules_) {
       if (tells(rules, records)) told.push_back(&rules);
@@ -85,18 +83,18 @@ class Project {
     return told;
   }
 
-  void update(const std::vector<Record>& records) const {
-    for (const FigureRules* rules : told_by(records)) {
-      write(kept_file(*rules), to_json(figures_of(*rules, records)));
+  void update(const Runs& runs) const {
+    for (const FigureRules* rules : told_by(runs)) {
+      write(kept_file(*rules), to_json(figures_of(*rules, runs)));
       fmt::print("{}\n", relative(kept_file(*rules)));
     }
   }
 
-  bool agrees_with(const std::vector<Record>& records) const {
+  bool agrees_with(const Runs& runs) const {
     bool all = true;
-    for (const FigureRules* rules : told_by(records)) {
+    for (const FigureRules* rules : told_by(runs)) {
       const KeptFigures kept = read_kept_figures(kept_file(*rules));
-      for (const std::string& sentence : disagreements(*rules, kept, figures_of(*rules, records))) {
+      for (const std::string& sentence : disagreements(*rules, kept, figures_of(*rules, runs))) {
         fmt::print("{}.toml: {}\n", rules->program, sentence);
         all = false;
       }
@@ -168,8 +166,8 @@ class Project {
 int readme(const Arguments& arguments) {
   const Project project(fs::absolute(arguments.root).lexically_normal());
   bool agree = true;
-  if (!arguments.update.empty()) project.update(records_of(arguments.update));
-  if (!arguments.against.empty()) agree = project.agrees_with(records_of(arguments.against));
+  if (!arguments.update.empty()) project.update(read_runs(arguments.update));
+  if (!arguments.against.empty()) agree = project.agrees_with(read_runs(arguments.against));
   const bool only_look = arguments.check || !arguments.against.empty();
   if (!project.documents(only_look) && only_look) agree = false;
   return agree ? kHolds : kDoesNotHold;
@@ -189,18 +187,44 @@ int main(int argc, char** argv) {
          "--update", arguments.update,
          "Renew the extracts from these runs first: folders of ./stiction validate, compare or "
          "bench; of what several runs have measured, the last counts")
-      ->type_name("RUN…");
+      ->type_name("RUN…")
+      ->group("What is done");
   app.add_option("--against", arguments.against,
                  "Write nothing; say which figures of these runs have another verdict than in the "
                  "documents, or have left their band")
-      ->type_name("RUN…");
-  app.add_flag("--check", arguments.check, "Write nothing; say which documents are out of date");
+      ->type_name("RUN…")
+      ->group("What is done");
+  app.add_flag("--check", arguments.check, "Write nothing; say which documents are out of date")
+      ->group("What is done");
   app.add_option("--root", arguments.root, "Of the source tree")
       ->type_name("DIR")
-      ->capture_default_str();
-  app.footer(
-      "Exit code: 0 all agree, 1 something differs, 2 a figure could not be found or a file "
-      "not read.");
+      ->capture_default_str()
+      ->group("Where");
+  stiction::set_help(
+      app,
+      {.name = "stiction-readme",
+       .summary = "writes the measured figures of README and documents",
+       .synopsis = {"./stiction readme [--update RUN...]",
+                    "./stiction readme --check | --against RUN..."},
+       .description = "Every measured figure of a document stands between markers and comes from a "
+                      "record. This writes "
+                      "them from the extracts that are kept in the tree, renews the extracts from "
+                      "runs, or says what "
+                      "is out of date.",
+       .exit_codes = {{"0", "all agree"},
+                      {"1", "something differs"},
+                      {"2", "a figure could not be found, or a file not read"}},
+       .files = {{"reports/documents/figures/*.toml", "which number of which record a figure is"},
+                 {"reports/documents/figures/*.json",
+                  "the extracts, with revision, machine and date"},
+                 {"reports/documents/tables/*.md",
+                  "tables in which {{figure}} stands for a figure"}},
+       .examples = {{"./stiction readme --update validation-report", "after a run of validate"},
+                    {"./stiction readme --check",
+                     "is any document out of date? (a test of ./stiction test)"},
+                    {"./stiction readme --against validation-report", "does a fresh run agree?"}},
+       .see_also = {"./stiction help validate", "./stiction help compare",
+                    "reports/documents/README.md"}});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

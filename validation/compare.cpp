@@ -6,19 +6,25 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <set>
 #include <thread>
 
 #include "reports/formats/csv.h"
 #include "reports/formats/markdown.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/help_page.h"
+#include "reports/screen/progress_line.h"
+#include "reports/screen/screen.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 #include "validation/comparison/engines/compare_engines.h"
 #include "validation/comparison/findings.h"
+#include "validation/comparison/summary.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/core/runner.h"
@@ -35,78 +41,152 @@ struct Arguments {
   bool list = false;
   bool quick = false;
   bool no_page = false;
+  bool verbose = false;
   std::string out = "comparison-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-void define_engines(CLI::App& app, EngineComparison& asked) {
-  app.add_option("--engine", asked.engines,
-                 "Only this engine: a name, or a program that speaks the engine protocol; "
-                 "repeatable")
-      ->type_name("NAME|COMMAND");
-  app.add_option("--question", asked.questions, "Only questions whose id matches; repeatable")
-      ->type_name("GLOB");
-  app.add_flag("--list", asked.list, "Show the questions and end");
-  app.add_flag("--quick", asked.quick, "Under three minutes: the chief questions");
-  app.add_option("--cpu-limit", asked.cpu_limit,
-                 "CPU time for an answer, s; what takes longer is told as broken")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  add_engine_limits(app, asked.limits);
-  app.add_option("--out", asked.out,
+// Options that both comparisons have.
+void define_output(CLI::App& app, std::string& out, bool& verbose, bool& no_page) {
+  app.add_flag("--verbose", verbose, "Print every table too, not what was found alone")
+      ->group("What is written");
+  app.add_option("--out", out,
                  "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
                  "to the last")
       ->type_name("DIR")
-      ->capture_default_str();
-  app.add_flag("--no-page", asked.no_page,
-               "Leave out report.html, which ./stiction makes from the records with node");
+      ->capture_default_str()
+      ->group("What is written");
+  app.add_flag("--no-page", no_page,
+               "Leave out report.html, which ./stiction makes from the records with node")
+      ->group("What is written");
+}
+
+void define_engines(CLI::App& app, EngineComparison& asked) {
+  const char* const which = "What is compared";
+  const char* const how = "How it runs";
+  app.add_option("--engine", asked.engines,
+                 "Only this engine: a name, or a program that speaks the engine protocol; "
+                 "repeatable")
+      ->type_name("NAME|COMMAND")
+      ->group(which);
+  app.add_option("--question", asked.questions, "Only questions whose id matches; repeatable")
+      ->type_name("GLOB")
+      ->group(which);
+  app.add_flag("--quick", asked.quick, "Under three minutes: the chief questions")->group(which);
+  app.add_flag("--list", asked.list, "Show the questions and end")->group(which);
   app.add_option("--jobs", asked.jobs, "Questions to ask at a time; more than one disturbs times")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  app.footer("Exit code: 0 compared (an engine that breaks is a result), 2 could not run.");
+      ->capture_default_str()
+      ->group(how);
+  app.add_option("--cpu-limit", asked.cpu_limit,
+                 "CPU time for an answer, s; what takes longer is told as broken")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->group(how);
+  for (CLI::Option* const option : add_engine_limits(app, asked.limits)) option->group(how);
+  define_output(app, asked.out, asked.verbose, asked.no_page);
+  set_help(
+      app,
+      {.name = "stiction-compare-engines",
+       .summary = "engines side by side: who holds, who creeps, at which cost",
+       .synopsis = {"./stiction compare engines [--engine NAME|COMMAND]... [OPTIONS]"},
+       .description =
+           "Asks every engine, in each configuration that it brings, how far its answers to some "
+           "twenty "
+           "questions with known answers are off (does a box creep, at which slope does it give, "
+           "how far "
+           "does it slide, ...), and some of them along a ladder of efforts. Prints who holds and "
+           "at which "
+           "cost, where others are closer or cheaper than this project's solver, and who broke.",
+       .exit_codes = {{"0", "compared; an engine that breaks is a result"},
+                      {"2", "could not run: bad input, no engine could be asked, a full disk"}},
+       .files = {{"engine-report/latest/engines.md",
+                  "every answer, and the cheapest way to each error"},
+                 {"engine-report/latest/records.jsonl, records.csv", "the records behind it"},
+                 {"engine-report/latest/report.html", "the page"}},
+       .examples = {{"./stiction compare engines --quick", "the chief questions, three minutes"},
+                    {"./stiction compare engines --engine stiction --engine ./my_engine",
+                     "your own engine beside this project's solver"},
+                    {"./stiction compare engines --question 'creep-*' --verbose",
+                     "who creeps, with every answer"}},
+       .see_also = {"./stiction help engine", "./stiction help validate",
+                    "validation/comparison/engines/README.md"}});
 }
 
 std::string rule_help() {
-  std::string text =
-      "Rules (solver/friction/rules/), what they remember of a contact and guarantee, and their "
-      "parameters\n(validate --set NAME=VALUE):\n";
+  std::string text;
   for (const std::string& name : friction_rule_names()) {
     const RuleCard card = friction_rule_card(name);
-    text += fmt::format("  {:<17} {} ({} B): {}\n", name, card.memory, friction_memory_bytes(name),
-                        card.guarantees);
+    text += fmt::format("{}\n", name);
+    text += bullet(fmt::format("remembers {} ({} B a contact); {}", card.memory,
+                               friction_memory_bytes(name), card.guarantees),
+                   69, "    ");
     for (const RuleParameter& parameter : friction_rule_parameters(name)) {
-      text += fmt::format("    {:<15} {}\n", parameter.name, parameter_help(parameter));
+      text +=
+          bullet(fmt::format("{}: {}", parameter.name, parameter_help(parameter)), 69, "    - ");
     }
   }
   return text;
 }
 
 void define(CLI::App& app, Arguments& arguments) {
+  const char* const which = "What is compared";
   app.add_option("--scene", arguments.selection.globs,
                  "Only comparisons whose name matches, e.g. 'rules/slab' or 'gain/*'; repeatable")
-      ->type_name("GLOB");
-  app.add_option("--rule", arguments.rules, "Only this rule; repeatable")->type_name("RULE");
-  app.add_option("--contacts", arguments.contacts, "Only the contacts of this method; repeatable")
-      ->check(CLI::IsMember({"paper", "quiet"}));
-  app.add_flag("--list", arguments.list, "Show the names of the comparisons and end");
+      ->type_name("GLOB")
+      ->group(which);
+  app.add_option("--rule", arguments.rules, "Only this rule; repeatable")
+      ->type_name("RULE")
+      ->group(which);
+  app.add_option("--contacts", arguments.contacts,
+                 "Only the contacts of this method, paper or quiet; repeatable")
+      ->type_name("METHOD")
+      ->check(CLI::IsMember({"paper", "quiet"}))
+      ->group(which);
   app.add_flag("--quick", arguments.quick,
-               "Under 20 seconds: three scenes, every rule, and one load");
-  app.add_option("--out", arguments.out,
-                 "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
-                 "to the last")
-      ->type_name("DIR")
-      ->capture_default_str();
-  app.add_flag("--no-page", arguments.no_page,
-               "Leave out report.html, which ./stiction makes from the records with node");
+               "Under 20 seconds: three scenes, every rule, and one load")
+      ->group(which);
+  app.add_flag("--list", arguments.list, "Show the names of the comparisons and end")->group(which);
   app.add_option("--jobs", arguments.jobs, "Rules to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  app.footer(
-      rule_help() +
-      "\nExit code: 0 compared (a rule that fails on a scene is a result), 1 a timed run was "
-      "not the computation that was looked at, 2 could not run.");
+      ->capture_default_str()
+      ->group("How it runs");
+  define_output(app, arguments.out, arguments.verbose, arguments.no_page);
+  set_help(
+      app,
+      {.name = "stiction-compare",
+       .summary = "friction rules side by side: speed against error",
+       .synopsis = {"./stiction compare [--scene GLOB]... [--rule RULE]... [OPTIONS]",
+                    "./stiction compare engines [OPTIONS]"},
+       .description = "Sets every rule of static friction, on the paper's contacts and on the "
+                      "quiet ones, side by side "
+                      "on the same scenes: friction memory lost, loads of 0.1 to 0.95 of the cone, "
+                      "a box that falls, "
+                      "random poses, hard conditions, gains, work against precision. Prints who "
+                      "wins each question "
+                      "with its figure and cost, and what failed.",
+       .exit_codes = {{"0", "compared; a rule that fails on a scene is a result"},
+                      {"1", "a timed run was not the computation that was looked at"},
+                      {"2", "could not run: bad input, a full disk"}},
+       .files = {{"comparison-report/latest/comparison.md",
+                  "findings in sentences, and every table"},
+                 {"comparison-report/latest/records.jsonl, records.csv, report.md",
+                  "the records behind them"},
+                 {"comparison-report/latest/report.html, plots/",
+                  "the page, and its plots as SVG files"}},
+       .examples = {{"./stiction compare --quick", "the chief scenes in seconds"},
+                    {"./stiction compare --scene 'rules/*' --rule fixed-point --rule my-rule",
+                     "a rule of your own against the paper's, where friction memory was lost"},
+                    {"./stiction compare --scene 'claims/*'", "which of the paper's claims hold"}},
+       .see_also = {"./stiction help validate", "./stiction compare engines --help",
+                    "solver/friction/README.md (how to write a rule)"},
+       .more = {{"Rules",
+                 "What they remember, guarantee and can be given (--set NAME=VALUE);\n"
+                 "each is a header of solver/friction/rules/.\n\n" +
+                     rule_help()}}});
 }
 
 // Those of the rules and contacts asked for.
@@ -128,11 +208,24 @@ std::vector<Job> chosen(std::vector<Job> jobs, const Arguments& arguments) {
   return jobs;
 }
 
-// Prints each comparison once all of its rules are known, in order.
+// A table of each comparison once all of its rules are known, in order; printed with `verbose`. On a
+// terminal a line tells what is done.
 class Tables {
  public:
-  Tables(const std::vector<Job>& jobs, const std::vector<Record>& records)
-      : jobs_(jobs), records_(records), known_(jobs.size(), false) {}
+  Tables(const std::vector<Job>& jobs, const std::vector<Record>& records, bool verbose)
+      : jobs_(jobs),
+        records_(records),
+        verbose_(verbose),
+        known_(jobs.size(), false),
+        progress_(jobs.size()) {
+    show_progress();
+  }
+
+  // A rule that broke off says so as soon as it does.
+  void complain(const Record& record) {
+    progress_.clear();
+    fmt::print(stderr, "stiction compare: {}: {}\n", record.case_name, record.error);
+  }
 
   void finished(std::size_t index) {
     known_[index] = true;
@@ -144,20 +237,27 @@ class Tables {
       }
       const std::string text = section(next_, end);
       text_ += text;
-      fmt::print("{}", text);
-      std::fflush(stdout);
+      if (verbose_) {
+        progress_.clear();
+        fmt::print("{}", text);
+        std::fflush(stdout);
+      }
       next_ = end;
     }
-    if (isatty(STDERR_FILENO)) {
-      const auto done = std::count(known_.begin(), known_.end(), true);
-      fmt::print(stderr, "\r\033[K[{}/{}]{}", done, jobs_.size(),
-                 next_ == jobs_.size() ? "\r\033[K" : "");
-    }
+    show_progress();
   }
 
   const std::string& text() const { return text_; }
 
  private:
+  void show_progress() {
+    const auto done = static_cast<std::size_t>(std::count(known_.begin(), known_.end(), true));
+    if (done == jobs_.size()) return progress_.clear();
+    const auto next =
+        static_cast<std::size_t>(std::find(known_.begin(), known_.end(), false) - known_.begin());
+    progress_.show(done, jobs_[next].which.name + ", " + rule_words(jobs_[next].settings));
+  }
+
   static std::ptrdiff_t offset(std::size_t index) { return static_cast<std::ptrdiff_t>(index); }
 
   std::size_t end_of(std::size_t begin) const {
@@ -175,10 +275,22 @@ class Tables {
 
   const std::vector<Job>& jobs_;
   const std::vector<Record>& records_;
+  bool verbose_;
   std::vector<bool> known_;
+  ProgressLine progress_;
   std::size_t next_ = 0;
   std::string text_;
 };
+
+std::size_t count_cases(const std::vector<Job>& jobs) {
+  std::set<std::string> names;
+  for (const Job& job : jobs) names.insert(job.which.name);
+  return names.size();
+}
+
+double seconds_since(std::chrono::steady_clock::time_point began) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
 
 int compare(Arguments& arguments) {
   Selection& selection = arguments.selection;
@@ -192,13 +304,12 @@ int compare(Arguments& arguments) {
     }
     return kHolds;
   }
+  const auto began = std::chrono::steady_clock::now();
   RecordStore store = RecordStore::create(arguments.out);
   std::vector<Record> records(jobs.size());
-  Tables tables(jobs, records);
+  Tables tables(jobs, records, arguments.verbose);
   run_jobs(jobs, arguments.jobs, 1.0, [&](std::size_t index, Record record) {
-    if (record.verdict == Verdict::kError) {
-      fmt::print(stderr, "stiction compare: {}: {}\n", record.case_name, record.error);
-    }
+    if (record.verdict == Verdict::kError) tables.complain(record);
     store.append(record);
     records[index] = std::move(record);
     tables.finished(index);
@@ -207,12 +318,20 @@ int compare(Arguments& arguments) {
   if (!found.notes.empty() || !found.checks.empty()) store.append(found);
   std::string text = "\n## Findings\n\n";
   for (const std::string& sentence : found.notes) text += "- " + sentence + "\n";
-  fmt::print("{}", text);
+  if (arguments.verbose) fmt::print("{}\n", text);
   store.write_file("comparison.md", "# Iteration rules side by side\n" + text + tables.text());
   store.write_file("report.md", markdown_report(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("\nReport: {}\n", (store.folder() / "comparison.md").string());
+  const Screen screen = screen_of(STDOUT_FILENO);
+  fmt::print("{}", bullet(fmt::format("stiction compare · {} runs of {} · {}", records.size(),
+                                      counted(count_cases(jobs), "comparison"),
+                                      duration_text(seconds_since(began))),
+                          screen.width, ""));
+  fmt::print("\n{}\n", comparison_summary(records, found, screen));
+  fmt::print("{}, and every table: {}{}\n", counted(found.notes.size(), "finding"),
+             (store.folder() / "comparison.md").string(),
+             arguments.verbose ? "" : " (here: --verbose)");
   if (!arguments.no_page) store.tell_caller();
   if (std::fflush(stdout) != 0) throw InputError("the tables could not be written to stdout");
   return exit_code(records);

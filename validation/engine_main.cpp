@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 #include "solver/demand.h"
 #include "validation/core/engine_options.h"
@@ -93,6 +94,69 @@ ExitCode check(const Arguments& arguments) {
   return code;
 }
 
+void define_help(CLI::App& app, CLI::App& list, CLI::App& show, CLI::App& check) {
+  const std::vector<std::string> see_also = {
+      "./stiction help validate", "./stiction compare engines --help",
+      "validation/engine/kit/README.md (how to write an engine)",
+      "validation/engine/protocol/README.md"};
+  const std::vector<std::pair<std::string, std::string>> codes = {
+      {"0", "done; every check holds"},
+      {"1", "a check fails"},
+      {"2", "could not run: no such engine"}};
+  set_help(
+      app,
+      {.name = "stiction-engine",
+       .summary = "what engines there are, and whether an adapter speaks right",
+       .synopsis = {"./stiction engine check NAME|COMMAND [OPTIONS]",
+                    "./stiction engine show NAME|COMMAND", "./stiction engine list"},
+       .description =
+           "An engine is a program in any language that speaks a small protocol over pipes, or one "
+           "that is built in. These commands list those that the project knows, show what one can "
+           "be given, and try an adapter against known answers before anything is graded.",
+       .exit_codes = codes,
+       .examples = {{"./stiction engine list", "what there is"},
+                    {"./stiction engine show bullet", "its settings and configurations"},
+                    {"./stiction engine check \"python3 my_engine.py\"", "does it speak right?"}},
+       .see_also = see_also});
+  set_help(
+      list,
+      {.name = "stiction-engine-list",
+       .summary = "the engines that this project knows",
+       .synopsis = {"./stiction engine list"},
+       .description = "Prints a line an engine: its name and what it is. Those that are not built "
+                      "yet are named with the Debian packages that they are built from.",
+       .exit_codes = codes,
+       .examples = {{"./stiction engine list", "all of them"},
+                    {"./stiction engine list | grep -i double", "some"},
+                    {"./stiction validate --engine bullet --quick", "validate one of them"}},
+       .see_also = see_also});
+  set_help(show,
+           {.name = "stiction-engine-show",
+            .summary = "settings, configurations and efforts of an engine",
+            .synopsis = {"./stiction engine show NAME|COMMAND"},
+            .description = "Prints what --set can change, the configurations that the engine is "
+                           "validated in with the source of each, and its ladder of efforts.",
+            .exit_codes = codes,
+            .examples = {{"./stiction engine show stiction", "this project's solver"},
+                         {"./stiction engine show mujoco", "another"},
+                         {"./stiction engine show ./my_engine", "one of your own"}},
+            .see_also = see_also});
+  set_help(
+      check,
+      {.name = "stiction-engine-check",
+       .summary = "tries an adapter against known answers",
+       .synopsis = {"./stiction engine check NAME|COMMAND [--set NAME=VALUE]... [OPTIONS]"},
+       .description = "Talks to the engine as the cases will: signs, frames, units, time, loads, "
+                      "contacts, whether an answer repeats. Each failure is one sentence; an "
+                      "engine with one is not graded.",
+       .exit_codes = codes,
+       .examples = {{"./stiction engine check ./my_engine", "a program"},
+                    {"./stiction engine check \"python3 my_engine.py\" --set dt=1e-4",
+                     "a script, with a setting"},
+                    {"./stiction engine check ode", "one that comes with the project"}},
+       .see_also = see_also});
+}
+
 }  // namespace
 
 }  // namespace stiction
@@ -110,11 +174,14 @@ int main(int argc, char** argv) {
                     "A name, or a program that speaks the engine protocol "
                     "(validation/engine/protocol/README.md)")
         ->required();
-    stiction::add_engine_limits(*one, arguments.limits);
+    for (CLI::Option* const limit : stiction::add_engine_limits(*one, arguments.limits)) {
+      limit->group("How it runs");
+    }
   }
   check->add_option("--set", arguments.settings, "A setting of the engine")
-      ->type_name("NAME=VALUE");
-  app.footer("Exit code: 0 all checks hold, 1 some fail, 2 could not run.");
+      ->type_name("NAME=VALUE")
+      ->group("How it runs");
+  stiction::define_help(app, *list, *show, *check);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -6,12 +6,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <thread>
@@ -19,10 +21,15 @@
 #include "reports/formats/csv.h"
 #include "reports/formats/junit.h"
 #include "reports/formats/markdown.h"
+#include "reports/formats/summary.h"
 #include "reports/formats/table.h"
 #include "reports/formats/vtk.h"
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/help_page.h"
+#include "reports/screen/progress_line.h"
+#include "reports/screen/screen.h"
+#include "reports/text/configuration_text.h"
 #include "solver/demand.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
@@ -44,6 +51,7 @@ struct Arguments {
   bool full = false;
   bool vtk = false;
   bool no_page = false;
+  bool verbose = false;
   std::string out = "validation-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   double tolerance_scale = 1.0;
@@ -52,56 +60,102 @@ struct Arguments {
 };
 
 std::string engine_help() {
-  std::string text = "Engines and their settings (--set NAME=VALUE):\n";
+  std::string text;
   for (const EngineKind& kind : engine_catalog()) {
-    text += fmt::format("  {}: {}\n", kind.name, kind.description);
+    text += bullet(kind.name + ": " + kind.description, 69, "");
     for (const auto& [name, meaning] : kind.settings_help) {
-      text += fmt::format("    {:<10} {}\n", name, meaning);
+      text += bullet(name + ": " + meaning, 69, "    - ");
     }
   }
-  text +=
-      "Programs, built when they are first called for (settings: ./stiction engine show NAME):\n";
+  text += "\nPrograms, built when they are called for (./stiction engine show NAME):\n";
   for (const EngineProgram& one : engine_programs()) {
-    text += fmt::format("  {} (Debian: {})\n", one.name, one.packages);
+    text += bullet(fmt::format("{} (Debian: {})", one.name, one.packages), 69, "    ");
   }
   return text;
+}
+
+HelpPage help_page() {
+  return {
+      .name = "stiction-validate",
+      .summary = "runs validation cases, or problems of your own, and writes a report",
+      .synopsis = {"./stiction validate [--case GLOB]... [--engine NAME|COMMAND] [OPTIONS]",
+                   "./stiction validate PROBLEM.toml... [OPTIONS]"},
+      .description =
+          "Simulates cases whose answer is known and says of each measured figure how far it is "
+          "from that, "
+          "by which tolerance it is judged and what it cost. Prints who holds, how accurately and "
+          "at which "
+          "cost, then every check that fails with the command that runs its case again.",
+      .exit_codes = {{"0", "every check holds, or falls short as expected"},
+                     {"1", "some check fails"},
+                     {"2", "could not run: bad input, a case that broke off, a full disk"}},
+      .files = {{"validation-report/latest/records.jsonl, records.csv",
+                 "every figure; reports/record/schema.md explains the fields"},
+                {"validation-report/latest/report.md, junit.xml",
+                 "every check as text, and for CI"},
+                {"validation-report/latest/report.html",
+                 "the page: opens offline, with plots and recordings"},
+                {"validation-report/latest/frames/, vtk/",
+                 "recordings; vtk/ with --vtk, for ParaView"}},
+      .examples = {{"./stiction validate --quick", "one case of each kind, in seconds"},
+                   {"./stiction validate --case 'slab/*' --set kappa=0.7",
+                    "some cases with a setting changed"},
+                   {"./stiction validate --engine \"python3 my_engine.py\"",
+                    "an engine of your own in every case that it can take"}},
+      .see_also = {"./stiction help compare", "./stiction help report", "./stiction help engine",
+                   "validation/user/TUTORIAL.md", "validation/user/examples/ramp.toml"},
+      .more = {{"Engines and their settings", engine_help()}}};
 }
 
 void define(CLI::App& app, Arguments& arguments) {
   app.add_option("problem", arguments.problems,
                  "Your own problems, as TOML files (validation/user/examples/ramp.toml explains); "
-                 "without any, the built-in cases run");
+                 "without any, the built-in cases run")
+      ->type_name("PROBLEM");
   app.add_option("--case", arguments.selection.globs,
                  "Only cases whose name matches, e.g. 'incline/*' or '*/mu=0.3/*'; repeatable")
-      ->type_name("GLOB");
-  app.add_flag("--list", arguments.list, "Show the names of the cases and end");
-  app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind");
-  app.add_flag("--full", arguments.full, "The long cases as well");
+      ->type_name("GLOB")
+      ->group("What runs");
+  app.add_flag("--list", arguments.list, "Show the names of the cases and end")->group("What runs");
+  app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind")
+      ->group("What runs");
+  app.add_flag("--full", arguments.full, "The long cases as well")->group("What runs");
   app.add_option("--engine", arguments.selection.engine,
                  "The engine to validate: a name from below, or a program that speaks the engine "
                  "protocol, e.g. \"python3 my_engine.py\"")
       ->type_name("NAME|COMMAND")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("What runs");
   app.add_option(
          "--configuration", arguments.selection.configuration,
          "Only this one of the engine's configurations ('./stiction engine show' lists them)")
-      ->type_name("NAME");
-  add_engine_limits(app, arguments.limits);
+      ->type_name("NAME")
+      ->group("What runs");
+  for (CLI::Option* const option : add_engine_limits(app, arguments.limits))
+    option->group("How it runs");
   app.add_option("--set", arguments.settings, "A setting of the engine, over that of each case")
-      ->type_name("NAME=VALUE");
+      ->type_name("NAME=VALUE")
+      ->group("How it runs");
   app.add_option("--out", arguments.out,
                  "Folder for the reports; each run gets a folder of its own in it, 'latest' points "
                  "to the last")
       ->type_name("DIR")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("What is written");
   app.add_flag("--vtk", arguments.vtk,
-               "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder");
+               "Write what the cases record for ParaView too: vtk/*.pvd in the run's folder")
+      ->group("What is written");
   app.add_flag("--no-page", arguments.no_page,
-               "Leave out report.html, which ./stiction makes from the records with node");
+               "Leave out report.html, which ./stiction makes from the records with node")
+      ->group("What is written");
+  app.add_flag("--verbose", arguments.verbose,
+               "Print every check of every record, as report.md has it")
+      ->group("What is written");
   app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("How it runs");
   app.add_option("--tolerance-scale", arguments.tolerance_scale,
                  "Multiplies every tolerance; 0 fails whatever is not exact and so shows every "
                  "residual")
@@ -111,16 +165,15 @@ void define(CLI::App& app, Arguments& arguments) {
         const bool is_scale = std::strtod(text.c_str(), &end) >= 0.0 && *end == '\0';
         return is_scale ? std::string() : "must be a number from 0, not '" + text + "'";
       })
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("How it runs");
   app.add_option(
          "--show-expectations", arguments.show_expectations,
          "Run nothing: list what the engine is expected to fall short of beside what this "
          "run measured, and its failures, as rows of validation/engines/stiction/expectations/")
-      ->type_name("RECORDS.jsonl");
-  app.footer(engine_help() +
-             "\nExit code: 0 every check holds or falls short as expected, 1 "
-             "some fail, 2 could not run (bad input, a case "
-             "that broke off, a full disk).");
+      ->type_name("RECORDS.jsonl")
+      ->group("What is written");
+  set_help(app, help_page());
 }
 
 const char* set_name(CaseSet set) {
@@ -144,45 +197,94 @@ void list_cases(const std::vector<Case>& cases, const Selection& selection) {
   }
 }
 
-// Prints records in the order of their jobs, each as soon as those before it are known; on a
-// terminal a line below says what is still running.
+// What an earlier run took for these jobs, CPU s; jobs that it hasn't got take what they do on average.
+std::vector<double> weights_of(const std::vector<Job>& jobs, const std::filesystem::path& earlier) {
+  std::map<std::string, double> seconds;  // by case and engine, a variant's on average
+  std::map<std::string, int> counts;
+  double sum = 0.0;
+  try {
+    for (const Record& record : read_records(earlier).records) {
+      const std::string key = record.case_name + "\n" + record.engine;
+      seconds[key] += record.cost.cpu_seconds;
+      ++counts[key];
+      sum += record.cost.cpu_seconds;
+    }
+  } catch (const std::exception&) {
+    seconds.clear();  // none, or not readable: that is no fault of this run
+  }
+  constexpr double kLeast = 0.02;  // s: starting a case takes that
+  const double usual = seconds.empty() ? 1.0 : sum / static_cast<double>(seconds.size());
+  std::vector<double> weights;
+  for (const Job& job : jobs) {
+    const std::string key = job.which.name + "\n" + job.engine.name;
+    const auto found = seconds.find(key);
+    weights.push_back(found == seconds.end() ? usual : found->second / counts[key] + kLeast);
+  }
+  return weights;
+}
+
+// What is seen while jobs run: a line of progress, what fails as soon as it is known, and with
+// --verbose all records, in the order of their jobs.
 class Console {
  public:
-  Console(const std::vector<Job>& jobs, const TableStyle& style)
-      : jobs_(jobs), style_(style), waiting_(jobs.size()), progress_(isatty(STDERR_FILENO)) {
-    fmt::print("{}", table_header(style_));
+  Console(const std::vector<Job>& jobs, const TableStyle& style, const Arguments& arguments)
+      : arguments_(arguments),
+        style_(style),
+        jobs_(jobs),
+        weights_(weights_of(jobs, earlier_records(arguments.out))),
+        total_(std::accumulate(weights_.begin(), weights_.end(), 0.0)),
+        waiting_(jobs.size()),
+        progress_(jobs.size()) {
+    if (arguments_.verbose) fmt::print("{}", table_header(style_));
+    std::fflush(stdout);
     show_progress();
   }
 
-  // A case that broke off says so on stderr too.
-  void complain(const Record& record) const {
-    if (progress_) fmt::print(stderr, "\r\033[K");
-    fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
-  }
-
   void finished(std::size_t index, const Record& record) {
+    work_done_ += weights_[index];
+    ++count_done_;
+    progress_.clear();
+    if (record.verdict == Verdict::kError) {
+      fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
+    }
     // What an engine cannot take stands in a few lines at the end.
-    waiting_[index] = record.verdict == Verdict::kNotApplicable ? "" : table_rows(record, style_);
-    ++done_;
-    if (progress_) fmt::print(stderr, "\r\033[K");
+    waiting_[index] = arguments_.verbose && record.verdict != Verdict::kNotApplicable
+                          ? table_rows(record, style_)
+                          : std::string();
+    *waiting_[index] += failure_block(
+        record, style_,
+        rerun_command(record, arguments_.problems, arguments_.selection.engine) + scaled());
     while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
     std::fflush(stdout);
     show_progress();
   }
 
  private:
-  void show_progress() const {
-    if (!progress_ || done_ == jobs_.size()) return;
-    fmt::print(stderr, "\r\033[K[{}/{}] {} …", done_, jobs_.size(), jobs_[next_].which.name);
-    std::fflush(stderr);
+  std::string scaled() const {
+    const double scale = arguments_.tolerance_scale;
+    return scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale);
   }
 
-  const std::vector<Job>& jobs_;
+  static std::filesystem::path earlier_records(const std::string& out) {
+    return screen_of(STDERR_FILENO).moving ? std::filesystem::path(out) / "latest" / "records.jsonl"
+                                           : std::filesystem::path();
+  }
+
+  void show_progress() {
+    if (count_done_ == jobs_.size()) return;
+    progress_.show(count_done_, jobs_[next_].which.name, work_done_ / total_);
+  }
+
+  const Arguments& arguments_;
   TableStyle style_;
+  const std::vector<Job>& jobs_;
+  std::vector<double> weights_;  // of the jobs, and their sum
+  double total_;
+  double work_done_ = 0.0;
+  std::size_t count_done_ = 0;
   std::vector<std::optional<std::string>> waiting_;
   std::size_t next_ = 0;
-  std::size_t done_ = 0;
-  bool progress_;
+  ProgressLine progress_;
 };
 
 // Refuses, before anything runs, settings that are unknown or out of range, and those that no job
@@ -232,10 +334,10 @@ int validate(Arguments& arguments) {
   RecordStore store = RecordStore::create(arguments.out);
   const TableStyle style = terminal_style();
   std::vector<Record> records(jobs.size());
-  Console console(jobs, style);
+  Console console(jobs, style, arguments);
+  const auto start = std::chrono::steady_clock::now();
   const auto finished = [&](std::size_t index, Record record) {
     store.append(record);
-    if (record.verdict == Verdict::kError) console.complain(record);
     console.finished(index, record);
     records[index] = std::move(record);
   };
@@ -246,12 +348,15 @@ int validate(Arguments& arguments) {
     return "frames/" + stem + ".bin";
   };
   run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, finished, keep);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  const RunFacts facts{.wall_seconds = took.count(), .height = terminal_height()};
   store.write_file("report.md", markdown_report(records));
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("{}", closing_summary(records, style));
-  fmt::print("Report: {}\n", (store.folder() / "report.md").string());
+  fmt::print("{}{}", arguments.verbose ? "\n" : "", summary_screen(records, style, facts));
+  fmt::print("{}Report: {}\n", arguments.verbose ? "" : "All checks: --verbose, or report.md\n",
+             (store.folder() / "report.md").string());
   if (!arguments.no_page) store.tell_caller();
   if (std::fflush(stdout) != 0) throw InputError("the table could not be written to stdout");
   return exit_code(records);

@@ -3,17 +3,22 @@
 // optional features cost those who don't use them. benchmarks/README.md explains the figures.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/bench/bench_records.h"
+#include "benchmarks/bench/bench_summary.h"
 #include "benchmarks/bench/console.h"
 #include "benchmarks/bench/fixed.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/help_page.h"
+#include "reports/screen/progress_line.h"
+#include "reports/screen/screen.h"
 #include "reports/text/exit_code.h"
 #include "solver/demand.h"
 
@@ -27,6 +32,7 @@ struct Arguments {
   bool list = false;
   bool full = false;
   bool no_features = false;
+  bool verbose = false;
   bool list_fixed = false;
   bool machine = false;
   std::string fixed;
@@ -35,34 +41,74 @@ struct Arguments {
 };
 
 void define(CLI::App& app, Arguments& arguments) {
-  app.add_flag("--full", arguments.full,
-               "Up to a million contacts as well: minutes, and gigabytes");
-  app.add_flag("--no-features", arguments.no_features,
-               "Leave out the table of optional features (as --benchmark_filter does)");
-  app.add_option("--out", arguments.out, "Folder for the records; each run gets its own in it")
-      ->type_name("DIR")
-      ->capture_default_str();
+  const char* const which = "What is measured";
+  const char* const written = "What is written";
+  const char* const one = "One benchmark, counted";
   app.add_option("--benchmark_filter", arguments.filter,
                  "Only benchmarks whose name matches; with '-' in front, only the others")
-      ->type_name("REGEX");
+      ->type_name("REGEX")
+      ->group(which);
+  app.add_flag("--full", arguments.full, "Up to a million contacts as well: minutes, and gigabytes")
+      ->group(which);
+  app.add_flag("--no-features", arguments.no_features,
+               "Leave out what optional features cost (as --benchmark_filter does)")
+      ->group(which);
+  app.add_flag("--list,--benchmark_list_tests", arguments.list, "Show the names and end")
+      ->group(which);
+  app.add_flag("--verbose", arguments.verbose,
+               "Print a line each benchmark too, not what was found alone")
+      ->group(written);
+  app.add_option("--out", arguments.out, "Folder for the records; each run gets its own in it")
+      ->type_name("DIR")
+      ->capture_default_str()
+      ->group(written);
   app.add_option("--benchmark_out", arguments.out_file, "Google Benchmark's report as a file too")
-      ->type_name("FILE");
-  app.add_flag("--list,--benchmark_list_tests", arguments.list, "Show the names and end");
-  app.add_flag("--list-fixed", arguments.list_fixed,
-               "Show the names of the benchmarks that --fixed takes, and end");
-  app.add_flag("--machine", arguments.machine,
-               "Print processor, compiler and flags as a line of JSON, and end");
+      ->type_name("FILE")
+      ->group(written);
   app.add_option("--fixed", arguments.fixed,
                  "Do one benchmark's work --batches times without a clock, and print a line of "
                  "JSON: for instruction counts")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->group(one);
   app.add_option("--batches", arguments.batches, "How often --fixed does the work")
+      ->type_name("N")
       ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  app.footer(
-      "Google Benchmark's other flags work too: --benchmark_repetitions=N, "
-      "--benchmark_min_time=SECONDS, --benchmark_out_format=json.\n"
-      "Exit code: 0 measured, 1 a workload was not at rest, 2 could not run (bad input).");
+      ->capture_default_str()
+      ->group(one);
+  app.add_flag("--list-fixed", arguments.list_fixed,
+               "Show the names of the benchmarks that --fixed takes, and end")
+      ->group(one);
+  app.add_flag("--machine", arguments.machine,
+               "Print processor, compiler and flags as a line of JSON, and end")
+      ->group(one);
+  set_help(
+      app,
+      {.name = "stiction-bench",
+       .summary = "what a contact costs, and how that grows",
+       .synopsis = {"./stiction bench [--benchmark_filter REGEX] [--full] [OPTIONS]"},
+       .description = "Measures the CPU time per contact of every phase of a step and of whole "
+                      "steps, for 100 to 100 000 "
+                      "contacts in several families of scenes that were first seen to be at rest; "
+                      "how it grows with "
+                      "their number; and what optional features cost those who leave them. Google "
+                      "Benchmark's other "
+                      "flags work too: --benchmark_repetitions=N, --benchmark_min_time=SECONDS, "
+                      "--benchmark_out_format=json.",
+       .exit_codes =
+           {{"0", "measured"},
+            {"1",
+             "a workload was not at rest, a cost does not grow as it should, or a feature "
+             "costs those who leave it"},
+            {"2", "could not run: bad input, a full disk"}},
+       .files = {{"bench-report/latest/bench.md",
+                  "a line each benchmark, every exponent, every feature"},
+                 {"bench-report/latest/records.jsonl", "the records behind them"},
+                 {"bench-report/latest/report.html", "the page: cost over the number of contacts"}},
+       .examples = {{"./stiction bench", "everything, three minutes"},
+                    {"./stiction bench --benchmark_filter=friction/slab --verbose",
+                     "friction alone, rule by rule, on one family"},
+                    {"./stiction bench --full --no-features", "up to a million contacts"}},
+       .see_also = {"./stiction help track", "benchmarks/README.md"}});
 }
 
 void register_all(const std::vector<Chosen>& chosen, Measure& measure, bool given_min_time) {
@@ -74,22 +120,9 @@ void register_all(const std::vector<Chosen>& chosen, Measure& measure, bool give
   }
 }
 
-int write_records(const std::vector<Record>& records, const std::string& out) {
-  RecordStore store = RecordStore::create(out);
-  int code = kHolds;
-  for (const Record& record : records) {
-    store.append(record);
-    if (record.verdict != Verdict::kFail) continue;
-    code = kDoesNotHold;
-    const Judgement* const worst = worst_check(record.checks);
-    fmt::print(stderr, "stiction bench: {}: {} is {:.3g}, not {:.3g} ± {:.3g} {}\n",
-               record.case_name, worst->claim.quantity, worst->value, worst->claim.expected,
-               worst->claim.tolerance, worst->worst);
-  }
-  store.finish();
-  fmt::print("\nRecords: {}\n", store.folder().string());
-  store.tell_caller();
-  return code;
+bool any_fails(const std::vector<Record>& records) {
+  return std::any_of(records.begin(), records.end(),
+                     [](const Record& record) { return record.verdict == Verdict::kFail; });
 }
 
 int bench(const Arguments& arguments, bool given_min_time) {
@@ -116,25 +149,52 @@ int bench(const Arguments& arguments, bool given_min_time) {
   const MachinePeak machine = measure_peak();
   benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
   benchmark::AddCustomContext("flops_per_second", fmt::format("{}", machine.flops_per_second));
+  const auto began = std::chrono::steady_clock::now();
   Measure measure(machine);
   register_all(chosen, measure, given_min_time);
-  Console console(machine);
+  const bool with_features = !arguments.no_features && arguments.filter.empty();
+  std::vector<std::string> names;
+  for (const Chosen& one : chosen) names.push_back(one.name);
+  Console console(machine, std::move(names), with_features ? optional_features().size() : 0,
+                  arguments.verbose);
   JsonFile json;
   // The names were chosen above: Google Benchmark would match "/manual_time" behind them too.
   benchmark::RunSpecifiedBenchmarks(&console, arguments.out_file.empty() ? nullptr : &json, ".");
   const std::vector<Scaling> fits = scalings(measure.results());
-  print(fits);
+  console.add(table(fits));
   std::vector<FeatureCost> features;
-  if (!arguments.no_features && arguments.filter.empty()) {
-    std::string why_not;
-    if (auto measured = measure_features(why_not)) {
-      features = std::move(*measured);
-      print(features);
-    } else {
-      fmt::print("\nThe cost of optional features was not measured: {}.\n", why_not);
-    }
+  std::string why_not;
+  if (with_features) {
+    auto measured = measure_features(why_not, [&](const std::string& what) { console.next(what); });
+    if (measured) features = std::move(*measured);
+    console.add(table(features));
   }
-  return write_records(records_of(measure, fits, features), arguments.out);
+  console.finished();
+
+  const std::vector<Record> records = records_of(measure, fits, features);
+  RecordStore store = RecordStore::create(arguments.out);
+  for (const Record& record : records) store.append(record);
+  store.write_file("bench.md", "# What contact costs\n\n```\n" + console.text() + "```\n");
+  store.finish();
+  const Screen screen = screen_of(STDOUT_FILENO);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  if (arguments.verbose) fmt::print("\n");
+  fmt::print("{}\n",
+             bullet(fmt::format("stiction bench · {} benchmarks · {} · one core: {:.1f} GB/s of "
+                                "memory, {:.1f} Gflop/s in double",
+                                chosen.size(), duration_text(seconds),
+                                1e-9 * machine.bytes_per_second, 1e-9 * machine.flops_per_second),
+                    screen.width, ""));
+  fmt::print("{}", bench_summary(measure.results(), fits, features, records, screen));
+  if (!why_not.empty()) {
+    fmt::print("{}", bullet("The cost of optional features was not measured: " + why_not + ".",
+                            screen.width));
+  }
+  fmt::print("\nEvery phase, size and rule: {}{}\n", (store.folder() / "bench.md").string(),
+             arguments.verbose ? "" : " (here: --verbose)");
+  store.tell_caller();
+  return any_fails(records) ? kDoesNotHold : kHolds;
 }
 
 }  // namespace

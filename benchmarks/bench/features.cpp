@@ -95,7 +95,8 @@ std::vector<OptionalFeature> optional_features() {
           {"timing", "timing of the phases", timing}};
 }
 
-std::optional<std::vector<FeatureCost>> measure_features(std::string& why_not) {
+std::optional<std::vector<FeatureCost>> measure_features(
+    std::string& why_not, const std::function<void(const std::string&)>& next) {
   if (!track::has_program("valgrind")) {
     why_not = "valgrind is not installed";
     return {};
@@ -104,6 +105,7 @@ std::optional<std::vector<FeatureCost>> measure_features(std::string& why_not) {
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
   std::vector<FeatureCost> costs;
   for (const OptionalFeature& feature : optional_features()) {
+    if (next) next("optional feature: " + feature.name);
     const auto count = [&](const std::string& program, const std::string& use) {
       return track::count_instructions(program + " cannot be counted",
                                        {(folder / program).string(), feature.name, use},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +30,10 @@ struct FeatureCost {
 };
 
 /// Measures all of them with the programs step_with_all and step_without_<name> beside this one.
-/// Nothing, and `why_not` in words, where callgrind is missing or fails.
-std::optional<std::vector<FeatureCost>> measure_features(std::string& why_not);
+/// Nothing, and `why_not` in words, where callgrind is missing or fails. `next` is told the name of
+/// each before it is measured.
+std::optional<std::vector<FeatureCost>> measure_features(
+    std::string& why_not, const std::function<void(const std::string&)>& next = {});
 
 /// The work of those programs: after the scene has come to rest, `steps` steps, all of them in
 /// `measured_steps`, at whose entry and exit callgrind starts and stops to collect.

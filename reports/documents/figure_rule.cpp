@@ -172,17 +172,9 @@ void read_figure(Reader& reader, const std::string& name, const toml::node& node
 
 SampleRule read_sample(Reader& reader, const std::string& name, const toml::node& node) {
   SampleRule sample{.name = name, .where = reader.where(node)};
-  const toml::node* records = reader.node("records");
-  if (records == nullptr || !records->is_array()) {
-    reader.refuse(node, fmt::format("'{}' has no list of records", name));
-  }
-  for (const toml::node& element : *records->as_array()) {
-    Reader one = sub_table(reader, element, "a record of a sample");
-    std::string case_name;
-    one.read("case", case_name);
-    sample.records.emplace_back(case_name, one.settings("settings"));
-    one.finish();
-  }
+  reader.read("run-of", sample.run_of);
+  if (sample.run_of.empty())
+    reader.refuse(node, fmt::format("'{}' names no case in 'run-of'", name));
   reader.finish();
   return sample;
 }

@@ -52,11 +52,11 @@ struct FigureRule {
   FigureStyle style{};
 };
 
-/// Lines of a run's printed output that a document shows.
+/// A run's summary screen, which a document shows.
 struct SampleRule {
   std::string name{};
   std::string where{};
-  std::vector<std::pair<std::string, std::map<std::string, std::string>>> records{};
+  std::string run_of{};  ///< a case that the run has
 };
 
 /// One program's figures: reports/documents/figures/<program>.toml.

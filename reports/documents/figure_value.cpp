@@ -8,9 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reports/formats/table.h"
+#include "reports/formats/summary.h"
 #include "reports/text/number.h"
-#include "reports/text/tally.h"
 
 namespace stiction {
 
@@ -205,22 +204,15 @@ FigureValue value_of(const FigureRule& rule, const std::vector<Record>& records)
   return taken(rule, rule.over, values, "cases");
 }
 
-std::string sample_of(const SampleRule& rule, const std::vector<Record>& records) {
-  const TableStyle style;
-  std::string text = table_header(style);
-  for (const auto& wanted : rule.records) {
-    const auto& case_name = wanted.first;  // no bindings: clang 14 can't capture them
-    const auto& settings = wanted.second;
-    const auto found = std::find_if(records.begin(), records.end(), [&](const Record& record) {
-      return record.case_name == case_name && has(record, settings);
+std::string sample_of(const SampleRule& rule, const std::vector<std::vector<Record>>& runs) {
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    const bool is_it = std::any_of(run->begin(), run->end(), [&](const Record& record) {
+      return record.case_name == rule.run_of;
     });
-    if (found == records.end()) {
-      throw std::runtime_error(fmt::format("{}: sample '{}': no record of '{}'{}", rule.where,
-                                           rule.name, case_name, settings_words(settings)));
-    }
-    text += table_rows(*found, style);
+    if (is_it) return summary_screen(*run, {.width = 80});
   }
-  return text + verdicts_text(tally_of(records)) + "\n";
+  throw std::runtime_error(fmt::format("{}: sample '{}': no run has a record of '{}'", rule.where,
+                                       rule.name, rule.run_of));
 }
 
 std::string text_of(const FigureValue& value, const FigureStyle& style) {

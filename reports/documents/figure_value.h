@@ -24,9 +24,8 @@ bool is_of(const FigureRule& rule, const Record& record);
 /// nothing about several.
 FigureValue value_of(const FigureRule& rule, const std::vector<Record>& records);
 
-/// The lines that `validate` prints of some records, with heading and closing line. Throws as
-/// above.
-std::string sample_of(const SampleRule& rule, const std::vector<Record>& records);
+/// The summary screen of the last run that has a record of the rule's case. Throws as above.
+std::string sample_of(const SampleRule& rule, const std::vector<std::vector<Record>>& runs);
 
 /// How the value stands in a document: "3e-4", "0.0057", "7 to 205", "never", "slips out".
 std::string text_of(const FigureValue& value, const FigureStyle& style);

@@ -165,15 +165,16 @@ TEST(FigureBand, HoldsWithinAFactorOrBelowTheFloor) {
             "'drift' is now fail (1e-05), where the documents have pass (1e-05)");
 }
 
-TEST(Sample, PrintsTheRecordsAndTheTally) {
-  const SampleRule rule{"sample", "validate.toml:9", {{"slab/rest", {{"method", "quiet"}}}}};
-  const std::string text =
-      sample_of(rule, {record("slab/rest", "old", 1.0), record("slab/rest", "quiet", 2.0)});
-  EXPECT_NE(text.find("slab/rest  method=quiet"), std::string::npos);
-  EXPECT_EQ(text.find("method=old"), std::string::npos);
-  EXPECT_NE(text.find("2 pass, 0 fail"), std::string::npos);
-  EXPECT_EQ(test::message_of([&] { sample_of(rule, {}); }),
-            "validate.toml:9: sample 'sample': no record of 'slab/rest' with method=quiet");
+TEST(Sample, IsTheSummaryOfTheLastRunThatHasItsCase) {
+  const SampleRule rule{.name = "summary", .where = "validate.toml:9", .run_of = "slab/rest"};
+  const std::vector<std::vector<Record>> runs = {
+      {record("slab/rest", "old", 1.0)},
+      {record("slab/rest", "old", 1.0), record("slab/rest", "quiet", 2.0)},
+      {record("rules/slab", "quiet", 3.0)}};
+  const std::string text = sample_of(rule, runs);
+  EXPECT_NE(text.find("2 records, 1 case"), std::string::npos) << text;
+  EXPECT_EQ(test::message_of([&] { sample_of(rule, {{record("a/case", "old", 1.0)}}); }),
+            "validate.toml:9: sample 'summary': no run has a record of 'slab/rest'");
 }
 
 }  // namespace

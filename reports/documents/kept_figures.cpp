@@ -35,14 +35,28 @@ double number_of(const Json& json) {
 
 }  // namespace
 
-KeptFigures figures_of(const FigureRules& rules, const std::vector<Record>& records) {
+std::vector<Record> records_of(const std::vector<std::vector<Record>>& runs) {
+  std::vector<Record> all;
+  for (const std::vector<Record>& run : runs) {
+    for (const Record& record : run) {
+      std::erase_if(all, [&](const Record& before) {
+        return before.case_name == record.case_name && before.settings == record.settings;
+      });
+    }
+    all.insert(all.end(), run.begin(), run.end());
+  }
+  return all;
+}
+
+KeptFigures figures_of(const FigureRules& rules, const std::vector<std::vector<Record>>& runs) {
+  const std::vector<Record> records = records_of(runs);
   KeptFigures kept;
   std::set<std::string> revisions;
   for (const Record& record : records) revisions.insert(record.environment.revision);
   if (!records.empty()) kept.environment = records.front().environment;
   kept.environment.revision = fmt::format("{}", fmt::join(revisions, ", "));
   for (const FigureRule& rule : rules.figures) kept.figures[rule.name] = value_of(rule, records);
-  for (const SampleRule& rule : rules.samples) kept.samples[rule.name] = sample_of(rule, records);
+  for (const SampleRule& rule : rules.samples) kept.samples[rule.name] = sample_of(rule, runs);
   return kept;
 }
 

@@ -21,7 +21,10 @@ struct KeptFigures {
 };
 
 /// Takes them from a run's records. Throws std::runtime_error as value_of() does.
-KeptFigures figures_of(const FigureRules& rules, const std::vector<Record>& records);
+KeptFigures figures_of(const FigureRules& rules, const std::vector<std::vector<Record>>& runs);
+
+/// The records of runs; what a later run has measured again replaces the earlier.
+std::vector<Record> records_of(const std::vector<std::vector<Record>>& runs);
 
 /// Throws std::runtime_error that names the file when it cannot be read or is no such file.
 KeptFigures read_kept_figures(const std::filesystem::path& file);

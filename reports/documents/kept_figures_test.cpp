@@ -51,12 +51,12 @@ TEST(KeptFigures, AreThoseOfTheRun) {
   FigureRules rules;
   rules.figures.push_back({.name = "slope", .case_glob = "a", .quantity = "critical slope, tan θ"});
   Record record = test::passing_record("a");
-  const KeptFigures kept = figures_of(rules, {record});
+  const KeptFigures kept = figures_of(rules, {{record}});
   EXPECT_EQ(kept.figures.at("slope").low, 0.300012);
   EXPECT_EQ(kept.environment.revision, "4f2a9c1+");
-  EXPECT_TRUE(disagreements(rules, kept, figures_of(rules, {record})).empty());
+  EXPECT_TRUE(disagreements(rules, kept, figures_of(rules, {{record}})).empty());
   record.checks[0].verdict = Verdict::kFail;
-  EXPECT_THAT(disagreements(rules, kept, figures_of(rules, {record})),
+  EXPECT_THAT(disagreements(rules, kept, figures_of(rules, {{record}})),
               testing::ElementsAre(testing::HasSubstr("'slope' is now fail")));
   EXPECT_THAT(disagreements(rules, {}, kept), testing::ElementsAre("'slope' has no kept figure"));
 }

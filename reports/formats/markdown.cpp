@@ -5,8 +5,10 @@
 
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "reports/formats/markdown_family.h"
+#include "reports/formats/summary.h"
 #include "reports/text/check_text.h"
 #include "reports/text/family.h"
 #include "reports/text/markdown_text.h"
@@ -20,6 +22,16 @@ constexpr auto kRight = MarkdownTable::Align::kRight;
 
 bool needs_attention(const Record& record) {
   return record.verdict == Verdict::kFail || record.verdict == Verdict::kError;
+}
+
+// Indented, so that nothing in the text can end it.
+std::string code_block(const std::string& text) {
+  std::istringstream lines(text);
+  std::string block;
+  for (std::string line; std::getline(lines, line);) {
+    block += line.empty() ? "\n" : "    " + line + "\n";
+  }
+  return block;
 }
 
 std::string environment_table(const std::vector<Record>& records) {
@@ -129,6 +141,7 @@ std::string markdown_report(const std::vector<Record>& records, const std::strin
   const std::vector<Family> families = families_of(records);
   std::string report = fmt::format("# {}\n\n**{}** of {} records. {}.\n\n", markdown_escaped(title),
                                    verdicts_text(tally), tally.records(), cost_text(tally));
+  if (!records.empty()) report += code_block(summary_screen(records, {})) + "\n";
   report += environment_table(records);
   if (tally.fail + tally.error > 0) {
     report += "## What failed\n\n";

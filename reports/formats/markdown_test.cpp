@@ -124,13 +124,14 @@ TEST(MarkdownReport, DifferingReasonsAndNotesAreToldApart) {
 TEST(MarkdownReport, HostileTextBreaksNothing) {
   const std::string report =
       markdown_report({test::hostile_record(), test::passing_record()}, "# <b>title</b>");
-  EXPECT_FALSE(has(report, "<")) << "no tag of a record is live";
   EXPECT_EQ(std::count(report.begin(), report.end(), '\0'), 0);
   EXPECT_EQ(std::count(report.begin(), report.end(), '\x1b'), 0);
   std::istringstream lines(report);
   std::string line;
   std::size_t table = 0;  // borders of the table that is being read; 0 outside
   while (std::getline(lines, line)) {
+    if (line.starts_with("    ")) continue;  // code, in which nothing is live
+    EXPECT_FALSE(has(line, "<")) << "no tag of a record is live";
     const std::size_t bars = borders(line);
     if (bars == 0) {
       table = 0;

@@ -9,15 +9,14 @@
 #include <string_view>
 
 #include "reports/text/check_text.h"
+#include "reports/text/configuration_text.h"
 #include "reports/text/family.h"
 #include "reports/text/number.h"
-#include "reports/text/tally.h"
 #include "reports/text/text.h"
 
 namespace stiction {
 namespace {
 
-constexpr std::size_t kVerdictWidth = 7;    // "refuted"
 constexpr std::size_t kValueWidth = 12;     // "-1.23457e-05"
 constexpr std::size_t kErrorWidth = 12;     // "-1.2e-05 rel"
 constexpr std::size_t kLeastQuantity = 15;  // the heading
@@ -34,50 +33,6 @@ Layout layout_of(const TableStyle& style) {
                                       : Layout{" ", "dig.", "of tol."};
 }
 
-// Words as seen on the terminal: what needs attention is in capitals, with or without colour.
-std::string_view verdict_word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kPass:
-      return "pass";
-    case Verdict::kFail:
-      return "FAIL";
-    case Verdict::kShortfall:
-      return "short";
-    case Verdict::kRefuted:
-      return "refuted";
-    case Verdict::kNotApplicable:
-      return "n/a";
-    case Verdict::kForInformation:
-      return "info";
-    case Verdict::kError:
-      return "ERROR";
-  }
-  return "?";
-}
-
-std::string_view colour_code(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kPass:
-      return "\033[32m";  // green
-    case Verdict::kFail:
-    case Verdict::kError:
-      return "\033[1;31m";  // bold red
-    case Verdict::kShortfall:
-    case Verdict::kRefuted:
-      return "\033[33m";  // yellow
-    case Verdict::kNotApplicable:
-    case Verdict::kForInformation:
-      return "\033[2m";  // dim
-  }
-  return "";
-}
-
-std::string verdict_cell(Verdict verdict, const TableStyle& style) {
-  const std::string cell = padded_right(verdict_word(verdict), kVerdictWidth);
-  if (!style.colour) return cell;
-  return std::string(colour_code(verdict)) + cell + "\033[0m";
-}
-
 std::size_t quantity_width(const TableStyle& style) {
   const auto [gap, digits, share] = layout_of(style);
   const std::size_t others = kIndent.size() + kVerdictWidth + 2 * kValueWidth + kErrorWidth +
@@ -87,29 +42,31 @@ std::size_t quantity_width(const TableStyle& style) {
 
 struct Cells {
   std::string verdict;  // padded already: it may hold colour codes, which take no columns
-  std::string quantity, value, expected, error, digits, share;
+  std::vector<std::string> quantity;  // lines
+  std::string value, expected, error, digits, share;
 };
 
 std::string check_line(const Cells& cells, const TableStyle& style) {
   const auto [gap, digits, share] = layout_of(style);
-  const std::array<std::string, 7> columns = {cells.verdict,
-                                              padded_right(cells.quantity, quantity_width(style)),
-                                              padded_left(cells.value, kValueWidth),
-                                              padded_left(cells.expected, kValueWidth),
-                                              padded_left(cells.error, kErrorWidth),
-                                              padded_left(cells.digits, digits.size()),
-                                              padded_left(cells.share, share.size())};
-  return fmt::format("{}{}\n", kIndent, fmt::join(columns, gap));
+  const std::array<std::string, 7> columns = {
+      cells.verdict,
+      padded_right(cells.quantity.front(), quantity_width(style)),
+      padded_left(cells.value, kValueWidth),
+      padded_left(cells.expected, kValueWidth),
+      padded_left(cells.error, kErrorWidth),
+      padded_left(cells.digits, digits.size()),
+      padded_left(cells.share, share.size())};
+  std::string lines = fmt::format("{}{}\n", kIndent, fmt::join(columns, gap));
+  const std::string below(kIndent.size() + kVerdictWidth + gap.size() + 2, ' ');
+  for (std::size_t k = 1; k < cells.quantity.size(); ++k) lines += below + cells.quantity[k] + "\n";
+  return lines;
 }
 
-// The unit is what a reader cannot guess, so a long name is cut before it.
-std::string quantity_cell(const Judgement& check, const TableStyle& style) {
-  const std::size_t width = quantity_width(style);
-  const std::string unit =
-      fmt::format(" [{}]", one_line(check.claim.unit.empty() ? "1" : check.claim.unit));
-  const std::size_t unit_width = std::min(display_width(unit), width / 2);
-  return shortened(one_line(check.claim.quantity), width - unit_width) +
-         shortened(unit, unit_width);
+// Nothing of a name is left out: what its column has no room for stands below.
+std::vector<std::string> quantity_cell(const Judgement& check, const TableStyle& style) {
+  const std::string unit = one_line(check.claim.unit.empty() ? "1" : check.claim.unit);
+  return wrapped(fmt::format("{} [{}]", one_line(check.claim.quantity), unit),
+                 quantity_width(style));
 }
 
 // `left` at the line's start, `right` at its end.
@@ -120,41 +77,8 @@ std::string spread(const std::string& left, const std::string& right, std::size_
   return padded_right(left, room) + right + "\n";
 }
 
-// Lines behind a label, the continuation lines aligned with the first.
-std::string block(std::string_view label, std::string_view text, std::size_t indent,
-                  const TableStyle& style) {
-  const std::size_t start = indent + display_width(label);
-  const std::size_t room = style.width > start + 20 ? style.width - start : 20;
-  std::string result;
-  for (const std::string& line : wrapped(one_line(text), room)) {
-    result +=
-        result.empty() ? std::string(indent, ' ') + std::string(label) : std::string(start, ' ');
-    result += line + "\n";
-  }
-  return result;
-}
+}  // namespace
 
-std::string record_name(const Record& record) {
-  const std::string settings = settings_text(record.settings);
-  return one_line(record.case_name) + (settings.empty() ? "" : "  " + settings);
-}
-
-std::string failure_block(const Record& record, const TableStyle& style) {
-  constexpr std::size_t kTextIndent = kVerdictWidth + 2;
-  std::string text = verdict_cell(record.verdict, style) + "  " + record_name(record) + "\n";
-  text += block("", record.error, kTextIndent, style);
-  for (const Judgement& check : record.checks) {
-    if (check.verdict != Verdict::kFail && check.verdict != Verdict::kError) continue;
-    text += block("", check_sentence(check), kTextIndent, style);
-    text += block("worst at:  ", check.worst, kTextIndent + 2, style);
-    text += block("tolerance: ", check.claim.reason, kTextIndent + 2, style);
-    if (check.band) text += block("cause of the band: ", check.cause, kTextIndent + 2, style);
-  }
-  for (const std::string& note : record.notes) text += block("note: ", note, kTextIndent, style);
-  return text;
-}
-
-// Why, and of which families how many: an engine that lacks much would bury what ran.
 std::string not_applicable_block(const std::vector<Record>& records, const TableStyle& style) {
   std::map<std::string, std::map<std::string, int>> families;  // by reason
   for (const Record& record : records) {
@@ -173,23 +97,26 @@ std::string not_applicable_block(const std::vector<Record>& records, const Table
     std::string lines = block(plain + "  ", why + ": " + list, 0, style);
     text += lines.replace(0, plain.size(), verdict_cell(Verdict::kNotApplicable, style));
   }
-  return text.empty() ? text : text + "\n";
+  return text;
 }
-
-}  // namespace
 
 std::string table_header(const TableStyle& style) {
   const Layout layout = layout_of(style);
-  return spread("case  settings", "ns/contact", style.width) +
-         check_line({padded_right("", kVerdictWidth), "quantity [unit]", "measured", "expected",
-                     "error", std::string(layout.digits), std::string(layout.share)},
+  return spread("case  configuration", "ns/contact", style.width) +
+         check_line({padded_right("", kVerdictWidth),
+                     {"quantity [unit]"},
+                     "measured",
+                     "expected",
+                     "error",
+                     std::string(layout.digits),
+                     std::string(layout.share)},
                     style) +
          std::string(style.width, '-') + "\n";
 }
 
 std::string table_rows(const Record& record, const TableStyle& style) {
   const double ns = record.cost.ns_per_contact_update;
-  std::string rows = spread(record_name(record),
+  std::string rows = spread(one_line(record.case_name) + "  " + configuration_text(record),
                             ns > 0.0 ? fmt::format("{:.3g} ns", ns) : std::string(), style.width);
   for (const Judgement& check : record.checks) {
     rows +=
@@ -213,17 +140,6 @@ std::string table_rows(const Record& record, const TableStyle& style) {
     rows += lines;
   }
   return rows;
-}
-
-std::string closing_summary(const std::vector<Record>& records, const TableStyle& style) {
-  const Tally tally = tally_of(records);
-  std::string summary = not_applicable_block(records, style);
-  for (const Record& record : records) {
-    if (record.verdict != Verdict::kFail && record.verdict != Verdict::kError) continue;
-    summary += failure_block(record, style) + "\n";
-  }
-  summary += verdicts_text(tally) + "\n" + cost_text(tally) + "\n";
-  return summary;
 }
 
 }  // namespace stiction

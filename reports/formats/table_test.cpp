@@ -22,14 +22,6 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++count;
-  }
-  return count;
-}
-
 // Without its colours, a coloured text is the plain one.
 std::string without_colours(const std::string& text) {
   std::string plain;
@@ -46,7 +38,7 @@ std::string without_colours(const std::string& text) {
 TEST(Table, ALinePerCheckUnderItsCase) {
   const auto lines = lines_of(table_rows(test::failing_record(), {}));
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_TRUE(lines[0].starts_with("incline/below/mu=0.3  dt=0.001 rule=fixed-point"));
+  EXPECT_TRUE(lines[0].starts_with("incline/below/mu=0.3  paper, fixed point, kappa=0.7"));
   EXPECT_TRUE(lines[0].ends_with("41.5 ns"));
   EXPECT_TRUE(lines[1].starts_with("  FAIL     stopping distance [m]"));
   for (const char* part : {"0.31", "0.3", "0.01", "1.5", "100 ×"}) EXPECT_TRUE(has(lines[1], part));
@@ -54,7 +46,7 @@ TEST(Table, ALinePerCheckUnderItsCase) {
   EXPECT_TRUE(has(lines[2], "4e-05 rel"));
 }
 
-TEST(Table, LinesFitTheWidthAndAlign) {
+TEST(Table, LinesFitTheWidthAndNothingIsCut) {
   Record record = test::failing_record();
   record.checks[0].claim.quantity = "a quantity with a name that is far too long for its column";
   record.checks[1].value = -1.2345678e-30;
@@ -66,8 +58,13 @@ TEST(Table, LinesFitTheWidthAndAlign) {
     for (const auto& line : header) EXPECT_LE(display_width(line), width) << line;
     for (const auto& line : rows) EXPECT_LE(display_width(line), width) << line;
     EXPECT_EQ(display_width(rows[1]), display_width(header[1])) << width;
-    EXPECT_EQ(display_width(rows[2]), display_width(header[1])) << width;
-    EXPECT_TRUE(has(rows[1], "[m]")) << "the unit stays: " << rows[1];
+    std::istringstream words(table_rows(record, style));
+    std::string text;
+    for (std::string word; words >> word;) text += word + " ";
+    EXPECT_FALSE(has(text, "…"));
+    for (const char* word : {"quantity", "far", "too", "long", "column", "[m]"}) {
+      EXPECT_TRUE(has(text, word)) << width << ": " << word;
+    }
   }
 }
 
@@ -75,7 +72,6 @@ TEST(Table, TinyWidthsDoNotCrash) {
   for (const std::size_t width : {0u, 1u, 10u, 40u}) {
     const TableStyle style{width, false};
     EXPECT_TRUE(has(table_rows(test::failing_record(), style), "FAIL"));
-    EXPECT_TRUE(has(closing_summary({test::failing_record()}, style), "FAIL"));
     EXPECT_TRUE(has(table_header(style), "measured"));
   }
 }
@@ -88,8 +84,6 @@ TEST(Table, ColourAddsOnlyColour) {
     EXPECT_FALSE(has(table_rows(record, plain), "\x1b"));
     EXPECT_TRUE(has(table_rows(record, coloured), "\x1b["));
     EXPECT_EQ(without_colours(table_rows(record, coloured)), table_rows(record, plain));
-    EXPECT_EQ(without_colours(closing_summary({record}, coloured)),
-              closing_summary({record}, plain));
   }
 }
 
@@ -100,9 +94,6 @@ TEST(Table, ABandStandsBelowItsCheck) {
     EXPECT_TRUE(has(rows, "as expected in")) << rows;
   }
   EXPECT_TRUE(has(table_rows(test::outside_record(0.30001), {}), "raise the bar"));
-  const std::string summary = closing_summary({test::outside_record(7.0)}, {200, false});
-  EXPECT_TRUE(has(summary, "worse than expected [0.305, 0.32] m"));
-  EXPECT_TRUE(has(summary, "cause of the band: normal forces never settle"));
 }
 
 TEST(Table, ARecordWithoutChecksSaysWhy) {
@@ -116,42 +107,19 @@ TEST(Table, ARecordWithoutChecksSaysWhy) {
 
 TEST(Table, TextFromRecordsCannotSteerTheTerminal) {
   const Record record = test::hostile_record();
-  for (const std::string& text : {table_rows(record, {}), closing_summary({record}, {})}) {
-    EXPECT_FALSE(has(text, "\x1b"));
-    EXPECT_EQ(text.find_first_of(std::string_view("\0\r\t", 3)), std::string::npos);
-    EXPECT_TRUE(has(text, "nan"));
-  }
+  const std::string text = table_rows(record, {});
+  EXPECT_FALSE(has(text, "\x1b"));
+  EXPECT_EQ(text.find_first_of(std::string_view("\0\r\t", 3)), std::string::npos);
+  EXPECT_TRUE(has(text, "nan"));
 }
 
-TEST(ClosingSummary, ListsFailuresOnly) {
-  const std::string summary =
-      closing_summary({test::passing_record("passing"), test::failing_record(),
-                       test::error_record(), test::not_applicable_record()},
-                      {200, false});
-  EXPECT_FALSE(has(summary, "passing"));
-  EXPECT_EQ(count_of(summary, "stopping distance"), 1u);
-  EXPECT_FALSE(has(summary, "critical slope")) << "a passing check of a failing record";
-  EXPECT_TRUE(has(summary, "worst at:  vertex 17 at t = 0.42 s"));
-  EXPECT_TRUE(has(summary, "tolerance: v₀Δt/2, the bias of symplectic Euler"));
-  EXPECT_TRUE(has(summary, "note: Fails until the stop is resolved"));
-  EXPECT_TRUE(has(summary, "ERROR    incline/above/mu=0.9"));
-  EXPECT_TRUE(has(summary, "stability limit of element 3"));
-  EXPECT_TRUE(has(summary,
-                  "1 pass, 1 fail, 0 expected shortfalls, 0 refuted, 1 error, 1 not applicable, 0 "
-                  "for information\n"));
-  EXPECT_TRUE(has(summary, "CPU 0.75 s, 36,000 steps"));
-}
-
-TEST(ClosingSummary, TellsOnceWhatAnEngineLacks) {
+TEST(NotApplicable, TellsOnceWhatAnEngineLacks) {
   std::vector<Record> records(3, test::not_applicable_record());
   records[1].case_name = "stack/flush/n=2";
-  const std::string summary = closing_summary(records, {});
-  EXPECT_TRUE(has(summary,
-                  "n/a      the engine has no deformable obstacles: slab/threshold (2), "
-                  "stack/flush\n"));
+  EXPECT_EQ(not_applicable_block(records, {}),
+            "n/a      the engine has no deformable obstacles: slab/threshold (2), stack/flush\n");
+  EXPECT_EQ(not_applicable_block({test::passing_record()}, {}), "");
 }
-
-TEST(ClosingSummary, NoRecords) { EXPECT_TRUE(has(closing_summary({}, {}), "0 pass, 0 fail")); }
 
 }  // namespace
 }  // namespace stiction

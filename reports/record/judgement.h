@@ -32,7 +32,8 @@ struct Claim {
   std::optional<double> scale{};
   double tolerance =
       0.0;  ///< |error| ≤ tolerance holds; in `unit`, or of the scale when `relative`
-  std::string reason{};  ///< derivation of the tolerance
+  std::string reason{};    ///< derivation of the tolerance
+  std::string headline{};  ///< what a run's summary calls it; empty: it has no line there
 };
 
 /// Where a value is expected that falls short of its claim; both ends belong to it.

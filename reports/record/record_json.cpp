@@ -54,6 +54,7 @@ OrderedJson check_json(const Judgement& check) {
   if (claim.scale) json["scale"] = number(*claim.scale);
   json["tolerance"] = number(claim.tolerance);
   json["reason"] = claim.reason;
+  json["headline"] = claim.headline;
   json["value"] = number(check.value);
   json["worst"] = check.worst;
   json["error"] = number(check.error);
@@ -146,6 +147,7 @@ Judgement read_check(const JsonField& field) {
   check.claim.scale = field.optional_real("scale");
   check.claim.tolerance = field["tolerance"].real();
   check.claim.reason = field["reason"].text();
+  check.claim.headline = field.optional_text("headline");
   check.value = field["value"].real();
   check.worst = field.optional_text("worst");
   check.error = field["error"].real();

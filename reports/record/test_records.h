@@ -33,7 +33,8 @@ inline Judgement passing_check() {
                 .relative = true,
                 .scale = 0.3,
                 .tolerance = 1e-4,
-                .reason = "half the bracket's width plus the settling error, first order in Δt"},
+                .reason = "half the bracket's width plus the settling error, first order in Δt",
+                .headline = "critical slope"},
       .value = 0.300012,
       .worst = "upper end of the bracket",
       .error = 4e-5,
@@ -157,7 +158,8 @@ inline Record hostile_record() {
   const std::string text = hostile_text();
   Judgement check;
   check.claim.quantity = check.claim.unit = check.claim.statement = check.claim.formula =
-      check.claim.source = check.claim.reason = check.worst = text;
+      check.claim.source = check.claim.reason = check.claim.headline = check.worst =
+          check.because = text;
   check.value = kNan;
   check.claim.expected = kInf;
   check.error = -kNan;
@@ -168,7 +170,8 @@ inline Record hostile_record() {
   Record record;
   record.case_name = "evil/" + text;
   record.title = record.engine = record.state_hash = record.error = text;
-  record.settings = {{text, text}};
+  record.settings = record.differs = {{text, text}};
+  record.configuration = text;
   record.checks = {check};
   record.notes = {text};
   record.series = {{text, text, text, text, {kNan}, {-kInf}}};

@@ -113,6 +113,7 @@ async function bundle() {
     in_page("page/widgets/plot_code.js", "plot.js"),
     in_page("player/player.js", "player.js"),
     in_page("style/page.css", "page.css"),
+    in_page("style/manual.css", "manual.css"),
     esbuild.build({
       ...common,
       minify: false,
@@ -126,7 +127,7 @@ async function bundle() {
   ]);
   const licences = licences_of(
     results
-      .slice(0, 4)
+      .slice(0, 5)
       .map((result) => result.metafile)
       .map(absolute),
   );

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program behind `./stiction report`: records → one self-contained page.
+// The program behind `./stiction report`: records → one self-contained page, or the verification manual.
+import { readFileSync, statSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { write_whole } from "./make/files.mjs";
 import { parse_arguments, USAGE } from "./make/arguments.mjs";
 import { html_page, read_bundles } from "./make/page.mjs";
+import { manual_html } from "./make/manual.mjs";
 import { page_data } from "./make/page_data.mjs";
+import { pdf_of } from "./make/pdf.mjs";
 import { read_recordings } from "./make/recordings.mjs";
 import { read_run } from "./make/read_run.mjs";
 import { is_engine_case } from "./model/engine.js";
+import { run_heads } from "./make/run_heads.mjs";
 import { write_svg_files } from "./make/svg_files.mjs";
 
 // Broken runs are told of; the others are shown.
@@ -36,6 +40,24 @@ const default_title = (runs) =>
     .map(({ name }) => name)
     .slice(0, 3)
     .join(", ")}`;
+
+async function manual(options) {
+  const warnings = [];
+  const runs = read_all(options.folders, warnings);
+  const { recordings, warnings: recording_warnings } = read_recordings(runs);
+  const html = await manual_html({
+    runs,
+    heads: run_heads(runs, []),
+    title: options.title ?? "Verification manual",
+    style: readFileSync(join(dirname(fileURLToPath(import.meta.url)), "bundle", "manual.css"), "utf8"),
+    bytes_of: (name) => recordings.find((recording) => recording.name === name)?.bytes ?? null,
+  });
+  const file = options.manual || join(runs[0].folder, "verification-manual.html");
+  write_whole(file, /\.pdf$/i.test(file) ? pdf_of(html) : html);
+  for (const warning of new Set([...warnings, ...recording_warnings]))
+    console.error(`stiction report: ${warning}`);
+  console.log(`Manual: ${file} (${(statSync(file).size / 1e6).toFixed(1)} MB)`);
+}
 
 async function report(options) {
   const warnings = [];
@@ -69,6 +91,7 @@ async function report(options) {
 try {
   const options = parse_arguments(process.argv.slice(2));
   if (options.help) console.log(USAGE);
+  else if (options.manual !== undefined) await manual(options);
   else await report(options);
 } catch (error) {
   console.error(`stiction report: ${error.message}`);

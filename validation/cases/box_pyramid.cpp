@@ -181,7 +181,8 @@ void run_threshold(CaseRun& run, const PyramidSetup& setup, double width) {
              .tolerance = (half + exact.upper - exact.lower) / expected,
              .reason = "half the brackets of the bisections and 5e-5 of the criterion of rest, as "
                        "the extrapolation (4 x(4E) − x(E))/3 weighs them, and the bracket of the "
-                       "limit analysis"},
+                       "limit analysis",
+             .headline = "critical slope of a box pyramid, tan θ"},
             middle);
   run.note(fmt::format("limit analysis [{:.7f}, {:.7f}]", exact.lower, exact.upper));
 }

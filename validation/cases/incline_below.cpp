@@ -134,7 +134,8 @@ void check_point_stop(CaseRun& run, const InclineSetup& setup) {
              .expected = distance,
              .relative = true,
              .tolerance = setup.speed * dt / distance,
-             .reason = "symplectic Euler is biased by v₀Δt/2; twice that"},
+             .reason = "symplectic Euler is biased by v₀Δt/2; twice that",
+             .headline = "stopping distance of a sliding box"},
             stop.distance);
   run.check({.quantity = "stopping time",
              .unit = "s",
@@ -172,7 +173,8 @@ void check_box_stop(CaseRun& run, const InclineSetup& setup) {
        .relative = true,
        .tolerance = setup.speed * stop.time_step / distance,
        .reason = "half a step of travel, v₀Δt/2, twice: the elastic box's own length scales below "
-                 "are a fifth of the one at a step of 2e-4 s"},
+                 "are a fifth of the one at a step of 2e-4 s",
+       .headline = "stopping distance of a sliding box"},
       stop.distance);
   // Weight presses the box together by ρgh²/(2E) at its centre, which costs μ times as much of
   // travel; when it stops, its centre leans by mah/(2GA).

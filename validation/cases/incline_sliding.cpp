@@ -43,7 +43,8 @@ void run_above(CaseRun& run, const InclineSetup& setup) {
              .relative = true,
              .tolerance = 1e-9,
              .reason = "a velocity grows by the same amount every step, so there is no truncation "
-                       "error; contact vibrations have decayed below 1e-10 m/s in a 1 s window"},
+                       "error; contact vibrations have decayed below 1e-10 m/s in a 1 s window",
+             .headline = "acceleration above the critical slope"},
             result.acceleration());
 }
 

@@ -27,7 +27,8 @@ void run_threshold(CaseRun& run, const InclineSetup& setup) {
              .tolerance = 1e-8,
              .reason = "half the bracket (5e-9), and as much again for vibrations: 1e-8 of the "
                        "load is 1e-7 m/s² or 3e-8 m/s in the 0.3 s observed, where vibrations have "
-                       "decayed below 1e-11 m/s"},
+                       "decayed below 1e-11 m/s",
+             .headline = "critical slope on a half-space, tan θ"},
             bracket.middle());
   // Shown only: the bisection ends at the width that it was asked for, so it can't fail.
   run.show({.quantity = "bracket width",

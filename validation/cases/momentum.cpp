@@ -177,7 +177,8 @@ void run_momentum(CaseRun& run, const Problem& problem) {
              .scale = found.linear_scale,
              .tolerance = 1e-12,
              .reason = "round-off: 300 steps of some 100 vertices at 1e-16 of a vertex's momentum "
-                       "give 1e-15, and three decades for the strong forces of the impact"},
+                       "give 1e-15, and three decades for the strong forces of the impact",
+             .headline = "linear momentum, change"},
             found.linear_error);
   // The formulas are those of symplectic Euler.
   if (found.symplectic_euler && run.configuration().keeps_angular_momentum) {

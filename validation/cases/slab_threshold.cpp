@@ -82,7 +82,8 @@ void check_critical(CaseRun& run, double value, double expected, double toleranc
              .reason = "half the brackets (1e-3° where what holds is at rest), as the "
                        "extrapolation weighs them, and "
                        "a tenth of the tilt left at 4 E, twice what 3 mm of way on a slab's cell "
-                       "of 67 mm change"},
+                       "of 67 mm change",
+             .headline = "critical slope on a deformable slab"},
             value);
 }
 

@@ -20,7 +20,7 @@ hashes_of() {
     grep -F "\"method\":\"$4\"" | grep -o '"state_hash":"[0-9a-f]*"' | sort
 }
 
-holds 0 "a scene is compared" "$compare" --scene rules/slab --out whole --jobs 2
+holds 0 "a scene is compared" "$compare" --scene rules/slab --out whole --jobs 2 --verbose
 for words in '## rules/slab' '| stored-vector, 8 sweeps' '## Findings' 'Fixed point against secant' \
   'comparison.md'; do
   grep -qF -- "$words" out || failed "a scene is compared" "stdout lacks $words"
@@ -29,6 +29,16 @@ for file in comparison.md report.md records.csv records.jsonl; do
   [ -s "whole/latest/$file" ] || failed "a scene is compared" "$file is missing"
 done
 passed "its tables, findings and files are there"
+
+holds 0 "a screen tells who wins" env COLUMNS=80 "$compare" --scene rules/slab --contacts quiet --out screen
+for words in 'who wins' 'creep, 1 scene' '1e-9 m/s' 'comparison.md' '--verbose'; do
+  grep -qF -- "$words" out || failed "a screen tells who wins" "stdout lacks $words"
+done
+[ "$(wc -l <out)" -le 24 ] || failed "a screen tells who wins" "it has $(wc -l <out) lines"
+[ "$(LC_ALL=C.UTF-8 awk 'length($0) > 80 && !/comparison.md/' out | wc -l)" -eq 0 ] ||
+  failed "a screen tells who wins" "a line is wider than 80 columns"
+[ ! -s err ] || failed "a screen tells who wins" "there is progress on a pipe"
+passed "it fits 80 columns and 24 lines, and a pipe gets no progress"
 
 holds 0 "one rule alone" "$compare" --scene rules/slab --rule secant --contacts quiet --out alone
 [ "$(hashes_of alone rules/slab secant quiet | wc -l)" -eq 3 ] ||
@@ -42,7 +52,7 @@ for scene in load/lost/cells=2/r=0.35 load/released/cells=3/r=0.1 falling-box/r=
   grep -q "^$scene " out || failed "--list" "it lacks $scene"
 done
 holds 0 "--help" "$compare" --help
-for word in --quick --scene --rule stored-vector conjugate-vector 'Exit code'; do
+for word in --quick --scene --rule stored-vector conjugate-vector 'EXIT STATUS' EXAMPLES; do
   grep -qF -- "$word" out || failed "--help" "it lacks $word"
 done
 

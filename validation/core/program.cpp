@@ -6,9 +6,9 @@
 #include <unistd.h>
 
 #include <cctype>
-#include <cstdlib>
 #include <cstring>
 
+#include "reports/screen/screen.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -35,11 +35,13 @@ Settings parse_settings(const std::vector<std::string>& words) {
 }
 
 TableStyle terminal_style() {
-  TableStyle style;
-  style.colour = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+  const Screen screen = screen_of(STDOUT_FILENO);
+  return {.width = screen.width, .colour = screen.colour};
+}
+
+std::size_t terminal_height() {
   winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) style.width = size.ws_col;
-  return style;
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_row : 0;
 }
 
 std::string file_stem(const std::string& case_name, std::size_t index) {

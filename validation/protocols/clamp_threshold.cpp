@@ -143,7 +143,8 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
        .reason = "half the brackets of the bisections and 8e-5 of the criterion of rest, as "
                  "the extrapolation (4 N(16E) − N(4E))/3 weighs them; a fifteenth of its "
                  "distance from that of E and 4 E, for the order 1/E²; half the analysis' "
-                 "bracket"},
+                 "bracket",
+       .headline = "least force of a clamp"},
       fine);
   const Extrapolation free = extrapolate(a.middle(), b.middle(), c.middle(), kStiffer);
   run.note(

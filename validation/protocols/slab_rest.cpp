@@ -33,4 +33,44 @@ SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& 
   return outcome;
 }
 
+void check_slab_drift(CaseRun& run, const SlabSetup& setup) {
+  constexpr double kFrom = 4.0, kTo = 14.0;  // s: by 4 s the vibration of quiet has decayed
+  SlabRun slab(run, setup);
+  slab.record_frames(0.1);
+  SlabSeries history;
+  const auto advance = [&](double from, double to, int samples) {
+    for (int k = 1; k <= samples; ++k) {
+      slab.advance_to(from + (to - from) * k / samples);
+      history.add(slab.sample());
+    }
+  };
+  advance(0.0, kFrom, 120);
+  const Vec3 before = slab.travel();
+  advance(kFrom, kTo, 50);
+  const Vec3 drift = slab.travel() - before;
+  history.add_to(run);
+  const double tolerance = 1e-13 + 1.8e-17 * (kTo - kFrom) / slab.time_step();
+  run.check({.quantity = "drift over 10 s",
+             .unit = "m",
+             .statement = "a box at rest on a deformable slab stays where it is",
+             .formula = "x(14 s) − x(4 s) = 0",
+             .source = "Coulomb's law",
+             .kind = ReferenceKind::kAnalytic,
+             .expected = 0.0,
+             .tolerance = tolerance,
+             .reason = "vibration left at 4 s, below 1e-13 m, and in each step 2.6 times half a "
+                       "unit in the last place of a coordinate of 0.1 m, 7e-18 m"},
+            drift.norm());
+  run.check({.quantity = "creep",
+             .unit = "m/s",
+             .statement = "… its mean speed downhill over 10 s",
+             .formula = "v = 0",
+             .source = "Coulomb's law; [Lazarevych2009] reports 1e-9",
+             .kind = ReferenceKind::kAnalytic,
+             .expected = 0.0,
+             .tolerance = tolerance / (kTo - kFrom),
+             .reason = "the drift allowed, over the 10 s"},
+            drift.dot(slab_downhill(setup)) / (kTo - kFrom));
+}
+
 }  // namespace stiction

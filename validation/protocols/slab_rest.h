@@ -23,4 +23,7 @@ struct SlabOutcome {
 SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& over,
                           SlabSeries* history);
 
+/// How far a box goes on a slab on which it shall rest: from 4 s to 14 s.
+void check_slab_drift(CaseRun& run, const SlabSetup& setup);
+
 }  // namespace stiction

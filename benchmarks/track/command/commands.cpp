@@ -2,6 +2,7 @@
 #include "benchmarks/track/command/commands.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iostream>
@@ -13,6 +14,7 @@
 #include "benchmarks/track/store/trend_records.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/screen.h"
 
 namespace stiction::track {
 
@@ -47,10 +49,14 @@ Scope scope_of(const Arguments& arguments) {
   return scope;
 }
 
-void show(const Outcome& outcome, const Arguments& arguments) {
-  fmt::print("{}", arguments.json       ? json_text(outcome)
-                   : arguments.markdown ? markdown(outcome, arguments.all)
-                                        : table(outcome, arguments.all));
+void show(const Outcome& outcome, bool recorded, const Arguments& arguments) {
+  const auto text = [&] {
+    if (arguments.json) return json_text(outcome);
+    if (arguments.markdown) return markdown(outcome, arguments.all);
+    if (arguments.all || arguments.verbose) return table(outcome, arguments.all);
+    return summary(outcome, recorded, screen_of(STDOUT_FILENO));
+  };
+  fmt::print("{}", text());
 }
 
 int code_of(const Outcome& outcome, const Arguments& arguments) {
@@ -84,13 +90,13 @@ int track_against(const Arguments& arguments) {
   const Project project = project_of(arguments);
   const Tree after = present_tree(project);
   const Tree before = build_tree(project, arguments.against);
-  const Outcome outcome = compare_trees(project, before, after, scope_of(arguments));
+  Outcome outcome = compare_trees(project, before, after, scope_of(arguments));
   if (!arguments.no_record) {
     History history = history_of(arguments);
-    history.add(outcome.before);
-    history.add(outcome.after);
+    outcome.before.id = history.add(outcome.before);
+    outcome.after.id = history.add(outcome.after);
   }
-  show(outcome, arguments);
+  show(outcome, !arguments.no_record, arguments);
   return code_of(outcome, arguments);
 }
 
@@ -117,7 +123,7 @@ int track_compare(const Arguments& arguments) {
   outcome.comparisons = compare(outcome.before.measurements, outcome.after.measurements);
   outcome.appeared = missing(outcome.after.measurements, outcome.before.measurements);
   outcome.disappeared = missing(outcome.before.measurements, outcome.after.measurements);
-  show(outcome, arguments);
+  show(outcome, true, arguments);
   return code_of(outcome, arguments);
 }
 

@@ -26,6 +26,7 @@ struct Arguments {
   bool json = false;
   bool markdown = false;
   bool all = false;
+  bool verbose = false;
   bool report_improvement = false;
   bool no_record = false;
   Scope scope;

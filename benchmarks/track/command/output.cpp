@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "reports/text/text.h"
+
 namespace stiction::track {
 
 namespace {
@@ -90,6 +92,50 @@ double largest_noise(const Outcome& outcome) {
   return largest;
 }
 
+// "worse  friction:secant/slab/contacts:1000#time  35.21 ns → 38.02 ns, +8.0 %", on two lines where
+// one does not hold it.
+std::string changed_line(const Comparison& one, const Screen& screen) {
+  const std::string change = change_text(one);
+  const std::string figures =
+      fmt::format("{} → {}{}{}", value_text(one.metric, one.before),
+                  value_text(one.metric, one.after), change.empty() ? "" : ", ", change);
+  const std::string name = fmt::format("{:<7}{}", word(one.change), one.metric.name());
+  const bool fits = display_width(name) + 2 + display_width(figures) <= screen.width;
+  const std::string line = name + (fits ? "  " : "\n       ") + figures;
+  return (one.change == Change::kWorse ? bold(line, screen) : line) + "\n";
+}
+
+// What measures the metric again: its case, or its benchmark against the same revision.
+std::string rerun_command(const Metric& metric, const StoredRun& before) {
+  const bool of_case =
+      metric.kind == Kind::kVerdict ||
+      (metric.kind == Kind::kDigits && metric.subject.find("/contacts:") == std::string::npos);
+  if (of_case) {
+    const std::string name = metric.subject.substr(0, metric.subject.find('@'));
+    return fmt::format("./stiction validate --case '{}'", name);
+  }
+  return fmt::format("./stiction track --against {} --benchmark '{}'", before.label,
+                     metric.subject);
+}
+
+// "Time per contact, 12 benchmarks: −0.8 to +1.2 %, …": the changes that are none.
+std::string times_text(const Outcome& outcome) {
+  double least = 0.0, most = 0.0;
+  int count = 0;
+  for (const Comparison& one : outcome.comparisons) {
+    if (!is_time(one) || one.change != Change::kSame) continue;
+    const double percent = 100.0 * (one.ratio() - 1.0);
+    least = count == 0 ? percent : std::min(least, percent);
+    most = count == 0 ? percent : std::max(most, percent);
+    ++count;
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "{} times differ by {:+.1f} to {:+.1f} %, which is noise, or too little to be called "
+      "a change.",
+      count, least, most);
+}
+
 std::string escaped(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
     text.insert(at, "\\");
@@ -133,6 +179,38 @@ std::string table(const Outcome& outcome, bool all) {
   for (const std::string& name : outcome.disappeared) text += "gone   " + name + "\n";
   for (const std::string& name : outcome.appeared) text += "new    " + name + "\n";
   return text + closing_sentence(outcome) + "\n";
+}
+
+std::string summary(const Outcome& outcome, bool recorded, const Screen& screen) {
+  std::string text = bullet(closing_sentence(outcome), screen.width, "") + "\n";
+  for (const Comparison& one : outcome.comparisons) {
+    if (one.change == Change::kSame) continue;
+    text += changed_line(one, screen);
+    const std::string why = evidence(one);
+    if (!why.empty()) text += bullet(why, screen.width, "       ");
+    if (one.change == Change::kWorse) {
+      text += "       again: " + rerun_command(one.metric, outcome.before) + "\n";
+    }
+  }
+  for (const std::string& name : outcome.disappeared) text += "gone   " + name + "\n";
+  for (const std::string& name : outcome.appeared) text += "new    " + name + "\n";
+  const std::string times = times_text(outcome);
+  if (!times.empty()) text += bullet(times, screen.width);
+  std::vector<std::string> refuted;
+  for (const Comparison& one : outcome.comparisons) {
+    if (one.refuted) refuted.push_back(one.metric.name());
+  }
+  if (!refuted.empty()) {
+    text +=
+        bullet(fmt::format("A first run said otherwise of {}, a second one did not find it again.",
+                           fmt::join(refuted, ", ")),
+               screen.width);
+  }
+  text += recorded ? fmt::format(
+                         "\nEvery metric: ./stiction track compare {} {} --all (here: --verbose)\n",
+                         outcome.before.id, outcome.after.id)
+                   : "\nTimes and counts that did not change: --verbose; every metric: --all\n";
+  return text;
 }
 
 std::string markdown(const Outcome& outcome, bool all) {

@@ -9,6 +9,7 @@
 #include "benchmarks/track/measure/fixed_runs.h"
 #include "benchmarks/track/store/fingerprint.h"
 #include "reports/record/environment.h"
+#include "reports/screen/progress_line.h"
 
 namespace stiction::track {
 
@@ -47,7 +48,10 @@ CaseAccuracy measure_counts(const Project& project, const Tree& tree, const Name
   }
   if (scope.counts) {
     fmt::print(stderr, "stiction track: counts of {}\n", tree.label);
+    ProgressLine progress(names.size());
+    std::size_t done = 0;
     for (const std::string& name : names) {
+      progress.show(done++, name);
       run.measurements.merge(count_fixed(tree, name, project, scope.fresh));
     }
   }

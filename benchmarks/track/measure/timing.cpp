@@ -2,7 +2,6 @@
 #include "benchmarks/track/measure/timing.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -11,6 +10,7 @@
 #include "benchmarks/track/measure/google_json.h"
 #include "benchmarks/track/store/scratch.h"
 #include "reference/statistics/two_samples.h"
+#include "reports/screen/progress_line.h"
 
 namespace stiction::track {
 
@@ -70,7 +70,7 @@ void time_once(const Tree& tree, const std::vector<std::string>& names, const Ti
 
 void time_in_turn(const Tree& a, const Tree& b, const std::vector<std::string>& names,
                   const TimingPlan& plan, Measurements& of_a, Measurements& of_b) {
-  const bool shows = isatty(2) != 0;
+  ProgressLine progress(static_cast<std::size_t>(plan.most_rounds));
   std::vector<std::string> wanted = names;
   for (int round = 0; round < std::max(plan.least_rounds, plan.most_rounds); ++round) {
     if (round >= plan.least_rounds) {
@@ -81,12 +81,12 @@ void time_in_turn(const Tree& a, const Tree& b, const std::vector<std::string>& 
       wanted = still;
     }
     if (wanted.empty()) break;
-    if (shows) fmt::print(stderr, "\r\033[K[round {}] {} benchmarks …", round + 1, wanted.size());
+    progress.show(static_cast<std::size_t>(round),
+                  fmt::format("times of {} benchmarks, in turn", wanted.size()));
     const bool a_first = round % 2 == 0;
     time_once(a_first ? a : b, wanted, plan, a_first ? of_a : of_b);
     time_once(a_first ? b : a, wanted, plan, a_first ? of_b : of_a);
   }
-  if (shows) fmt::print(stderr, "\r\033[K");
 }
 
 }  // namespace stiction::track

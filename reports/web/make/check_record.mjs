@@ -70,7 +70,7 @@ const EMPTY = {
   series: [],
   frames: "",
 };
-const EMPTY_CHECK = { formula: "", worst: "", cause: "", because: "" };
+const EMPTY_CHECK = { formula: "", worst: "", cause: "", because: "", headline: "" };
 const EMPTY_FAILURE = { parameter: "", values: [] };
 
 // A copy for each: what is filled in may be changed later.

@@ -75,8 +75,8 @@ function checked_header(bytes) {
 }
 
 /**
- * {title, bodies: [{name, vertices, triangles: Uint32Array}], planes, times, ups, low, high, frame(i)};
- * `ups` are unit vectors against gravity, one a frame. frame(i) gives {positions: Float32Array of 3 × vertices, contacts: [{position, normal_force,
+ * {title, bodies: [{name, vertices, triangles: Uint32Array}], planes, times, ups, low, high, step, frame(i)};
+ * `ups` are unit vectors against gravity, one a frame; positions are multiples of `step` (m, an axis). frame(i) gives {positions: Float32Array of 3 × vertices, contacts: [{position, normal_force,
  * friction_force, sticks}]}: m and N. Throws an Error that completes "The recording …".
  */
 export function decode_frames(bytes) {
@@ -135,6 +135,7 @@ export function decode_frames(bytes) {
     ups: ups_of(header.gravity),
     low,
     high,
+    step,
     frame(i) {
       const positions = new Float32Array(width);
       for (let j = 0; j < width; ++j) positions[j] = position(quanta[i * width + j], j % 3);

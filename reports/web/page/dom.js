@@ -33,3 +33,15 @@ export const replace = (element, ...children) =>
 export function breakable(text) {
   return text.split(/(?<=[/=])/).flatMap((part, i) => (i === 0 ? [part] : [h("wbr"), part]));
 }
+
+/** A tree of sketch/tree.js as an element; what stands in an <svg> is one too. */
+export function from_tree(node, within = false) {
+  if (typeof node !== "object") return document.createTextNode(node);
+  const { tag, attributes, children } = node;
+  const is_svg = within || tag === "svg";
+  return (is_svg ? svg : h)(
+    tag,
+    attributes,
+    children.map((child) => from_tree(child, is_svg)),
+  );
+}

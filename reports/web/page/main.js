@@ -96,6 +96,7 @@ async function start(app) {
   addEventListener("hashchange", show);
   addEventListener("beforeprint", () => {
     if (view === "cases") cases.table.expand(MOST_ON_PAPER);
+    for (const folded of main.querySelectorAll("details.folded")) folded.open = true;
     draw_all(main);
   });
   addEventListener("afterprint", () => view === "cases" && cases.table.collapse());

@@ -18,10 +18,12 @@ import {
 const MOST = 4096; // contacts shown at a time
 const UP = new Vector3(0, 1, 0); // the axis of three's cones and cylinders
 
+const SEE_THROUGH = 0.75; // what lies behind a mark stays seen
+
 function instances(geometry, colour, order) {
   const mesh = new InstancedMesh(
     geometry,
-    new MeshLambertMaterial({ color: colour, depthTest: false, transparent: true }),
+    new MeshLambertMaterial({ color: colour, depthTest: false, transparent: true, opacity: SEE_THROUGH }),
     MOST,
   );
   mesh.renderOrder = order;
@@ -33,7 +35,7 @@ function instances(geometry, colour, order) {
 
 // Arrows of one colour: unit shafts and heads, placed and scaled.
 function make_arrows(radius, colour) {
-  const thickness = 0.012 * radius;
+  const thickness = 0.006 * radius;
   const shafts = instances(
     new CylinderGeometry(thickness, thickness, 1, 8).translate(0, 0.5, 0),
     colour,
@@ -76,7 +78,7 @@ function make_arrows(radius, colour) {
 /** {group, show(contacts), set(forces, marks)}; `force` (N) gets an arrow of ordinary length. */
 export function make_contacts(radius, force, colours) {
   const group = new Group();
-  const size = 0.03 * radius;
+  const size = 0.014 * radius;
   const sticking = instances(new SphereGeometry(size, 16, 12), colours.$s0, 2);
   const slipping = instances(new OctahedronGeometry(1.35 * size), colours.$s1, 2);
   const normals = make_arrows(radius, colours.$ink);
@@ -84,13 +86,13 @@ export function make_contacts(radius, force, colours) {
   const marks = [sticking, slipping];
   const arrows = [...normals.meshes, ...frictions.meshes];
   group.add(...marks, ...arrows);
-  const metres_per_newton = force > 0 ? (0.4 * radius) / force : 0;
+  const metres_per_newton = force > 0 ? (0.25 * radius) / force : 0;
   const [matrix, at, vector] = [new Matrix4(), new Vector3(), new Vector3()];
   const scaled = (triple) =>
     vector
       .set(...triple)
       .multiplyScalar(metres_per_newton)
-      .clampLength(0, radius);
+      .clampLength(0, 0.6 * radius);
 
   return {
     group,

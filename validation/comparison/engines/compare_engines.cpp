@@ -6,13 +6,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "reports/formats/csv.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/progress_line.h"
+#include "reports/screen/screen.h"
 #include "reports/text/names.h"
 #include "solver/demand.h"
 #include "validation/comparison/engines/engine_matrix.h"
+#include "validation/comparison/engines/engine_summary.h"
 #include "validation/comparison/engines/trials.h"
 #include "validation/core/program.h"
 #include "validation/engine/conformance/conformance.h"
@@ -117,18 +121,19 @@ ExitCode compare_engines(const EngineComparison& asked) {
 
   RecordStore store = RecordStore::create(asked.out);
   std::vector<Record> records(jobs.size());
+  const auto began = std::chrono::steady_clock::now();
   std::size_t done = 0;
+  ProgressLine progress(jobs.size());
   run_jobs(jobs, asked.jobs, 1.0, [&](std::size_t index, Record record) {
     record.settings["configuration"] = trials[index].configuration;
     record.settings["effort"] = std::to_string(trials[index].effort);
     store.append(record);
     records[index] = std::move(record);
     ++done;
-    if (isatty(STDERR_FILENO)) {
-      fmt::print(stderr, "\r\033[K[{}/{}] {} {}{}", done, jobs.size(), row_name(trials[index]),
-                 trials[index].job.which.name, done == jobs.size() ? "\r\033[K" : "");
-    }
+    const Trial& next = trials[std::min(index + 1, trials.size() - 1)];
+    progress.show(done, row_name(next) + ", " + next.job.which.name);
   });
+  progress.clear();
   const std::vector<Record> made = engine_records(questions, trials, records);
   for (const Record& record : made) store.append(record);
   const EngineAnswers answers(questions, made);
@@ -147,7 +152,17 @@ ExitCode compare_engines(const EngineComparison& asked) {
   const std::string matrix = engine_matrix(answers);
   std::string said;
   for (const std::string& sentence : found) said += "- " + sentence + "\n";
-  fmt::print("{}\n{}", engine_matrix(answers, terminal_style().width), said);
+  const Screen screen = screen_of(STDOUT_FILENO);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  fmt::print("{}\n",
+             bullet(fmt::format("stiction compare engines · {} engines in {} configurations · {} "
+                                "questions · {}",
+                                engines.asked.size(), answers.rows().size(), questions.size(),
+                                duration_text(seconds)),
+                    screen.width, ""));
+  fmt::print("{}", engine_summary(answers, screen));
+  if (asked.verbose) fmt::print("\n{}\n{}", said, engine_matrix(answers, screen.width));
   const std::string cheapest = cheapest_ways(answers);
   store.write_file(
       "engines.md",
@@ -156,7 +171,8 @@ ExitCode compare_engines(const EngineComparison& asked) {
                   matrix, said, cheapest, sources_text(engines.asked)));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("\nReport: {}\n", (store.folder() / "engines.md").string());
+  fmt::print("\nEvery answer: {}{}\n", (store.folder() / "engines.md").string(),
+             asked.verbose ? "" : " (here: --verbose)");
   if (!asked.no_page) store.tell_caller();
   if (std::fflush(stdout) != 0) throw InputError("the matrix could not be written to stdout");
   return kHolds;

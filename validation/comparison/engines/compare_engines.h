@@ -15,6 +15,7 @@ struct EngineComparison {
   bool quick = false;
   bool list = false;
   bool no_page = false;
+  bool verbose = false;  ///< the matrix as well
   std::string out = "engine-report";
   int jobs = 1;
   double cpu_limit = 20.0;  ///< for an answer, s

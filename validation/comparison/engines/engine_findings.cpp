@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "reports/text/names.h"
 #include "reports/text/number.h"
 #include "validation/comparison/engines/engine_matrix.h"
+#include "validation/comparison/engines/holding.h"
 
 namespace stiction {
 
@@ -17,11 +17,7 @@ namespace {
 // Errors below this are no matter of method: round-off, or the width of a bracket.
 constexpr double kSame = 1e-9;
 
-// What holds, as engines go: it creeps less than a nanometre a second, and gives within a hundredth
-// of a degree of the critical slope.
-constexpr double kCreeps = 1e-9;    // m/s
-constexpr double kGivesOff = 0.01;  // °
-constexpr double kDirected = 0.1;   // °, between directions
+constexpr double kDirected = 0.1;  // °, between directions
 
 constexpr std::size_t kTold = 4;  // of those that are closer, the closest
 
@@ -85,32 +81,6 @@ Sentences cheaper_than_ours(const EngineAnswers& answers) {
   return said;
 }
 
-// The least and largest error of the slopes that give, and the fastest creep, over the directions.
-struct Holding {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  double creep = 0.0;
-  bool asked = false, creep_asked = false;
-};
-
-Holding holding(const EngineAnswers& answers, const EngineRow& row) {
-  Holding seen;
-  for (const Question& question : answers.questions()) {
-    const EngineAnswer answer = answers.of(question, row);
-    const double error = answer.error.value_or(std::nan(""));
-    if (question.id.rfind("creep", 0) == 0 && answer.applicable) {
-      seen.creep_asked = true;
-      seen.creep = answer.error ? std::max(seen.creep, std::abs(error)) : INFINITY;
-    }
-    if (question.answer != Answer::kDegrees || !answer.applicable) continue;
-    seen.asked = true;
-    // One that gives on every slope, or on none, has no bracket.
-    seen.least = std::min(seen.least, std::isnan(error) ? -90.0 : error);
-    seen.most = std::max(seen.most, std::isnan(error) ? 90.0 : error);
-  }
-  return seen;
-}
-
 Sentences who_holds(const EngineAnswers& answers) {
   Sentences hold, directed, said;
   bool asked = false;
@@ -118,9 +88,7 @@ Sentences who_holds(const EngineAnswers& answers) {
     const Holding seen = holding(answers, row);
     if (!seen.asked || !seen.creep_asked) continue;
     asked = true;
-    if (seen.creep <= kCreeps && seen.least > -kGivesOff && seen.most < kGivesOff) {
-      hold.push_back(row.name());
-    }
+    if (seen.holds()) hold.push_back(row.name());
     if (seen.most - seen.least > kDirected) {
       directed.push_back(
           seen.least <= -90.0

@@ -29,6 +29,25 @@ export function instant(recording, time) {
   };
 }
 
+/**
+ * Positions with displacements from those of a reference drawn `factor` times as large. What lies within
+ * `step` (m, an axis), the fineness of the recording, has not moved.
+ */
+export function exaggerated(positions, reference, factor, step) {
+  if (factor === 1) return positions;
+  return positions.map((x, i) => {
+    const way = x - reference[i];
+    return Math.abs(way) <= 1.01 * step[i % 3] ? reference[i] : reference[i] + factor * way;
+  });
+}
+
+/** The frame from which gravity stays: what came before is the scene being set up. 0 where it never does. */
+export function settled_frame({ ups }) {
+  let frame = ups.length - 1;
+  while (frame > 0 && distance(ups[frame - 1], ups.at(-1)) < 1e-9) --frame;
+  return frame < ups.length - 1 ? frame : 0;
+}
+
 // The box {centre, radius} around positions: an array of x, y, z, x, …
 function ball_around(positions) {
   const low = [Infinity, Infinity, Infinity];
@@ -43,14 +62,55 @@ function ball_around(positions) {
   };
 }
 
-const MOST_OUTER = 6;
+const MOST_OUTER = 2;
+const MOST_APART = 1.5; // as much more of the scene that bursts is shown than of the calm one
+const LARGE = 2.2; // times the others' size: what lies still and is that large is their ground
 
-function ball_of(recording) {
-  const start = ball_around(recording.frame(0).positions);
-  const whole = ball_around([...recording.low, ...recording.high]);
-  return whole.radius <= MOST_OUTER * start.radius
-    ? whole
-    : { centre: start.centre, radius: MOST_OUTER * start.radius };
+// The balls around each body in a frame, and where it begins among the positions.
+function body_balls(recording, positions) {
+  let first = 0;
+  return recording.bodies.map(({ vertices }) => {
+    const ball = ball_around(positions.subarray(3 * first, 3 * (first + vertices)));
+    first += vertices;
+    return ball;
+  });
+}
+
+function ball_of_balls(balls) {
+  const ends = balls.flatMap(({ centre, radius }) =>
+    [-1, 1].map((side) => centre.map((x) => x + (side * radius) / Math.sqrt(3))),
+  );
+  return ball_around(Float64Array.from(ends.flat()));
+}
+
+const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+
+// The bodies that one looks at: those that are no ground for the others.
+function objects_of(starts, ends) {
+  return starts
+    .map((_, place) => place)
+    .filter((place) => {
+      const own = starts[place];
+      const others = starts.filter((_, other) => other !== place);
+      if (others.length === 0) return true;
+      const lies_still = distance(own.centre, ends[place].centre) < 0.02 * own.radius;
+      return !(lies_still && own.radius > LARGE * ball_of_balls(others).radius);
+    });
+}
+
+// Around the objects from start to end; where they go far, around where they are at `moment`.
+function ball_of(recording, moment) {
+  const last = recording.times.length - 1;
+  const at = (frame) => body_balls(recording, recording.frame(frame).positions);
+  const [starts, ends] = [at(0), at(last)];
+  const now = at(Math.min(last, place_at(recording.times, moment).frame));
+  const objects = objects_of(starts, ends);
+  const around = (...frames) =>
+    ball_of_balls(objects.flatMap((place) => frames.map((balls) => balls[place])));
+  const [whole, still] = [around(starts, now, ends), around(now)];
+  const own = around(starts);
+  if (whole.radius <= MOST_OUTER * Math.min(own.radius, still.radius)) return whole;
+  return { centre: still.centre, radius: Math.min(1.3 * still.radius, MOST_OUTER * own.radius) };
 }
 
 // The median over frames of the largest force in each, N: an impact must not shrink all other arrows.
@@ -71,15 +131,18 @@ function typical_force(recording) {
 }
 
 /**
- * What recordings side by side share: {centre, radius} in m of what the camera shows, that is the way of
- * all bodies unless something flies off, and the `force` in N that an arrow of ordinary length stands for:
+ * What recordings side by side share: {centre, radius} in m of what the camera shows, that is the bodies
+ * without their ground, on their way unless they go far: then at `moment`, and the `force` in N that an arrow of ordinary length stands for:
  * the smaller one, so that a scene at rest shows its forces beside one that bursts.
  */
-export function view_of(recordings) {
-  const balls = recordings.map(ball_of);
+export function view_of(recordings, moment = Infinity) {
+  const balls = recordings.map((recording) => ball_of(recording, moment));
+  const calm = balls.reduce((a, b) => (b.radius < a.radius ? b : a));
+  const widest = Math.max(...balls.map(({ radius }) => radius));
   const forces = recordings.map(typical_force).filter((force) => force > 0);
   return {
-    ...balls.reduce((a, b) => (b.radius > a.radius ? b : a)),
+    centre: calm.centre,
+    radius: Math.min(widest, MOST_APART * calm.radius),
     force: forces.length > 0 ? Math.min(...forces) : 0,
   };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { h } from "../dom.js";
 
+const FACTORS = [1, 10, 100, 1e3, 1e4, 1e5, 1e6];
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 2, 5];
 const SHORTEST = 4; // s that a recording shall take to play
 
@@ -9,8 +10,8 @@ export const speed_for = (duration) =>
   SPEEDS.findLast((speed) => speed <= 1 && duration / speed >= SHORTEST) ?? SPEEDS[0];
 
 /**
- * What one works the player with: {play, scrub, clock, speed, forces, contacts, choices, bars}; `bars`
- * hold them all. Of more than two entries [{label}] two can be chosen, `pair` at first.
+ * What one works the player with: {play, scrub, clock, speed, factor, from_here, forces, contacts, choices,
+ * bars}; `bars` hold them all. Of more than two entries [{label}] two can be chosen, `pair` at first.
  */
 export function player_bar(entries, pair) {
   const play = h("button", { type: "button", class: "play", "aria-pressed": "false" }, "Play");
@@ -27,6 +28,16 @@ export function player_bar(entries, pair) {
     "select",
     { "aria-label": "Speed" },
     SPEEDS.map((value) => h("option", { value }, `× ${value}`)),
+  );
+  const factor = h(
+    "select",
+    { "aria-label": "Displacements drawn larger" },
+    FACTORS.map((value) => h("option", { value }, `× ${value < 1e4 ? value : value.toExponential(0).replace("+", "")}`)),
+  );
+  const from_here = h(
+    "button",
+    { type: "button", class: "quiet", title: "Displacements count from the moment shown" },
+    "from here",
   );
   const forces = h("input", { type: "checkbox" });
   const contacts = h("input", { type: "checkbox" });
@@ -47,6 +58,7 @@ export function player_bar(entries, pair) {
       "div",
       { class: "player-bar" },
       choices,
+      h("span", { class: "player-scale" }, h("label", {}, "displacements ", factor), from_here),
       h(
         "span",
         { class: "player-parts" },
@@ -63,5 +75,5 @@ export function player_bar(entries, pair) {
       ),
     ),
   ];
-  return { play, scrub, clock, speed, forces, contacts, choices, bars };
+  return { play, scrub, clock, speed, factor, from_here, forces, contacts, choices, bars };
 }

@@ -7,6 +7,8 @@ import { h, replace } from "../dom.js";
 import { place_at, view_of } from "./playback.js";
 import { player_bar, speed_for } from "./player_bar.js";
 import { make_pane } from "./player_pane.js";
+import { telling_moment } from "./telling.js";
+import { configuration_of } from "../../model/configuration.js";
 import { on_theme } from "../widgets/theme.js";
 
 /**
@@ -20,7 +22,8 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
     h("p", { class: "message" }, "Reading the recording …"),
   );
   const message = h("p", { class: "message", hidden: true, role: "status" });
-  const { play, scrub, clock, speed, forces, contacts, choices, bars } = player_bar(entries, pair);
+  const { play, scrub, clock, speed, factor, from_here, forces, contacts, choices, bars } =
+    player_bar(entries, pair);
   const element = h(
     "figure",
     { class: "player", tabindex: "0", "aria-label": "Recorded scene: Space plays, arrows step" },
@@ -82,6 +85,12 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
     for (const pane of panes)
       pane.scene()?.set({ forces: forces.checked, contacts: contacts.checked });
   };
+  const exaggerate = (from) => {
+    for (const pane of panes) pane.exaggerate(Number(factor.value), from);
+    show(time);
+  };
+  factor.addEventListener("change", () => exaggerate());
+  from_here.addEventListener("click", () => exaggerate(time));
   forces.addEventListener("change", set_parts);
   contacts.addEventListener("change", set_parts);
   for (const [name, inside] of [
@@ -125,7 +134,9 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
     );
     if (ended) return;
     clear();
-    panes = recordings.map((recording, i) => make_pane(recording, chosen[i].label));
+    panes = recordings.map((recording, i) =>
+      make_pane(recording, chosen[i].label, configuration_of(chosen[i].record)),
+    );
     times = recordings
       .map((recording) => recording.times)
       .reduce((a, b) => (b.at(-1) > a.at(-1) ? b : a));
@@ -136,7 +147,8 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
       place,
       panes.map((pane) => pane.element),
     );
-    const view = view_of(recordings);
+    const moment = telling_moment(recordings);
+    const view = view_of(recordings, moment);
     const scenes = await Promise.all(panes.map((pane) => pane.start(view)));
     message.hidden = scenes.every(Boolean);
     message.textContent = message.hidden
@@ -151,7 +163,8 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
       sizes.observe(pane.element);
     }
     set_parts();
-    show(at ?? times[0]);
+    for (const pane of panes) pane.exaggerate(Number(factor.value));
+    show(at ?? moment);
     element.dataset.loaded = "true";
   }
 
@@ -169,7 +182,7 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
     if (!list.some(({ isIntersecting }) => isIntersecting)) return;
     seen.disconnect();
     reload();
-  });
+  }, { rootMargin: "600px" });
   seen.observe(element);
   element.stiction_end = () => {
     ended = true;

@@ -3,7 +3,6 @@
 // faces painted from back to front.
 import { body_colour, PALETTES } from "../../plots/palette.js";
 import { svg } from "../dom.js";
-import { view_of } from "./playback.js";
 
 const MOST_TRIANGLES = 6000;
 
@@ -60,10 +59,9 @@ function piece_of({ point, normal }, { centre, radius }) {
 
 const point_of = (positions, i) => [positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]];
 
-/** An SVG element of the surfaces and contacts, as the player frames them. */
-export function still(recording, { positions, contacts, up }) {
+/** An SVG element of the surfaces and contacts; `view` as playback.js gives it. */
+export function still(recording, { positions, contacts, up }, view) {
   const turn = uprighted(up);
-  const view = view_of([recording]);
   const planes = recording.planes.map((plane) => piece_of(plane, view));
   const box = Array.from({ length: 8 }, (_, i) =>
     view.centre.map((x, axis) => x + ((i >> axis) & 1 ? 0.8 : -0.8) * view.radius),
@@ -102,8 +100,8 @@ export function still(recording, { positions, contacts, up }) {
   const marks = contacts.map((contact) => {
     const [x, y] = at(contact.position);
     return contact.sticks
-      ? svg("circle", { cx: x, cy: y, r: 3, fill: PALETTES.light.$s0 })
-      : svg("path", { d: `M${x} ${y - 4}l4 4-4 4-4-4z`, fill: PALETTES.light.$s1 });
+      ? svg("circle", { cx: x, cy: y, r: 1.8, fill: PALETTES.light.$s0 })
+      : svg("path", { d: `M${x} ${y - 2.4}l2.4 2.4-2.4 2.4-2.4-2.400z`, fill: PALETTES.light.$s1 });
   });
   const [width, height] = [(right - left) * scale + 20, (bottom - top) * scale + 20];
   return svg(

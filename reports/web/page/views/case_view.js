@@ -10,11 +10,17 @@ import { comparison_part } from "./comparison_part.js";
 import { cost_table } from "./cost_table.js";
 import { engine_case_part } from "./engine_case_part.js";
 import { h, replace } from "../dom.js";
+import { decode_frames } from "../../model/frames.js";
+import { surfaces_of } from "../../model/surfaces.js";
+import { bytes_of } from "../asset.js";
+import { telling_pair } from "../player/telling.js";
 import { player_figure } from "../player/player_figure.js";
 import { plot_figure } from "../widgets/plot_figure.js";
+import { problem_height, problem_part } from "./problem_part.js";
 import { plots_of_case, plots_of_family, records_of_case } from "../records.js";
+import { rerun_part } from "./rerun_part.js";
+import { results_part } from "./results_table.js";
 import { hash_of } from "../route.js";
-import { sketch } from "../sketch/sketch.js";
 
 function notes_of(entries) {
   const by_note = new Map();
@@ -67,17 +73,21 @@ function environment_of(records, runs) {
   );
 }
 
-// Old and new method stand at the ends of a run's variants.
-function first_and_last(recorded, runs) {
-  const places = recorded.flatMap(({ record }, i) =>
-    runs[record.run].role === "shown" ? [i] : [],
-  );
-  return places.length > 1 ? [places[0], places.at(-1)] : [0, recorded.length - 1];
+// Meshes are drawn as recorded; a recording that cannot be read has nothing to give.
+async function recorded_surfaces(recorded) {
+  if (recorded.length === 0) return undefined;
+  try {
+    const recording = decode_frames(await bytes_of(`frames/${recorded[0].record.frames}`));
+    return (problem) => surfaces_of(problem, recording);
+  } catch {
+    return undefined;
+  }
 }
 
 // How many plots stand beside the claims and notes: as many as these leave room for.
 function plots_beside(entries, notes, with_player) {
   const height =
+    problem_height(entries.map(({ record }) => record)) +
     checks_height(entries) +
     notes.reduce((sum, [note, who]) => sum + 23 * Math.ceil((note.length + who.length) / 78), 0);
   return Math.max(0, Math.round((height - (with_player ? 340 : 200)) / 340));
@@ -147,6 +157,7 @@ export async function show_case(element, name, { index, rows }, list, { of: chos
           ),
         ]
       : plots.map((plot) => plot_figure(plot));
+  const surfaces = compared ? undefined : await recorded_surfaces(recorded);
   const beside = plots_beside(entries, notes, recorded.length > 0);
 
   replace(
@@ -169,6 +180,7 @@ export async function show_case(element, name, { index, rows }, list, { of: chos
         h(
           "div",
           { class: "case-claims" },
+          problem_part(records, surfaces),
           h("h2", {}, "What must hold"),
           entries.some(({ record }) => record.checks.length > 0)
             ? checks_section(entries)
@@ -188,17 +200,20 @@ export async function show_case(element, name, { index, rows }, list, { of: chos
         h(
           "div",
           { class: "case-pictures" },
-          recorded.length > 0
-            ? player_figure(recorded, first_and_last(recorded, index.runs))
-            : sketch(name),
+          recorded.length > 0 && player_figure(recorded, telling_pair(recorded, index.runs)),
           figures.slice(0, beside),
         ),
       ),
+    !compared && [
+      h("h2", {}, entries.length > 1 ? "Results by configuration" : "Results"),
+      results_part(entries),
+      !records.every(is_answer) && rerun_part(entries),
+    ],
     !compared && figures.length > beside && h("div", { class: "plot-grid" }, figures.slice(beside)),
     h("h2", {}, "Cost"),
     (compared || records.every(is_answer)) && entries.length > 4
       ? h("details", {}, h("summary", {}, "Engine, settings and cost of each"), cost_table(entries))
-      : cost_table(entries),
+      : cost_table(entries, { with_settings: compared }),
     meshes_of(records),
     environment_of(records, index.runs),
   );

@@ -2,6 +2,7 @@
 // What each variant of a case cost, with what and where.
 import { format_count, format_seconds, format_value, to_number } from "../../model/number.js";
 import { h } from "../dom.js";
+import { configuration_name } from "./results_table.js";
 import { verdict_mark } from "../widgets/glyph.js";
 
 const settings_text = (settings) =>
@@ -9,7 +10,8 @@ const settings_text = (settings) =>
     .map(([name, value]) => `${name}=${value}`)
     .join(" ");
 
-export function cost_table(entries) {
+/** `entries`: [{record, label, run}]; without settings each is told by its configuration. */
+export function cost_table(entries, { with_settings = true } = {}) {
   const heading = (name, unit, number = true) =>
     h(
       "th",
@@ -30,7 +32,7 @@ export function cost_table(entries) {
           "tr",
           {},
           heading("Verdict", "", false),
-          heading("Engine and settings", "", false),
+          heading(with_settings ? "Engine and settings" : "Configuration", "", false),
           heading("CPU", "s"),
           heading("Steps"),
           heading("Contact updates"),
@@ -41,7 +43,7 @@ export function cost_table(entries) {
       h(
         "tbody",
         {},
-        entries.map(({ record, run }) =>
+        entries.map(({ record, label, run }) =>
           h(
             "tr",
             {},
@@ -49,8 +51,12 @@ export function cost_table(entries) {
             h(
               "th",
               { scope: "row" },
-              `${run ? `${run} · ` : ""}${record.engine} `,
-              h("span", { class: "variant" }, settings_text(record.settings)),
+              with_settings
+                ? [
+                    `${run ? `${run} · ` : ""}${record.engine} `,
+                    h("span", { class: "variant" }, settings_text(record.settings)),
+                  ]
+                : configuration_name({ record, label }),
             ),
             h("td", { class: "number" }, format_seconds(to_number(record.cost.cpu_seconds))),
             h("td", { class: "number" }, format_count(record.cost.steps)),

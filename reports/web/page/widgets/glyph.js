@@ -4,7 +4,7 @@
 import { VERDICT_WORDS } from "../../model/verdict.js";
 import { h, svg } from "../dom.js";
 
-const PATHS = {
+export const PATHS = {
   pass: "M8 1.5a6.5 6.5 0 1 1 0 13a6.5 6.5 0 1 1 0-13zM4.6 8.2l2.5 2.6 4.4-5-1.2-1-3.3 3.8-1.3-1.5z",
   fail: "M8 1l7.4 13.6H.6zM7.1 5.8l.3 4.6h1.2l.3-4.6zM7.2 11.4v1.6h1.6v-1.6z",
   "expected-shortfall":

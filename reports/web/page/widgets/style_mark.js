@@ -4,7 +4,7 @@ import { configuration_styles } from "../../plots/configuration_style.js";
 import { svg } from "../dom.js";
 
 // As Vega draws these shapes, in a square from −1 to 1.
-const SHAPES = {
+export const SHAPES = {
   circle: "M1,0A1,1,0,1,1,-1,0A1,1,0,1,1,1,0Z",
   square: "M-0.9,-0.9H0.9V0.9H-0.9Z",
   "triangle-up": "M0,-0.9L1,0.8H-1Z",

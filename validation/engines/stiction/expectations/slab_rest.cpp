@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// slab/rest: what the paper's method leaves moving of a box that shall rest on a deformable slab.
+// slab/rest and slab/effort: what the paper's method leaves moving of a box that shall rest on a deformable slab.
 // Each half of it was measured alone: `--set method=paper --set rule=stored-vector` (its contacts,
 // another friction) and `--set method=quiet --set rule=fixed-point` (its friction, other contacts).
 #include "validation/engines/stiction/expectations/table.h"
@@ -71,6 +71,18 @@ Expectations expectations_slab_rest() {
       {"slab/rest/drift", "method=paper", "creep", {-2.1e-06, 1.6e-06}, kRefuted, kDrift, kFactorThree},
       {"slab/rest/drift", "method=paper rule=secant", "drift over 10 s", {2.3e-06, 0.00016}, kRefuted, kDrift, kFactorThree},
       {"slab/rest/drift", "method=paper rule=secant", "creep", {-1.4e-05, -2.2e-07}, kRefuted, kDrift, kFactorThree},
+      {"slab/effort", "method=paper", "drift over 10 s", {2.3e-06, 2.1e-05}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "method=paper", "creep", {-7.1e-07, -7.8e-08}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.0001 method=paper", "drift over 10 s", {5.2e-06, 4.8e-05}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.0001 method=paper", "creep", {-7e-07, -7.7e-08}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "method=paper rule=secant", "drift over 10 s", {2.4e-06, 2.3e-05}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "method=paper rule=secant", "creep", {-2.3e-06, -2.4e-07}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.00005 method=paper", "drift over 10 s", {7.3e-06, 6.7e-05}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.00005 method=paper", "creep", {-8.5e-07, -9.3e-08}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.0001 method=paper rule=secant", "drift over 10 s", {5.3e-06, 4.9e-05}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.0001 method=paper rule=secant", "creep", {-6.9e-07, -7.5e-08}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.00005 method=paper rule=secant", "drift over 10 s", {7.3e-06, 6.7e-05}, kRefuted, kDrift, kOneRun},
+      {"slab/effort", "dt=0.00005 method=paper rule=secant", "creep", {-8.5e-07, -9.3e-08}, kRefuted, kDrift, kOneRun},
   };
 }
 // clang-format on

@@ -20,21 +20,18 @@ using enum Verdict;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Why, in so few words that a summary groups by them: what causes come down to.
-inline constexpr const char* kScalarLeaves = "one scalar ξ a contact leaves slip across ũ";
-inline constexpr const char* kBothHalves =
-    "its contacts come and go, and its scalar ξ leaves slip across ũ";
-inline constexpr const char* kContactsGo = "its contacts come and go, so that they never settle";
-inline constexpr const char* kNoCorrection = "without post-correction each contact injects energy";
-inline constexpr const char* kNoLearning = "with ξ = 1 a contact learns nothing of its neighbours";
-inline constexpr const char* kVerticesAlone =
-    "contacts of vertices alone miss what crossing edges carry";
-inline constexpr const char* kNotSufficient =
-    "the bound is necessary, not sufficient: sliding is not associated";
-inline constexpr const char* kFacetsRoll = "a ball is a polyhedron, and goes from edge to edge";
+inline constexpr const char* kScalarLeaves = "a scalar ξ leaves slip across ũ";
+inline constexpr const char* kBothHalves = "contacts come and go, a scalar ξ leaves slip";
+inline constexpr const char* kContactsGo = "contacts come and go";
+inline constexpr const char* kNoCorrection = "no post-correction: contacts inject energy";
+inline constexpr const char* kNoLearning = "ξ = 1: contacts learn nothing of each other";
+inline constexpr const char* kVerticesAlone = "vertices alone miss what crossing edges do";
+inline constexpr const char* kNotSufficient = "limit analysis bounds, it does not suffice";
+inline constexpr const char* kFacetsRoll = "balls are polyhedra, and go edge to edge";
 inline constexpr const char* kUnboundedGain = "the paper's normal gain has no bound";
-inline constexpr const char* kTwiceSaid = "two contacts that say the same pass the slip to and fro";
-inline constexpr const char* kSwing = "only strain damps what swings without slip";
-inline constexpr const char* kStale = "a force kept from a lost contact counts again";
+inline constexpr const char* kTwiceSaid = "two contacts that say the same pass slip on";
+inline constexpr const char* kSwing = "only strain damps what swings";
+inline constexpr const char* kStale = "a lost contact's force counts again";
 
 inline constexpr Words kFactorThree{
     "kFactorThree",

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/screen/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "reports/screen/screen.h"
+#include "reports/text/text.h"
+
+namespace stiction {
+
+namespace {
+
+// Before so much is done, nothing is known of the rest.
+constexpr double kSoonest = 2.0;  // s
+constexpr std::size_t kFewest = 3;
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  const long whole = std::lround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string progress_text(std::size_t done, std::size_t total, const std::string& running,
+                          double seconds_left, std::size_t width) {
+  const std::string counts = fmt::format("[{}/{}] ", done, total);
+  const std::string what = one_line(running);
+  const std::string left =
+      seconds_left > 0.0 ? fmt::format(" · {} left", duration_text(seconds_left)) : "";
+  if (display_width(counts + what + left) <= width) return counts + what + left;
+  const std::size_t room = width > display_width(counts) ? width - display_width(counts) : 0;
+  return counts + shortened(what, room);
+}
+
+ProgressLine::ProgressLine(std::size_t total)
+    : total_(total), moving_(screen_of(STDERR_FILENO).moving) {}
+
+void ProgressLine::show(std::size_t done, const std::string& running, std::optional<double> share) {
+  if (!moving_) return;
+  const double passed =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  const double part =
+      share.value_or(static_cast<double>(std::min(done, total_)) / static_cast<double>(total_));
+  const bool known = done >= kFewest && passed >= kSoonest && part > 0.0;
+  const double left = known ? passed * (1.0 - part) / part : 0.0;
+  // One column less than there are, so that no terminal breaks the line.
+  fmt::print(stderr, "\r\033[K{}",
+             progress_text(done, total_, running, left, screen_of(STDERR_FILENO).width - 1));
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void ProgressLine::clear() {
+  if (!shown_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace stiction

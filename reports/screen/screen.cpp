@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/screen/screen.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "reports/text/text.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr long kLeast = 20, kMost = 10000;  // columns that are believed
+
+std::size_t width_of(int descriptor) {
+  if (const char* const told = std::getenv("COLUMNS")) {
+    char* end = nullptr;
+    const long columns = std::strtol(told, &end, 10);
+    if (end != told && *end == '\0' && columns >= kLeast && columns <= kMost) {
+      return static_cast<std::size_t>(columns);
+    }
+  }
+  winsize size{};
+  if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col >= kLeast) return size.ws_col;
+  return Screen{}.width;
+}
+
+std::string without_end_spaces(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+}  // namespace
+
+Screen screen_of(int descriptor) {
+  const char* const terminal = std::getenv("TERM");
+  const bool dumb = terminal == nullptr || *terminal == '\0' || std::strcmp(terminal, "dumb") == 0;
+  const char* const no_colour = std::getenv("NO_COLOR");
+  Screen screen;
+  screen.width = width_of(descriptor);
+  screen.moving = isatty(descriptor) == 1 && !dumb;
+  screen.colour = screen.moving && (no_colour == nullptr || *no_colour == '\0');
+  return screen;
+}
+
+std::string bullet(const std::string& text, std::size_t width, const std::string& mark) {
+  const std::size_t indent = display_width(mark);
+  std::string lines;
+  for (const std::string& line : wrapped(text, std::max(width, indent + 1) - indent)) {
+    lines += (lines.empty() ? mark : std::string(indent, ' ')) + line + "\n";
+  }
+  return lines;
+}
+
+std::string plain_table(const Cells& rows, std::size_t texts, std::size_t width) {
+  if (rows.empty()) return "";
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      widths[c] = std::max(widths[c], display_width(row[c]));
+    }
+  }
+  std::string text;
+  for (std::size_t begin = 1; begin == 1 || begin < widths.size();) {
+    std::size_t end = begin, used = widths[0];
+    while (end < widths.size() && (end == begin || used + 2 + widths[end] <= width)) {
+      used += 2 + widths[end++];
+    }
+    if (!text.empty()) text += "\n";
+    for (const auto& row : rows) {
+      std::string line = padded_right(row[0], widths[0]);
+      for (std::size_t c = begin; c < std::min(end, row.size()); ++c) {
+        line +=
+            "  " + (c < texts ? padded_right(row[c], widths[c]) : padded_left(row[c], widths[c]));
+      }
+      text += without_end_spaces(line) + "\n";
+    }
+    if (end == begin) break;  // a table of one column
+    begin = end;
+  }
+  return text;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string bold(const std::string& text, const Screen& screen) {
+  return screen.colour ? "\033[1m" + text + "\033[0m" : text;
+}
+
+}  // namespace stiction

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a person sees of `validate` on terminals of several sizes: terminal_test.py BUILD_DIR
+
+With $STICTION_SCREENS, a folder, each screen is kept there as text.
+"""
+import fcntl
+import os
+import pty
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+import unicodedata
+
+ESCAPE = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
+
+
+def on_terminal(command, columns, lines, **environment):
+    """Everything that the command writes to a terminal of that size, and its exit code."""
+    child, terminal = pty.fork()
+    if child == 0:
+        fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
+        for name in ("COLUMNS", "NO_COLOR"):
+            os.environ.pop(name, None)
+        os.environ.update({"TERM": "xterm", **environment})
+        os.execvp(command[0], command)
+    written = b""
+    while True:
+        try:
+            piece = os.read(terminal, 65536)
+        except OSError:  # the child has closed its side
+            break
+        if not piece:
+            break
+        written += piece
+    _, status = os.waitpid(child, 0)
+    return written.decode(), os.waitstatus_to_exitcode(status)
+
+
+def seen(written):
+    """The lines that stand on the screen at the end: a line that is drawn anew hides the one before."""
+    lines = []
+    for line in written.replace("\r\n", "\n").split("\n"):
+        lines.append(ESCAPE.sub("", line.split("\r\x1b[K")[-1]))
+    return lines[:-1] if lines and not lines[-1] else lines
+
+
+def width(line):
+    return sum(unicodedata.combining(sign) == 0 for sign in line)
+
+
+failures = []
+
+
+def check(what, holds, detail=""):
+    print(("ok      " if holds else "FAIL    ") + what)
+    if not holds:
+        failures.append(what)
+        print(detail)
+
+
+def keep(name, lines):
+    folder = os.environ.get("STICTION_SCREENS")
+    if folder:
+        os.makedirs(folder, exist_ok=True)
+        with open(os.path.join(folder, name + ".txt"), "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+
+
+def main():
+    validate = os.path.join(os.path.abspath(sys.argv[1]), "validate")
+    os.chdir(tempfile.mkdtemp())
+    quick = [validate, "--quick", "--no-page"]
+    for columns, lines in ((80, 24), (200, 50)):
+        written, code = on_terminal(quick, columns, lines)
+        screen = seen(written)
+        size = f"{columns} × {lines}"
+        keep(f"validate-quick-{columns}x{lines}", screen)
+        check(f"{size}: the quick set passes", code == 0, written)
+        check(f"{size}: all of it stands on one screen", len(screen) < lines, "\n".join(screen))
+        wide = [line for line in screen if width(line) > columns and not line.startswith("Report: ")]
+        check(f"{size}: no line is too wide", not wide, "\n".join(wide))
+        check(f"{size}: who holds is said", any(line.startswith("Who holds") for line in screen))
+        progress = re.findall(r"\[(\d+)/(\d+)\] ", written)
+        check(f"{size}: progress is shown", len(progress) > 5)
+        long_lines = [line for line in re.split(r"\r\x1b\[K|\n", written)
+                      if line.startswith("[") and width(line) >= columns]
+        check(f"{size}: … on one line", not long_lines, "\n".join(long_lines))
+
+    again, _ = on_terminal(quick, 80, 24)
+    check("a second run tells the time that is left", " left" in again)
+
+    failing = [validate, "--case", "half-space/free-fall", "--tolerance-scale", "0", "--no-page"]
+    written, code = on_terminal(failing, 80, 24)
+    screen = seen(written)
+    keep("validate-failing-80x24", screen)
+    check("what fails is coloured", "\x1b[1;31m" in written and code == 1)
+    check("… printed whole, with the command that reruns it",
+          any("again: ./stiction validate --case 'half-space/free-fall'" in line for line in screen))
+    written, _ = on_terminal(failing, 80, 24, NO_COLOR="1")
+    check("NO_COLOR: no colour, but progress", not re.search(r"\x1b\[[0-9;]*m", written))
+    written, _ = on_terminal(quick, 80, 24, TERM="dumb")
+    check("a dumb terminal gets no escape", "\x1b" not in written and "\r\x1b" not in written)
+    words = re.compile(r"[a-z/-]{4,}")
+    roomy, narrow = (words.findall(" ".join(seen(on_terminal(quick, columns, 60)[0])))
+                     for columns in (90, 40))
+    lost = set(roomy) - set(narrow)
+    check("a narrow window loses no word", not lost, str(lost))
+
+    plain = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "NO_COLOR")}
+    piped = subprocess.run(quick, capture_output=True, text=True, env=plain, check=False)
+    check("a pipe gets no escape, and stderr is empty",
+          "\x1b" not in piped.stdout and piped.stderr == "", piped.stderr)
+    verbose = subprocess.run([*quick, "--verbose"], capture_output=True, text=True, check=False,
+                             env={**plain, "COLUMNS": "80"})
+    wide = [line for line in verbose.stdout.splitlines() if width(line) > 80]
+    keep("validate-verbose-80", verbose.stdout.splitlines())
+    check("--verbose: every check, and no name is cut",
+          "…" not in verbose.stdout and "nearest to failing" in verbose.stdout)
+    check("COLUMNS=80: no line is too wide", len([l for l in wide if "/" not in l]) == 0,
+          "\n".join(wide))
+    sys.exit(1 if failures else 0)
+
+
+main()
