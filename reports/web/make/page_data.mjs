@@ -2,7 +2,13 @@
 // Runs → what the page holds: an index that is read at once, and parts that are read when needed.
 import { compare, noise_of, same_reason } from "../model/compare.js";
 import { configuration_of, ordered_configurations } from "../model/configuration.js";
-import { ENGINE_FINDINGS, is_of_engines, own_labels, record_labels } from "../model/engine.js";
+import {
+  ENGINE_FINDINGS,
+  is_of_engines,
+  OURS,
+  own_labels,
+  record_labels,
+} from "../model/engine.js";
 import { family_name, group_by } from "../model/family.js";
 import { is_comparison } from "../model/figure.js";
 import { is_findings } from "../model/finding.js";
@@ -11,7 +17,7 @@ import { to_number } from "../model/number.js";
 import { VERDICTS } from "../model/verdict.js";
 import { variant_key } from "../model/variant.js";
 import { comparison_plots } from "../plots/comparison_plot.js";
-import { know_configurations } from "../plots/configuration_style.js";
+import { know_configurations, know_engines } from "../plots/configuration_style.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { compared_of } from "./compared.mjs";
 import { engines_of, with_whole_questions } from "./engines.mjs";
@@ -74,6 +80,11 @@ export function page_data({ runs, against, title, warnings }) {
 
   const configurations = ordered_configurations(names_of(entries.map(({ record }) => record)));
   know_configurations(configurations);
+  know_engines(
+    entries
+      .filter(({ record }) => is_of_engines(record) && record.engine !== OURS)
+      .map(({ record }) => record.engine),
+  );
   const texts = new Texts();
   const rows = [];
   cut.forEach((part, place) => {

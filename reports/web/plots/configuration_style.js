@@ -36,6 +36,20 @@ export function know_configurations(names) {
   others.push(...ordered_configurations(names).filter((name) => !OWN.has(name)));
 }
 
+const engines = []; // other engines, in the order of their names
+
+/** The same for engines that stand side by side. A second call begins anew. */
+export function know_engines(names) {
+  engines.length = 0;
+  engines.push(...[...new Set(names)].sort());
+}
+
+/** The place of an engine among those that are known; a new one comes last. */
+export function place_of_engine(name) {
+  if (!engines.includes(name)) engines.push(name);
+  return engines.indexOf(name);
+}
+
 /** Map from each name to {colour: "$s0", shape, dash}; `colour` is a name of the palette's. */
 export function configuration_styles(names) {
   for (const name of ordered_configurations(names))

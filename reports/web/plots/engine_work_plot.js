@@ -42,7 +42,7 @@ export function engine_work_plot(all) {
     error: Number.isNaN(point.error) ? "never" : point.error,
   });
   const front = pareto_front(
-    points.filter(({ error }) => !Number.isNaN(error)),
+    points.filter(({ error }) => Number.isFinite(error)),
     ({ seconds }) => seconds,
     ({ error }) => error,
   );

@@ -3,6 +3,7 @@
 import { OURS } from "../model/engine.js";
 import { failed_efforts } from "../model/engine_answer.js";
 import { to_number } from "../model/number.js";
+import { place_of_engine } from "./configuration_style.js";
 import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
 
 const OTHER_SHAPES = 3;
@@ -14,13 +15,13 @@ const LINE = 14; // px from name to name
  * configurations. When the colours begin again, they do so with other shapes.
  */
 export function looks_of(variants) {
-  const others = [...new Set(variants.map(({ rule }) => rule))].filter((rule) => rule !== OURS);
   const seen = new Map();
   return variants.map(({ rule }) => {
     const place = seen.get(rule) ?? 0;
     seen.set(rule, place + 1);
-    const colour = others.indexOf(rule) % SERIES_COLOURS.length;
-    const round = rule === OURS ? 0 : Math.floor(others.indexOf(rule) / SERIES_COLOURS.length);
+    const engine = rule === OURS ? 0 : place_of_engine(rule);
+    const colour = engine % SERIES_COLOURS.length;
+    const round = Math.floor(engine / SERIES_COLOURS.length);
     return {
       color: rule === OURS ? "$ink" : SERIES_COLOURS[colour],
       shape: SERIES_SHAPES[(place + OTHER_SHAPES * round) % SERIES_SHAPES.length],

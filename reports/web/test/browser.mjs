@@ -23,9 +23,9 @@ const FLAGS = [
 const WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
 
-// CPU time that the page's process has taken, ms: unlike the clock's it doesn't grow with what else runs.
-async function process_time(context, page) {
-  const session = await context.newCDPSession(page);
+/** CPU time that the page's process has taken, ms: unlike the clock's it doesn't grow with what else runs. */
+export async function process_time(page) {
+  const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable");
   const { metrics } = await session.send("Performance.getMetrics");
   await session.detach();
@@ -90,7 +90,7 @@ export async function start_browser({ webgl = true } = {}) {
       await page.goto(own + hash);
       if (wait) await page.waitForSelector("[data-ready]", { timeout: 30_000 });
       page.ready_ms = Date.now() - start;
-      page.ready_cpu_ms = await process_time(context, page);
+      page.ready_cpu_ms = await process_time(page);
       return page;
     },
     close: () => browser.close(),

@@ -6,8 +6,10 @@ import { configuration_of, ordered_configurations } from "../model/configuration
 import {
   configuration_styles,
   know_configurations,
+  know_engines,
   variant_styles,
 } from "../plots/configuration_style.js";
+import { looks_of } from "../plots/engine_work_points.js";
 import { record } from "./records.mjs";
 
 test("a configuration's name is the record's, or read from an older record's settings", () => {
@@ -54,4 +56,13 @@ test("variants of one configuration share its colour and differ in shape and das
   );
   assert.equal(new Set(styles.map(({ shape }) => shape)).size, 4);
   assert.equal(new Set(styles.map(({ dash }) => JSON.stringify(dash))).size, 4);
+});
+
+test("an engine keeps its colour where others did not answer", () => {
+  know_engines(["ode", "bullet", "dart"]);
+  const colours = (...engines) =>
+    looks_of(engines.map((rule) => ({ rule }))).map((one) => one.color);
+  assert.equal(colours("ode")[0], colours("bullet", "dart", "ode")[2]);
+  assert.deepEqual(colours("stiction", "bullet"), ["$ink", "$s0"]);
+  know_engines([]);
 });
