@@ -47,7 +47,12 @@ export function configuration_mark(name, label = name) {
 export const table = (columns, ...bodies) =>
   e(
     "div",
-    { class: "scroll" },
+    {
+      class: "scroll",
+      tabindex: "0",
+      role: "region",
+      "aria-label": `Table: ${columns.map(([name]) => name).join(", ")}`,
+    },
     e(
       "table",
       {},
