@@ -22,7 +22,10 @@ const told = CONFIGURATIONS.map((configuration, i) =>
       check({
         verdict: i === 0 ? "refuted" : "pass",
         of_tolerance: i === 0 ? 20 : 0.33,
-        ...(i === 0 && { band: [0.2, 0.4], cause: `${LONG} (band: three times what was measured)` }),
+        ...(i === 0 && {
+          band: [0.2, 0.4],
+          cause: `${LONG} (band: three times what was measured)`,
+        }),
       }),
     ],
   }),
@@ -72,7 +75,10 @@ test("results stand by configuration; settings in common are said once", async (
   const page = await open("slope/case");
   const rows = await page.locator("table.results tbody tr:not(.quantity)").allInnerTexts();
   assert.equal(rows.length, 2);
-  assert.match(rows[0], /paper, secant\s+refuted\s+0\.3001\s+0\.3\s+0\.00033 rel\s+0\.001 rel\s+20 ×/);
+  assert.match(
+    rows[0],
+    /paper, secant\s+refuted\s+0\.3001\s+0\.3\s+0\.00033 rel\s+0\.001 rel\s+20 ×/,
+  );
   assert.match(rows[1], /quiet\s+holds[^]*33 %/);
   const colours = await page
     .locator("table.results .style-mark")

@@ -51,8 +51,14 @@ test("the pair: worst against best, of the runs shown", () => {
   });
   const pair = (...entries) => telling_pair(entries, runs);
   assert.deepEqual(pair(entry("pass", 0.5), entry("fail", 2), entry("pass", 0.1)), [1, 2]);
-  assert.deepEqual(pair(entry("refuted", 9), entry("for-information", 1e9), entry("pass", 0.1)), [0, 2]);
-  assert.deepEqual(pair(entry("for-information", 1e9), entry("pass", 0.9), entry("pass", 0.1)), [0, 2]);
+  assert.deepEqual(
+    pair(entry("refuted", 9), entry("for-information", 1e9), entry("pass", 0.1)),
+    [0, 2],
+  );
+  assert.deepEqual(
+    pair(entry("for-information", 1e9), entry("pass", 0.9), entry("pass", 0.1)),
+    [0, 2],
+  );
   assert.deepEqual(pair(entry("pass", 0.2), entry("fail", 2, 1), entry("pass", 0.1)), [0, 2]);
   assert.deepEqual(pair(entry("pass", 0.2), entry("pass", 0.2)), [0, 1]);
   assert.deepEqual(pair(entry("pass", "nan"), entry("pass", 0.2)), [0, 1]);
