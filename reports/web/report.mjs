@@ -49,7 +49,10 @@ async function manual(options) {
     runs,
     heads: run_heads(runs, []),
     title: options.title ?? "Verification manual",
-    style: readFileSync(join(dirname(fileURLToPath(import.meta.url)), "bundle", "manual.css"), "utf8"),
+    style: readFileSync(
+      join(dirname(fileURLToPath(import.meta.url)), "bundle", "manual.css"),
+      "utf8",
+    ),
     bytes_of: (name) => recordings.find((recording) => recording.name === name)?.bytes ?? null,
   });
   const file = options.manual || join(runs[0].folder, "verification-manual.html");

@@ -72,7 +72,9 @@ SEE ALSO
 const is_manual_file = (word) => /\.(html?|pdf)$/i.test(word ?? "");
 
 const with_manual_file = (words) =>
-  words.map((word, i) => (word === "--manual" && !is_manual_file(words[i + 1]) ? "--manual=" : word));
+  words.map((word, i) =>
+    word === "--manual" && !is_manual_file(words[i + 1]) ? "--manual=" : word,
+  );
 
 /** The command line as data. Throws an Error with one sentence for what it cannot be. */
 export function parse_arguments(words) {

@@ -38,7 +38,9 @@ const worst_of = (entries) =>
 function counts_text(entries) {
   const counts = group_by(entries, ({ record }) => record.verdict);
   return VERDICTS.filter((verdict) => counts.has(verdict))
-    .map((verdict) => counted(verdict, counts.get(verdict).length, format_count(counts.get(verdict).length)))
+    .map((verdict) =>
+      counted(verdict, counts.get(verdict).length, format_count(counts.get(verdict).length)),
+    )
     .join(", ");
 }
 
@@ -48,9 +50,16 @@ function title_page(title, entries, heads) {
     "section",
     { id: "title" },
     e("h1", {}, title),
-    e("p", {}, "Cases with known answers for frictional contact: what is claimed, what was measured."),
+    e(
+      "p",
+      {},
+      "Cases with known answers for frictional contact: what is claimed, what was measured.",
+    ),
     facts([
-      ["Records", `${format_count(entries.length)} of ${format_count(cases)} cases: ${counts_text(entries)}`],
+      [
+        "Records",
+        `${format_count(entries.length)} of ${format_count(cases)} cases: ${counts_text(entries)}`,
+      ],
       ...heads.flatMap((head) => [
         ["Run", head.name],
         ["Revision", head.revision],
@@ -105,8 +114,15 @@ function contents(pages) {
 const meaning_of = (word) => glossary_entry(word)?.meaning ?? "";
 
 function reading(entries) {
-  const verdicts = VERDICTS.filter((verdict) => entries.some(({ record }) => record.checks.some((check) => check.verdict === verdict) || record.verdict === verdict));
-  const configurations = ordered_configurations(entries.map(({ record }) => configuration_of(record)));
+  const verdicts = VERDICTS.filter((verdict) =>
+    entries.some(
+      ({ record }) =>
+        record.checks.some((check) => check.verdict === verdict) || record.verdict === verdict,
+    ),
+  );
+  const configurations = ordered_configurations(
+    entries.map(({ record }) => configuration_of(record)),
+  );
   return e(
     "section",
     { class: "leaf", id: "reading" },
@@ -150,10 +166,20 @@ function notes_part(entries, labels) {
     e(
       "ul",
       { class: "notes" },
-      list.slice(0, MOST_NOTES).map(([note, who]) =>
-        e("li", {}, who.length < entries.length && who.some(Boolean) && `${[...new Set(who)].filter(Boolean).join(", ")}: `, note),
-      ),
-      list.length > MOST_NOTES && e("li", {}, `and ${list.length - MOST_NOTES} more, in the records.`),
+      list
+        .slice(0, MOST_NOTES)
+        .map(([note, who]) =>
+          e(
+            "li",
+            {},
+            who.length < entries.length &&
+              who.some(Boolean) &&
+              `${[...new Set(who)].filter(Boolean).join(", ")}: `,
+            note,
+          ),
+        ),
+      list.length > MOST_NOTES &&
+        e("li", {}, `and ${list.length - MOST_NOTES} more, in the records.`),
     ),
   ];
 }
@@ -221,7 +247,9 @@ async function case_page(page, place, { heads, bytes_of }) {
     (i) => records[i].case,
   );
   const together = page.cases.length > 1;
-  const case_labels = records.map((record) => (together ? parameters_of(record.case, page.name) : ""));
+  const case_labels = records.map((record) =>
+    together ? parameters_of(record.case, page.name) : "",
+  );
   const names = records.map((record, i) => entry_name(record, labels[i], case_labels[i]));
   const told = records.find((record) => problem_of(record)) ?? records[0];
   return e(
@@ -235,7 +263,12 @@ async function case_page(page, place, { heads, bytes_of }) {
       " ",
       together ? `${page.cases.length} cases: ${counts_text(page.entries)}` : told.title,
     ),
-    together && e("p", { class: "of" }, `The problem and the drawing are those of ${told.case}: ${told.title}.`),
+    together &&
+      e(
+        "p",
+        { class: "of" },
+        `The problem and the drawing are those of ${told.case}: ${told.title}.`,
+      ),
     problem_part(told, surfaces_from(page.entries, bytes_of)),
     claims_and_results(records.map((record, i) => ({ record, name: names[i] }))),
     await plot_part(page, heads),
@@ -251,13 +284,16 @@ async function case_page(page, place, { heads, bytes_of }) {
 export async function manual_html({ runs, heads, title, style, bytes_of }) {
   const entries = runs
     .flatMap(({ records }, run) => records.map((record) => ({ record, run })))
-    .filter(({ record }) => !is_findings(record) && !is_of_engines(record) && !is_comparison([record]));
+    .filter(
+      ({ record }) => !is_findings(record) && !is_of_engines(record) && !is_comparison([record]),
+    );
   if (entries.length === 0)
     throw new Error("these runs hold no record of ./stiction validate, of which a manual is made");
   know_configurations([...new Set(entries.map(({ record }) => configuration_of(record)))]);
   const pages = pages_of(entries);
   const body = [title_page(title, entries, heads), contents(pages), reading(entries)];
-  for (const [place, page] of pages.entries()) body.push(await case_page(page, place, { heads, bytes_of }));
+  for (const [place, page] of pages.entries())
+    body.push(await case_page(page, place, { heads, bytes_of }));
   const hash = createHash("sha256").update(style).digest("base64");
   return `<!DOCTYPE html>
 <html lang="en">

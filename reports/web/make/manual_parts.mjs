@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pieces of a manual's page, as trees: a case's problem, its claims, its results.
 import { band_text, margin, short_margin } from "../model/check_text.js";
-import { causes_of, claims_of, expected_of, is_banded, told, tolerance_of } from "../model/claim.js";
-import { configuration_of } from "../model/configuration.js";
 import {
-  format_error,
-  format_pair,
-  name_with_unit,
-  to_number,
-} from "../model/number.js";
+  causes_of,
+  claims_of,
+  expected_of,
+  is_banded,
+  told,
+  tolerance_of,
+} from "../model/claim.js";
+import { configuration_of } from "../model/configuration.js";
+import { format_error, format_pair, name_with_unit, to_number } from "../model/number.js";
 import { problem_of } from "../model/problem.js";
 import { body_rows, problem_facts } from "../model/problem_text.js";
 import { VERDICT_WORDS } from "../model/verdict.js";
@@ -47,7 +49,12 @@ export function configuration_mark(name, label = name) {
 export const table = (columns, ...bodies) =>
   e(
     "div",
-    { class: "scroll" },
+    {
+      class: "scroll",
+      tabindex: "0",
+      role: "region",
+      "aria-label": `Table: ${columns.map(([name]) => name).join(", ")}`,
+    },
     e(
       "table",
       {},
@@ -57,7 +64,9 @@ export const table = (columns, ...bodies) =>
         e(
           "tr",
           {},
-          columns.map(([name, number]) => e("th", { scope: "col", class: number && "number" }, name)),
+          columns.map(([name, number]) =>
+            e("th", { scope: "col", class: number && "number" }, name),
+          ),
         ),
       ),
       bodies.map((rows) => e("tbody", {}, rows)),
@@ -93,11 +102,18 @@ const BODY_COLUMNS = [
 
 function bodies_table(bodies) {
   const cells = bodies.map((body) => Object.values(body));
-  const shown = BODY_COLUMNS.map((_, i) => i).filter((i) => cells.some((row_of) => row_of[i] !== "–"));
+  const shown = BODY_COLUMNS.map((_, i) => i).filter((i) =>
+    cells.some((row_of) => row_of[i] !== "–"),
+  );
   const columns = shown.map((i) => BODY_COLUMNS[i]);
   return table(
     columns,
-    cells.map((all) => row(shown.map((i) => all[i]), columns)),
+    cells.map((all) =>
+      row(
+        shown.map((i) => all[i]),
+        columns,
+      ),
+    ),
   );
 }
 

@@ -114,7 +114,8 @@ export const body_rows = (problem) =>
         deforms && Number.isFinite(body.youngs_modulus)
           ? with_prefix(body.youngs_modulus, "Pa")
           : "–",
-      poisson_ratio: deforms && Number.isFinite(body.poisson_ratio) ? short(body.poisson_ratio) : "–",
+      poisson_ratio:
+        deforms && Number.isFinite(body.poisson_ratio) ? short(body.poisson_ratio) : "–",
       damping: deforms ? milliseconds(body.damping_time) : "–",
     };
   });

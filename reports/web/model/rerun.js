@@ -10,7 +10,11 @@ const pattern = (name) => name.replace(/[[\]*?\\]/g, "?");
 
 /** The case with all its configurations, on the engine of a record. */
 export const case_command = ({ case: name, engine }) =>
-  ["./stiction validate", engine !== OURS && `--engine ${quoted(engine)}`, `--case ${quoted(pattern(name))}`]
+  [
+    "./stiction validate",
+    engine !== OURS && `--engine ${quoted(engine)}`,
+    `--case ${quoted(pattern(name))}`,
+  ]
     .filter(Boolean)
     .join(" ");
 

@@ -23,7 +23,12 @@ const SEE_THROUGH = 0.75; // what lies behind a mark stays seen
 function instances(geometry, colour, order) {
   const mesh = new InstancedMesh(
     geometry,
-    new MeshLambertMaterial({ color: colour, depthTest: false, transparent: true, opacity: SEE_THROUGH }),
+    new MeshLambertMaterial({
+      color: colour,
+      depthTest: false,
+      transparent: true,
+      opacity: SEE_THROUGH,
+    }),
     MOST,
   );
   mesh.renderOrder = order;

@@ -31,12 +31,10 @@ export function cut(polygon, side) {
 }
 
 export const cut_to_box = (polygon, [left, top, right, bottom]) =>
-  [
-    ([x]) => x - left,
-    ([x]) => right - x,
-    ([, y]) => y - top,
-    ([, y]) => bottom - y,
-  ].reduce((rest, side) => (rest.length > 0 ? cut(rest, side) : rest), polygon);
+  [([x]) => x - left, ([x]) => right - x, ([, y]) => y - top, ([, y]) => bottom - y].reduce(
+    (rest, side) => (rest.length > 0 ? cut(rest, side) : rest),
+    polygon,
+  );
 
 /** The ends of what of the line through `point` along `way` lies in a convex polygon; null when nothing. */
 export function chord(polygon, point, way) {

@@ -50,10 +50,15 @@ const reach = ([left, low, right, high]) => Math.max(right - left, high - low);
 
 // Where the bodies' middle stands above each half-space that is near enough to be drawn.
 function feet_of({ bodies, obstacles }, size, flat) {
-  const middle = bodies.map(({ position }) => position).reduce(add).map((x) => x / bodies.length);
+  const middle = bodies
+    .map(({ position }) => position)
+    .reduce(add)
+    .map((x) => x / bodies.length);
   return obstacles
     .map(({ point, normal }) => ({ normal, height: dot(subtract(middle, point), normal) }))
-    .filter(({ height }) => height > 0 && (size === 0 || (height > size / 2 && height < 1.5 * size)))
+    .filter(
+      ({ height }) => height > 0 && (size === 0 || (height > size / 2 && height < 1.5 * size)),
+    )
     .map(({ normal, height }) => flat(subtract(middle, scaled(normal, height))));
 }
 
@@ -61,11 +66,14 @@ function feet_of({ bodies, obstacles }, size, flat) {
 function window_of(problem, flat) {
   const boxes = problem.bodies.map((body) =>
     body.shape.kind === "ball"
-      ? [-1, 1].reduce((box, side) => {
-          const [x, y] = flat(body.position);
-          const r = side * body.shape.radius;
-          return joined(box, [x + r, y + r, x + r, y + r]);
-        }, around([flat(body.position)]))
+      ? [-1, 1].reduce(
+          (box, side) => {
+            const [x, y] = flat(body.position);
+            const r = side * body.shape.radius;
+            return joined(box, [x + r, y + r, x + r, y + r]);
+          },
+          around([flat(body.position)]),
+        )
       : around(corners_of(body).map(flat)),
   );
   const all = boxes.reduce(joined);
@@ -189,8 +197,7 @@ function body_strokes(body, frame, near, box, surface) {
     );
   }
   const corners = corners_of(body).map(frame.at);
-  if (shape.kind === "mesh")
-    return polygon(cut_to_box(hull_of(corners), box), "body bounding");
+  if (shape.kind === "mesh") return polygon(cut_to_box(hull_of(corners), box), "body bounding");
   return seen_faces(body, corners, near)
     .map((outline) => cut_to_box(outline, box))
     .filter((outline) => outline.length > 2)
@@ -220,7 +227,10 @@ function dimension_candidates(body, frame) {
     }));
   }
   const axes = [0, 1, 2].map((axis) => {
-    const way = turned(rotation, [0, 1, 2].map((i) => (i === axis ? half(body)[axis] : 0)));
+    const way = turned(
+      rotation,
+      [0, 1, 2].map((i) => (i === axis ? half(body)[axis] : 0)),
+    );
     return { way, size: 2 * size_of(way) };
   });
   return axes.flatMap(({ way, size }, axis) => {
@@ -277,9 +287,7 @@ function dimensions(problem, frame, { obstacles, boxes, surfaces, taken }) {
     ({ point, normal }) =>
       ([left, top, right, bottom]) =>
         [left, right].some((x) =>
-          [top, bottom].some(
-            (y) => (x - point[0]) * normal[0] + (y - point[1]) * normal[1] < -4,
-          ),
+          [top, bottom].some((y) => (x - point[0]) * normal[0] + (y - point[1]) * normal[1] < -4),
         ),
   );
   const cost = (candidate) => {
@@ -392,7 +400,13 @@ function actions(problem, obstacles, frame, { near, up }) {
     used.set("spring", "spring");
     rooms.push(around([own, stop]));
     write(plus(stop, [0, -9]), once(`k = ${short(stiffness)} N/m`));
-    add_arrow(plus(stop, [0, 12]), anchor_velocity, "motion", "motion", once(amount(anchor_velocity, "m/s")));
+    add_arrow(
+      plus(stop, [0, 12]),
+      anchor_velocity,
+      "motion",
+      "motion",
+      once(amount(anchor_velocity, "m/s")),
+    );
   }
   for (const body of problem.bodies) {
     const from = frame.at(body.position);
@@ -434,7 +448,15 @@ function gravity_place(obstacles, boxes) {
       );
       return sides.some((side) => side !== sides[0]);
     });
-    return crossed.length + boxes.filter((box) => overlaps(box, spots.find(([x]) => x === left))).length;
+    return (
+      crossed.length +
+      boxes.filter((box) =>
+        overlaps(
+          box,
+          spots.find(([x]) => x === left),
+        ),
+      ).length
+    );
   };
   return cost(spots[1]) < cost(spots[0]) ? spots[1] : spots[0];
 }
@@ -444,7 +466,10 @@ function gravity_strokes({ gravity }, [left]) {
   if (size_of(g) === 0) return [];
   return [
     arrow([left + 14, 14], [0, 34], "weight"),
-    label([left + 23, 28], `g = ${short(size_of(g))} m/s²`, { anchor: "start", name: "label small" }),
+    label([left + 23, 28], `g = ${short(size_of(g))} m/s²`, {
+      anchor: "start",
+      name: "label small",
+    }),
   ];
 }
 
@@ -528,12 +553,21 @@ export function problem_sketch(problem, { surfaces = new Map(), title = "" } = {
       body.held && held_strokes(body, frame, box),
     ]),
     slope.strokes,
-    dimensions(problem, frame, { obstacles, boxes, surfaces, taken: [place, slope.room, ...acting.rooms] }),
+    dimensions(problem, frame, {
+      obstacles,
+      boxes,
+      surfaces,
+      taken: [place, slope.room, ...acting.rooms],
+    }),
     acting.strokes,
     weight,
     obstacles.map((obstacle) => friction_label(obstacle, obstacles, box)),
   );
-  return { drawing, caption: caption_of(problem, view, surfaces), key: used.map((name) => [name, KEY[name]]) };
+  return {
+    drawing,
+    caption: caption_of(problem, view, surfaces),
+    key: used.map((name) => [name, KEY[name]]),
+  };
 }
 
 // μ at the inner end of a face.
@@ -557,7 +591,8 @@ function caption_of(problem, { slope }, surfaces) {
     ({ shape }, place) => shape.kind === "mesh" && !surfaces.has(place),
   );
   const g = [first_of(problem.gravity), last_of(problem.gravity)];
-  const is_turned = slope !== null && unit(g[1]) !== null && Math.abs(dot(unit(g[1]), [0, 0, 1])) < 1 - 1e-9;
+  const is_turned =
+    slope !== null && unit(g[1]) !== null && Math.abs(dot(unit(g[1]), [0, 0, 1])) < 1 - 1e-9;
   return [
     "At the start, from the side, to scale",
     is_turned ? "; turned so that gravity at its end points down" : "",
@@ -566,4 +601,3 @@ function caption_of(problem, { slope }, surfaces) {
     ".",
   ].join("");
 }
-

@@ -91,10 +91,7 @@ export function spring(a, b) {
   for (let i = 0; i < 2 * turns; ++i)
     points.push(at(0.12 + (0.76 * (i + 0.5)) / (2 * turns), i % 2 ? -1 : 1));
   points.push(at(0.88, 0), b);
-  return [
-    e("polyline", { points: points_text(points), class: "spring" }),
-    circle(b, 3, "anchor"),
-  ];
+  return [e("polyline", { points: points_text(points), class: "spring" }), circle(b, 3, "anchor")];
 }
 
 /** A dimension line between a and b, moved out by `offset` px along `out`, with its number. */
@@ -110,7 +107,11 @@ export function dimension(a, b, out, offset, text) {
     line(plus(b, out, 3), plus(to, out, 3), "thin"),
     narrow
       ? line(from, to, "thin")
-      : [line(from, to, "thin"), head(to, way, "thin", 5), head(from, [-way[0], -way[1]], "thin", 5)],
+      : [
+          line(from, to, "thin"),
+          head(to, way, "thin", 5),
+          head(from, [-way[0], -way[1]], "thin", 5),
+        ],
     label([place[0], place[1] + 4], text, {
       anchor: steep ? (out[0] > 0 ? "start" : "end") : "middle",
     }),

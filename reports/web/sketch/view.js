@@ -2,7 +2,17 @@
 // From which side a problem is drawn: gravity's end points down, the slope falls to the right, and what
 // moves, pushes or lies side by side does so across the picture.
 import { first_of, last_of, slope_of, up_of } from "../model/problem.js";
-import { across, add, cross, dot, scaled, size_of, subtract, turned, unit } from "../model/vector.js";
+import {
+  across,
+  add,
+  cross,
+  dot,
+  scaled,
+  size_of,
+  subtract,
+  turned,
+  unit,
+} from "../model/vector.js";
 
 const RIGHT = [1, 0.37, 0.21]; // what points this way stands to the right
 
@@ -10,7 +20,13 @@ const RIGHT = [1, 0.37, 0.21]; // what points this way stands to the right
 export function corners_of({ shape, position, rotation }) {
   const [low, high] = bounds_of(shape);
   return Array.from({ length: 8 }, (_, i) =>
-    add(position, turned(rotation, [0, 1, 2].map((axis) => ((i >> axis) & 1 ? high : low)[axis]))),
+    add(
+      position,
+      turned(
+        rotation,
+        [0, 1, 2].map((axis) => ((i >> axis) & 1 ? high : low)[axis]),
+      ),
+    ),
   );
 }
 
@@ -116,6 +132,8 @@ function best_of(ways, { bodies }, up) {
 export function view_of(problem) {
   const up = up_of(problem);
   const slope = slope_of(problem);
-  const right = slope ? unit(across(slope.normal, up)) : best_of(candidates(problem, up), problem, up);
+  const right = slope
+    ? unit(across(slope.normal, up))
+    : best_of(candidates(problem, up), problem, up);
   return { up, right, near: cross(right, up), slope };
 }

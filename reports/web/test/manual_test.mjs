@@ -9,7 +9,14 @@ import { parse_arguments } from "../make/arguments.mjs";
 import { pages_of } from "../make/manual_pages.mjs";
 import { axe_source, start_browser } from "./browser.mjs";
 import { clamp, incline } from "./problems.mjs";
-import { HOSTILE, hostile_records, lines_of, make_run, record, varied_records } from "./records.mjs";
+import {
+  HOSTILE,
+  hostile_records,
+  lines_of,
+  make_run,
+  record,
+  varied_records,
+} from "./records.mjs";
 import { build, report } from "./report.mjs";
 import { temporary_folder } from "./temporary.mjs";
 
@@ -37,7 +44,11 @@ function make_manual(records, ...words) {
 const open = (file, options) => browser.open(file, { ...options, wait: false });
 
 test("the manual has every case of a run, linked from its contents", async () => {
-  const records = [...varied_records(), told({ case: "with/problem" }), told({ case: "clamp/held", problem: clamp() })];
+  const records = [
+    ...varied_records(),
+    told({ case: "with/problem" }),
+    told({ case: "clamp/held", problem: clamp() }),
+  ];
   const page = await open(make_manual(records));
   const text = await page.locator("main").innerText();
   for (const { case: name } of records)
@@ -91,7 +102,10 @@ test("a page has the drawing, the data, the claim, the result, the plot, the has
 
 test("a record without a problem says so, one that broke off why", async () => {
   const page = await open(
-    make_manual([record({ case: "old/case" }), record({ case: "z", verdict: "error", error: "it burst", checks: [] })]),
+    make_manual([
+      record({ case: "old/case" }),
+      record({ case: "z", verdict: "error", error: "it burst", checks: [] }),
+    ]),
   );
   assert.match(await page.locator("#case-1").innerText(), /does not tell the problem/);
   assert.equal(await page.locator("svg.sketch").count(), 0);
@@ -132,7 +146,9 @@ test("it is readable: axe finds nothing serious, and nothing hangs over at 390 p
 
 test("on paper each case begins a page", async () => {
   const page = await open(make_manual([told({ case: "a" }), told({ case: "b" })]));
-  const pages = (await page.pdf({ preferCSSPageSize: true })).toString("latin1").match(/\/Type\s*\/Page\b/g);
+  const pages = (await page.pdf({ preferCSSPageSize: true }))
+    .toString("latin1")
+    .match(/\/Type\s*\/Page\b/g);
   assert.equal(pages.length, 5, "title, contents, reading, two cases");
 });
 
@@ -142,10 +158,14 @@ test("a PDF where Chromium is, else one sentence and exit code 2", () => {
   const made = report(run, "--manual", file);
   assert.equal(made.status, 0, made.err);
   assert.equal(readFileSync(file).subarray(0, 5).toString(), "%PDF-");
-  const none = spawnSync(process.execPath, [join(build, "report.mjs"), run, "--manual", `${file}-2.pdf`], {
-    encoding: "utf8",
-    env: { ...process.env, PATH: "/nowhere", CHROMIUM: "" },
-  });
+  const none = spawnSync(
+    process.execPath,
+    [join(build, "report.mjs"), run, "--manual", `${file}-2.pdf`],
+    {
+      encoding: "utf8",
+      env: { ...process.env, PATH: "/nowhere", CHROMIUM: "" },
+    },
+  );
   assert.equal(none.status, 2);
   assert.match(none.stderr, /^stiction report: a PDF needs Chromium[^\n]*\n$/);
   assert.equal(existsSync(`${file}-2.pdf`), false);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start_browser } from "./browser.mjs";
-import { lines_of, make_run, record, varied_records } from "./records.mjs";
+import { check, lines_of, make_run, record, varied_records } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
 const HASH = "#case=incline/stop/mu=0.3";
@@ -19,12 +19,20 @@ const first_x = (page) =>
   page
     .locator(".player")
     .evaluate((player) => player.stiction_positions().map((positions) => positions[0]));
+const to_start = async (page) => {
+  await page.locator(".player").focus();
+  await page.keyboard.press("Home");
+};
 const frame = (page) => page.locator(".player").getAttribute("data-frame");
 
 test("two runs of a case are shown side by side and move together", async () => {
   const page = await browser.open(file, { hash: HASH });
   await loaded(page);
-  assert.deepEqual(await page.locator(".pane-label").allInnerTexts(), ["fixed-point", "none"]);
+  assert.deepEqual(await page.locator(".pane-label").allInnerTexts(), [
+    "paper, fixed point",
+    "paper, no memory",
+  ]);
+  await to_start(page);
   const start = await first_x(page);
   assert.equal(start.length, 2);
   assert.ok(Math.abs(start[0] + 0.1) < 1e-4);
@@ -43,6 +51,7 @@ test("something is drawn, and it changes with time", async () => {
   await loaded(page);
   const canvas = page.locator(".pane canvas").first();
   const shot = () => canvas.screenshot();
+  await to_start(page);
   const start = await shot();
   await page.locator(".player input[type=range]").fill("30");
   const end = await shot();
@@ -56,6 +65,7 @@ test("it plays and pauses", async () => {
   const page = await browser.open(file, { hash: HASH });
   await loaded(page);
   await page.locator(".player select[aria-label=Speed]").selectOption("1");
+  await to_start(page);
   await page.getByRole("button", { name: "Play" }).click();
   await page.waitForFunction(() => Number(document.querySelector(".player").dataset.frame) >= 2);
   await page.waitForFunction(() => document.querySelector(".player").dataset.frame === "40");
@@ -69,7 +79,7 @@ test("it plays and pauses", async () => {
 test("keys play, step and jump", async () => {
   const page = await browser.open(file, { hash: HASH });
   await loaded(page);
-  await page.locator(".player").focus();
+  await to_start(page);
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowLeft");
@@ -105,9 +115,8 @@ test("of three recordings two are chosen", async () => {
   const page = await browser.open(make_page(run), { hash: HASH });
   await loaded(page);
   await page.locator("select[data-side=right]").selectOption("2");
-  await page.getByText("secant").nth(1).waitFor();
   await page.waitForFunction(
-    () => document.querySelectorAll(".pane-label")[1]?.textContent === "secant",
+    () => document.querySelectorAll(".pane-label")[1]?.textContent.trim() === "paper, secant",
   );
   assert.deepEqual(page.faults, []);
 });
@@ -119,6 +128,7 @@ test("without WebGL it says so, draws flat, and time still runs", async () => {
     await loaded(page);
     assert.match(await page.locator(".player .message").innerText(), /gives no WebGL/);
     const shape = () => page.locator(".still polygon:not(.ground)").first().getAttribute("points");
+    await to_start(page);
     const start = await shape();
     await page.locator(".player input[type=range]").fill("40");
     assert.notEqual(await shape(), start);
@@ -141,7 +151,6 @@ test("on paper the scene is drawn", async () => {
 test("a page without recordings carries no player", async () => {
   const page = await browser.open(make_page(make_run(lines_of([record()]))), { hash: HASH });
   assert.equal(await page.locator(".player").count(), 0);
-  assert.equal(await page.locator("svg.sketch").count(), 1);
   assert.equal(await page.locator('[data-asset="code/player"]').count(), 0);
 });
 
@@ -161,4 +170,47 @@ test("players that were left give back what they held; the theme reaches the sce
   assert.equal(await frame(page), "20");
   assert.ok(!light.equals(await page.locator(".pane canvas").first().screenshot()));
   assert.deepEqual(page.faults, []);
+});
+
+test("displacements are drawn larger, from a moment that can be chosen, and the picture says so", async () => {
+  const page = await browser.open(file, { hash: HASH });
+  await loaded(page);
+  const slider = page.locator(".player input[type=range]");
+  await slider.fill("20");
+  const plain = (await first_x(page))[0];
+  const words = page.locator(".scale-words").first();
+  assert.equal(await words.isVisible(), false);
+  await page.getByLabel("Displacements drawn larger").selectOption("10");
+  const start = -0.1; // where the box stands in the first frame
+  const drawn = (await first_x(page))[0];
+  assert.ok(Math.abs(drawn - (start + 10 * (plain - start))) < 1e-3, `${drawn}`);
+  assert.match(await words.innerText(), /displacements × 10 since 0 s; recorded to \S+ m/);
+  await page.getByRole("button", { name: "from here" }).click();
+  assert.ok(Math.abs((await first_x(page))[0] - plain) < 1e-4, "it has not moved from itself");
+  assert.doesNotMatch(await words.innerText(), /since 0 s/);
+  assert.deepEqual(page.faults, []);
+});
+
+test("it opens on the telling pair at the telling moment", async () => {
+  const verdicts = ["pass", "expected-shortfall", "pass"];
+  const rules = ["none", "secant", "fixed-point"];
+  const run = make_run(
+    lines_of(
+      rules.map((rule, i) =>
+        record({
+          settings: { rule },
+          verdict: verdicts[i],
+          checks: [check({ verdict: verdicts[i], of_tolerance: [0.9, 7, 0.1][i] })],
+          frames: "frames/box.bin",
+        }),
+      ),
+    ),
+  );
+  const page = await browser.open(make_page(run), { hash: HASH });
+  await loaded(page);
+  assert.deepEqual(
+    (await page.locator(".pane-label").allInnerTexts()).map((text) => text.trim()),
+    ["paper, secant", "paper, fixed point"],
+  );
+  assert.notEqual(await frame(page), "0");
 });

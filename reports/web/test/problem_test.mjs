@@ -10,18 +10,34 @@ import { turned } from "../model/vector.js";
 import { cut_to_box, hatching, hull_of } from "../sketch/outline.js";
 import { problem_sketch } from "../sketch/sketch.js";
 import { view_of } from "../sketch/view.js";
-import { body, BROKEN, clamp, incline, meshed, obstacle, problem, rolling, stack } from "./problems.mjs";
+import {
+  body,
+  BROKEN,
+  clamp,
+  incline,
+  meshed,
+  obstacle,
+  problem,
+  rolling,
+  stack,
+} from "./problems.mjs";
 import { HOSTILE, record } from "./records.mjs";
 
 const read = (value) => problem_of({ problem: value });
 const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} instead of ${b}`);
 const facts = (value, rest) =>
-  Object.fromEntries(problem_facts(read(value), rest).map(({ name, lines }) => [name, lines.join("\n")]));
+  Object.fromEntries(
+    problem_facts(read(value), rest).map(({ name, lines }) => [name, lines.join("\n")]),
+  );
 
 // All elements of a drawing with a class among whose words is `name`.
 function found(node, name) {
   if (typeof node !== "object") return [];
-  const own = String(node.attributes.class ?? "").split(" ").includes(name) ? [node] : [];
+  const own = String(node.attributes.class ?? "")
+    .split(" ")
+    .includes(name)
+    ? [node]
+    : [];
   return [...own, ...node.children.flatMap((child) => found(child, name))];
 }
 const text_of = (node) =>
@@ -66,7 +82,9 @@ test("jaws stand beside what they press, not before it", () => {
   const jaw = (y) => body({ name: "jaw", position: [0, y, 0.05] });
   const pressed = problem({
     bodies: [jaw(-0.3), body(), jaw(0.3)],
-    springs: [{ body: 1, anchor: [0.1, 0, 0], anchor_velocity: [0, 0, 0], axis: [1, 0, 0], stiffness: 1 }],
+    springs: [
+      { body: 1, anchor: [0.1, 0, 0], anchor_velocity: [0, 0, 0], axis: [1, 0, 0], stiffness: 1 },
+    ],
   });
   near(Math.abs(view_of(read(pressed)).right[1]), 1);
 });
@@ -92,7 +110,10 @@ test("equal bodies are one row, with density", () => {
 test("facts tell μ, gravity's turn, the slope, loads, springs, held parts, the start", () => {
   const slope = facts(incline(), { simulations: 48 });
   assert.match(slope.Obstacles, /‘plane’: μ = 0\.5, its face towards \+z, through the origin/);
-  assert.match(slope.Gravity, /9\.81 m\/s², turned from −z to \(0\.3714, 0, −0\.9285\), between 0 and 1 s/);
+  assert.match(
+    slope.Gravity,
+    /9\.81 m\/s², turned from −z to \(0\.3714, 0, −0\.9285\), between 0 and 1 s/,
+  );
   assert.equal(slope.Slope, "θ = 21.8°, tan θ = 0.4");
   assert.match(slope.Simulations, /first of 48 simulations/);
   assert.equal(slope["Between bodies"], undefined);
@@ -101,9 +122,15 @@ test("facts tell μ, gravity's turn, the slope, loads, springs, held parts, the 
   const pressed = facts(clamp());
   assert.equal(pressed.Gravity, "none");
   assert.equal(pressed["Between bodies"], "μ = 0.5");
-  assert.match(pressed.Held, /‘left bar’: the part beyond its face towards \+x, moved up to 0\.001 m along \+x, from 0 to 0\.3 s/);
+  assert.match(
+    pressed.Held,
+    /‘left bar’: the part beyond its face towards \+x, moved up to 0\.001 m along \+x, from 0 to 0\.3 s/,
+  );
   assert.equal(pressed.Loads, "force up to 2 N along −z, from 0 to 1 s, on ‘held’");
-  assert.match(pressed.Springs, /100 N\/m along \+z from ‘held’ to an anchor at \(0, 0, 0\.3\) m that moves 0\.1 m\/s along \+z/);
+  assert.match(
+    pressed.Springs,
+    /100 N\/m along \+z from ‘held’ to an anchor at \(0, 0, 0\.3\) m that moves 0\.1 m\/s along \+z/,
+  );
   assert.match(facts(rolling())["At the start"], /1 m\/s along \+x, spins at 10 rad\/s along \+y/);
 });
 
@@ -199,8 +226,7 @@ test("hulls, cuts and hatching", () => {
   const lines = hatching(square, 0.5);
   assert.ok(lines.length >= 4);
   for (const [a, b] of lines)
-    for (const [x, y] of [a, b])
-      assert.ok(x > -1e-9 && x < 2 + 1e-9 && y > -1e-9 && y < 2 + 1e-9);
+    for (const [x, y] of [a, b]) assert.ok(x > -1e-9 && x < 2 + 1e-9 && y > -1e-9 && y < 2 + 1e-9);
   const turn = turned([Math.SQRT1_2, 0, 0, Math.SQRT1_2], [1, 0, 0]); // by 90° about z
   near(turn[1], 1);
 });

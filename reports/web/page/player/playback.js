@@ -62,7 +62,7 @@ function ball_around(positions) {
   };
 }
 
-const MOST_OUTER = 2;
+const MOST_OUTER = 6; // times their own size: as far as bodies are followed
 const MOST_APART = 1.5; // as much more of the scene that bursts is shown than of the calm one
 const LARGE = 2.2; // times the others' size: what lies still and is that large is their ground
 
@@ -110,7 +110,7 @@ function ball_of(recording, moment) {
   const [whole, still] = [around(starts, now, ends), around(now)];
   const own = around(starts);
   if (whole.radius <= MOST_OUTER * Math.min(own.radius, still.radius)) return whole;
-  return { centre: still.centre, radius: Math.min(1.3 * still.radius, MOST_OUTER * own.radius) };
+  return { centre: still.centre, radius: Math.min(1.3 * still.radius, 2 * own.radius) };
 }
 
 // The median over frames of the largest force in each, N: an impact must not shrink all other arrows.

@@ -32,7 +32,9 @@ export function player_bar(entries, pair) {
   const factor = h(
     "select",
     { "aria-label": "Displacements drawn larger" },
-    FACTORS.map((value) => h("option", { value }, `× ${value < 1e4 ? value : value.toExponential(0).replace("+", "")}`)),
+    FACTORS.map((value) =>
+      h("option", { value }, `× ${value < 1e4 ? value : value.toExponential(0).replace("+", "")}`),
+    ),
   );
   const from_here = h(
     "button",

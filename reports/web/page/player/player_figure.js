@@ -178,11 +178,14 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
   const print = () => panes.forEach((pane) => pane.print(time));
   addEventListener("beforeprint", print);
   const forget_theme = on_theme(() => element.dataset.loaded && reload(time));
-  const seen = new IntersectionObserver((list) => {
-    if (!list.some(({ isIntersecting }) => isIntersecting)) return;
-    seen.disconnect();
-    reload();
-  }, { rootMargin: "600px" });
+  const seen = new IntersectionObserver(
+    (list) => {
+      if (!list.some(({ isIntersecting }) => isIntersecting)) return;
+      seen.disconnect();
+      reload();
+    },
+    { rootMargin: "600px" },
+  );
   seen.observe(element);
   element.stiction_end = () => {
     ended = true;

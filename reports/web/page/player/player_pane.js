@@ -28,8 +28,7 @@ export function make_pane(recording, label, configuration) {
   const element = h(
     "div",
     { class: "pane", style: { "--own": `var(--${colour.slice(1)})` } },
-    label &&
-      h("p", { class: "pane-label" }, style_mark(configuration), h("span", {}, ` ${label}`)),
+    label && h("p", { class: "pane-label" }, style_mark(configuration), h("span", {}, label)),
     h("div", { class: "pane-picture" }, canvas, flat, paper, scale_words),
     words,
   );

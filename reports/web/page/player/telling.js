@@ -10,9 +10,11 @@ const VISIBLE = 1e-3; // of the bodies' size: less is not seen
 // From the worst on: what broke off, failed, fell short, lies beyond a tolerance, holds; then by how much.
 function badness({ record }) {
   const order = { error: 5, fail: 4 };
-  const worst = Math.max(0, ...record.checks.map(margin).map((x) => (Number.isNaN(x) ? Infinity : x)));
-  const class_of =
-    order[record.verdict] ?? (is_expected(record.verdict) ? 3 : worst > 1 ? 2 : 1);
+  const worst = Math.max(
+    0,
+    ...record.checks.map(margin).map((x) => (Number.isNaN(x) ? Infinity : x)),
+  );
+  const class_of = order[record.verdict] ?? (is_expected(record.verdict) ? 3 : worst > 1 ? 2 : 1);
   return [class_of, worst];
 }
 

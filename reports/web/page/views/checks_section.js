@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The claims of a case: each with its formula, what was expected and from where, and why its tolerance is
 // what it is. What came out stands in results_table.js.
-import { causes_of, claims_of, expected_of, told, tolerance_of, worst_verdict } from "../../model/claim.js";
+import {
+  causes_of,
+  claims_of,
+  expected_of,
+  told,
+  tolerance_of,
+  worst_verdict,
+} from "../../model/claim.js";
 import { h } from "../dom.js";
 import { glyph } from "../widgets/glyph.js";
 

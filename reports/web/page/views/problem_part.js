@@ -71,7 +71,10 @@ function sketch_figure(problem, title, surfaces) {
       "figcaption",
       {},
       caption,
-      key.map(([name, word], i) => [i > 0 ? ", " : " ", h("span", { class: `key key-${name}` }, word)]),
+      key.map(([name, word], i) => [
+        i > 0 ? ", " : " ",
+        h("span", { class: `key key-${name}` }, word),
+      ]),
       key.length > 0 && ".",
     ),
   );
@@ -93,7 +96,11 @@ export function problem_part(records, surfaces_of = () => new Map()) {
       { class: "why problem-facts" },
       problem_facts(problem, record).map(({ name, lines }) => [
         h("dt", {}, name),
-        h("dd", {}, lines.map((text) => h("div", {}, text))),
+        h(
+          "dd",
+          {},
+          lines.map((text) => h("div", {}, text)),
+        ),
       ]),
     ),
   );

@@ -5,8 +5,7 @@ import { h } from "../dom.js";
 import { command } from "../widgets/command.js";
 import { configuration_name } from "./results_table.js";
 
-const row = (name, text, told) =>
-  h("div", {}, h("dt", {}, name), h("dd", {}, command(text, told)));
+const row = (name, text, told) => h("div", {}, h("dt", {}, name), h("dd", {}, command(text, told)));
 
 /** `entries`: [{record, label}]. */
 export function rerun_part(entries) {
@@ -21,7 +20,9 @@ export function rerun_part(entries) {
     h(
       "dl",
       { class: "commands" },
-      [...whole].map((text) => row(entries.length > 1 ? "all of them" : "this case", text, "the case")),
+      [...whole].map((text) =>
+        row(entries.length > 1 ? "all of them" : "this case", text, "the case"),
+      ),
       [...single].map(([text, entry]) => row(configuration_name(entry), text, entry.label)),
     ),
   ];

@@ -3,7 +3,13 @@
 import { band_text, margin } from "../../model/check_text.js";
 import { claims_of, is_banded } from "../../model/claim.js";
 import { configuration_of } from "../../model/configuration.js";
-import { format_digits, format_error, format_pair, name_with_unit, to_number } from "../../model/number.js";
+import {
+  format_digits,
+  format_error,
+  format_pair,
+  name_with_unit,
+  to_number,
+} from "../../model/number.js";
 import { h } from "../dom.js";
 import { margin_bar } from "../widgets/margin_bar.js";
 import { style_mark } from "../widgets/style_mark.js";
@@ -84,8 +90,7 @@ function settings_part(entries) {
     "details",
     { class: "settings" },
     h("summary", {}, "Settings"),
-    common !== "" &&
-      h("p", {}, h("strong", {}, entries.length > 1 ? "Of all: " : ""), common, "."),
+    common !== "" && h("p", {}, h("strong", {}, entries.length > 1 ? "Of all: " : ""), common, "."),
     different.length > 0 &&
       h(
         "dl",
