@@ -109,8 +109,9 @@ function ball_of(recording, moment) {
     ball_of_balls(objects.flatMap((place) => frames.map((balls) => balls[place])));
   const [whole, still] = [around(starts, now, ends), around(now)];
   const own = around(starts);
-  if (whole.radius <= MOST_OUTER * Math.min(own.radius, still.radius)) return whole;
-  return { centre: still.centre, radius: Math.min(1.3 * still.radius, 2 * own.radius) };
+  if (whole.radius <= MOST_OUTER * Math.min(own.radius, still.radius))
+    return { ...whole, far: false };
+  return { centre: still.centre, radius: Math.min(1.3 * still.radius, 2 * own.radius), far: true };
 }
 
 // The median over frames of the largest force in each, N: an impact must not shrink all other arrows.
@@ -137,7 +138,10 @@ function typical_force(recording) {
  */
 export function view_of(recordings, moment = Infinity) {
   const balls = recordings.map((recording) => ball_of(recording, moment));
-  const calm = balls.reduce((a, b) => (b.radius < a.radius ? b : a));
+  const staying = balls.filter(({ far }) => !far);
+  const calm = (staying.length > 0 ? staying : balls).reduce((a, b) =>
+    b.radius < a.radius ? b : a,
+  );
   const widest = Math.max(...balls.map(({ radius }) => radius));
   const forces = recordings.map(typical_force).filter((force) => force > 0);
   return {

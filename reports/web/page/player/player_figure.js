@@ -165,6 +165,7 @@ export function player_figure(entries, pair = [0, entries.length - 1]) {
     set_parts();
     for (const pane of panes) pane.exaggerate(Number(factor.value));
     show(at ?? moment);
+    if (matchMedia("print").matches) print(); // the theme of paper may have come after it
     element.dataset.loaded = "true";
   }
 
