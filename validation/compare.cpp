@@ -328,7 +328,9 @@ int compare(Arguments& arguments) {
                                       counted(count_cases(jobs), "comparison"),
                                       duration_text(seconds_since(began))),
                           screen.width, ""));
-  fmt::print("\n{}\n", comparison_summary(records, found, screen));
+  std::string summary = comparison_summary(records, found, screen);
+  summary.erase(summary.find_last_not_of('\n') + 1);
+  fmt::print("\n{}\n\n", summary);
   fmt::print("{}, and every table: {}{}\n", counted(found.notes.size(), "finding"),
              (store.folder() / "comparison.md").string(),
              arguments.verbose ? "" : " (here: --verbose)");

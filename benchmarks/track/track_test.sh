@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/project" "$work/bin" && cd "$work/project" || exit 1
 cp "$data"/CMakeLists.txt "$data"/*.sh . && cp "$data/valgrind" "$work/bin"
 # The stand-ins carry this clone's history in build/, and the word of no other git configuration.
-export STICTION_RUN_FILE=/dev/null PATH=$work/bin:$PATH GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1
+export STICTION_RUN_FILE=/dev/null COLUMNS=200 PATH=$work/bin:$PATH GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_NOSYSTEM=1
 export GIT_AUTHOR_NAME=t GIT_AUTHOR_EMAIL=t@example.org GIT_COMMITTER_NAME=t \
   GIT_COMMITTER_EMAIL=t@example.org
 friction=friction:fixed-point/slab/contacts:1000
@@ -79,6 +79,7 @@ holds 3 "and is told when asked for" --against HEAD --report-improvement
 present 50 1000 1e-9 5 pass -O3
 holds 1 "a digit less is worse" --against HEAD --no-times
 row worse "slab/creep#digits: creep"
+says "again: ./stiction validate --case 'slab/creep'" '--all (here: --verbose)'
 present 40 1000 1e-9 5 pass -O3
 holds 1 "a speed-up that costs a digit is worse" --against HEAD --report-improvement
 present 50 1000 1e-9 6 fail -O3
@@ -101,6 +102,8 @@ git checkout -q bench.sh
 
 # ---- output -------------------------------------------------------------------------------------
 present 50 1000 1e-9 5 pass -O3
+holds 1 "--verbose tells what did not change too" --against HEAD --no-times --verbose
+row same "$friction#instructions"
 holds 1 "--json" --against HEAD --no-times --json
 says '"worse": 1' '"metric": "slab/creep#digits: creep"' '"direction": "higher is better"' \
   '"before": 6.0' '"after": 5.0' '"change": "worse"'

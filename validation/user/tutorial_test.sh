@@ -55,7 +55,7 @@ def masked(text):
     """What must be the same: words, not numbers, nor how they fill their columns."""
     text = re.sub(r"[-+−]?\d+(?:[.,:]\d+)*(?:e[-+]?\d+)?", "#", text)
     text = re.sub(r"[<≤]? *# *(?:%|×)|exact", "#", text)
-    text = re.sub(r"#(?:-#|T#|Z|\s*min)+", "#", text)
+    text = re.sub(r"#(?:-?#|T#|Z|\s*min)+", "#", text)
     return [" ".join(line.split()) for line in text.splitlines() if line.strip()]
 
 

@@ -114,7 +114,8 @@ std::string closer_text(const EngineAnswers& answers, const EngineRow& our, std:
     const EngineAnswer own = answers.of(question, our);
     if (!own.applicable) continue;
     ++asked;
-    double least = own.error ? std::max(std::abs(*own.error), kSame) : INFINITY;
+    double least = own.error ? std::abs(*own.error) : INFINITY;
+    if (least <= kSame) continue;
     const EngineRow* who = nullptr;
     for (const EngineRow& row : answers.rows()) {
       const EngineAnswer other = answers.of(question, row);
@@ -151,7 +152,7 @@ std::string cheaper_text(const EngineAnswers& answers, std::size_t width) {
       most = ratio;
       where = fmt::format("{} below {}: {} in {:.3g} ms, {}", question.id, format_error(bound),
                           theirs->row.name(), 1e3 * theirs->seconds,
-                          ours ? fmt::format("ours {:.2g} times as much", ratio) : "ours never");
+                          ours ? fmt::format("ours {:.3g} times as much", ratio) : "ours never");
     }
   }
   if (all == 0) return "";
