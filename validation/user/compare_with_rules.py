@@ -19,10 +19,7 @@ def asks(file):
 
 
 def compile_all():
-    listed = build / "generated/solver/friction/friction_rules.inc"
-    if not listed.exists():
-        listed = next(build.rglob("friction_rules.inc"))
-    text = listed.read_text()
+    text = next(build.rglob("generated/solver/friction/friction_rules.inc")).read_text()
     for header in sorted((work / "tree/solver/friction/rules").glob("*.h")):
         words = header.stem.split("_")
         text = f'#include "{header}"\n' + text.rstrip("\n")
