@@ -79,8 +79,9 @@ test(
     await page.locator(".player[data-loaded]").waitFor();
     const positions = () =>
       page.locator(".player").evaluate((player) => player.stiction_positions()[0].join());
-    const start = await positions();
     await page.locator(".player").focus();
+    await page.keyboard.press("Home");
+    const start = await positions();
     await page.keyboard.press("End");
     assert.notEqual(await positions(), start);
     await page.evaluate(axe_source);
