@@ -14,6 +14,7 @@ cd "$work" || exit 1
 
 # shellcheck source=validation/end_to_end.sh
 source "$checks"
+export COLUMNS=200 # sentences are looked for, which a narrow screen breaks
 
 # ---- exit codes 0 and 1 -----------------------------------------------------------------------
 holds 0 "the quick set passes" "$validate" --quick --out quick
@@ -263,7 +264,7 @@ passed "the same $(wc -l <out) state hashes with --jobs 1 and --jobs 2"
 # ---- what is expected to fall short -------------------------------------------------------------
 short=(--case paper/fig5-box-pyramid --no-page)
 holds 0 "what falls short as expected doesn't fail" "$validate" "${short[@]}" --verbose --out short
-grep -q '^  refuted  slip uphill at rest' out || failed "a refuted claim" "the table has none"
+grep -q '^  refuted  *slip uphill' out || failed "a refuted claim" "the table has none"
 grep -q 'as expected in \[' out || failed "a refuted claim" "its band is not shown"
 grep -q '^0 fail, 0 broke off · 1 hold · 4 fall short as expected' out || failed "a refuted claim" "it is not counted"
 grep -q '"band":\[' short/latest/records.jsonl || failed "a refuted claim" "no band in its record"

@@ -53,6 +53,7 @@ BLOCK = re.compile(r"(?:<!-- (\w+): (\S+) -->\n)?```(\w*)\n(.*?)```\n", re.S)
 
 def masked(text):
     """What must be the same: words, not numbers, nor how they fill their columns."""
+    text = re.sub(r"\b[0-9a-f]{12}\b\+?", "REVISION", text)
     text = re.sub(r"[-+−]?\d+(?:[.,:]\d+)*(?:e[-+]?\d+)?", "#", text)
     text = re.sub(r"[<≤]? *# *(?:%|×)|exact", "#", text)
     text = re.sub(r"#(?:-?#|T#|Z|\s*min)+", "#", text)

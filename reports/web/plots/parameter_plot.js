@@ -5,7 +5,7 @@ import { name_with_unit, to_number } from "../model/number.js";
 import { quantity_axis, rounded, wants_log } from "./axes.js";
 import { clear_power_law } from "./fit.js";
 import { tip, tip_number } from "./names.js";
-import { cut_words, MOST_VARIANTS, variant_channels } from "./variant_channels.js";
+import { cut_words, told_apart, variant_channels } from "./variant_channels.js";
 
 const STEP = /step|size|spacing|width|Δ|^h$|^dt$/i;
 const ERROR = /error|deviation|difference|residual/i;
@@ -55,7 +55,7 @@ function exponent_labels(fits, lines, word) {
 }
 
 export function parameter_plot(curves) {
-  const shown = curves.slice(0, MOST_VARIANTS);
+  const shown = told_apart(curves);
   const { name, unit, x_name, x_unit } = shown[0].series;
   const kind = kind_of(shown[0].series);
   const raw = shown.flatMap(({ label, series }) =>

@@ -4,7 +4,7 @@ import { to_number } from "../model/number.js";
 import { log_domain, quantity_axis, rounded, wants_log } from "./axes.js";
 import { tip, tip_number } from "./names.js";
 import { tolerance_rules } from "./tolerance_rules.js";
-import { cut_words, MOST_VARIANTS, variant_channels } from "./variant_channels.js";
+import { cut_words, told_apart, variant_channels } from "./variant_channels.js";
 
 const STROKES = { symbolType: "stroke", symbolSize: 400 };
 const FAR = 4; // times the span of the values: a tolerance beyond that would flatten them
@@ -44,7 +44,7 @@ const first_and_others = (channels, first, others) => ({
 
 /** `curves`: [{label, configuration, series, record}], series of the same name, units and x. */
 export function series_plot(curves, { height = 200 } = {}) {
-  const shown = curves.slice(0, MOST_VARIANTS);
+  const shown = told_apart(curves);
   const { name, unit, x_name, x_unit } = shown[0].series;
   const channels = variant_channels(shown);
   const values = shown.flatMap(({ label, series }) =>

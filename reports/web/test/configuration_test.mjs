@@ -9,6 +9,7 @@ import {
   know_engines,
   variant_styles,
 } from "../plots/configuration_style.js";
+import { told_apart } from "../plots/variant_channels.js";
 import { looks_of } from "../plots/engine_work_points.js";
 import { record } from "./records.mjs";
 
@@ -65,4 +66,17 @@ test("an engine keeps its colour where others did not answer", () => {
   assert.equal(colours("ode")[0], colours("bullet", "dart", "ode")[2]);
   assert.deepEqual(colours("stiction", "bullet"), ["$ink", "$s0"]);
   know_engines([]);
+});
+
+test("a plot that cannot tell all curves apart keeps one of each configuration", () => {
+  const curves = ["old", "old", "old", "paper", "paper", "paper", "paper", "paper", "quiet"].map(
+    (configuration, i) => ({ configuration, i }),
+  );
+  const shown = told_apart(curves);
+  assert.equal(shown.length, 7);
+  assert.deepEqual(
+    shown.map(({ i }) => i),
+    [0, 1, 2, 3, 4, 5, 8],
+  );
+  assert.deepEqual(told_apart(curves.slice(0, 3)), curves.slice(0, 3));
 });

@@ -121,11 +121,13 @@ std::vector<Configuration> configurations_of(const std::string& case_name) {
     return fnmatch(one.cases, case_name.c_str(), 0) == 0;
   });
   std::vector<Configuration> all;
-  for (const Settings& settings : row->always) all.push_back(configuration_of(settings));
-  for (const Settings& settings : row->only_full) {
+  const auto add = [&](const Settings& settings, bool only_full) {
     all.push_back(configuration_of(settings));
-    all.back().only_full = true;
-  }
+    all.back().settings = settings;  // those of the nearest with a name among them
+    all.back().only_full = only_full;
+  };
+  for (const Settings& settings : row->always) add(settings, false);
+  for (const Settings& settings : row->only_full) add(settings, true);
   return all;
 }
 
