@@ -80,11 +80,7 @@ test(
     const positions = () =>
       page.locator(".player").evaluate((player) => player.stiction_positions()[0].join());
     await page.locator(".player").focus();
-<<<<<<< HEAD
     await page.keyboard.press("Home"); // it opens at the moment that tells, which may be the last
-=======
-    await page.keyboard.press("Home");
->>>>>>> w-case
     const start = await positions();
     await page.keyboard.press("End");
     assert.notEqual(await positions(), start);
