@@ -127,6 +127,10 @@ function course(values, unit_name) {
   const times = `from ${short(values.time[0])} to ${short(values.time.at(-1))} s`;
   if (values.value.every(is_zero)) return "";
   const between = values.value.length > 2 ? `in ${values.value.length} stages, ` : "";
+  if (is_zero(from) && is_zero(to)) {
+    const most = values.value.reduce((a, b) => (size_of(b) > size_of(a) ? b : a));
+    return `for a while, at most ${along(most, unit_name)}, ${times}`;
+  }
   if (is_zero(from) && !is_zero(to)) return `${between}up to ${along(to, unit_name)}, ${times}`;
   return `${between}${vector_text(from)} to ${vector_text(to)} ${unit_name}, ${times}`;
 }

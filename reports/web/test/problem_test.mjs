@@ -127,6 +127,19 @@ test("facts tell μ, gravity's turn, the slope, loads, springs, held parts, the 
     /‘left bar’: the part beyond its face towards \+x, moved up to 0\.001 m along \+x, from 0 to 0\.3 s/,
   );
   assert.equal(pressed.Loads, "force up to 2 N along −z, from 0 to 1 s, on ‘held’");
+  const pushed = clamp();
+  pushed.loads[0].force = {
+    time: [0, 1, 2],
+    value: [
+      [0, 0, 0],
+      [0, 0, 3],
+      [0, 0, 0],
+    ],
+  };
+  assert.equal(
+    facts(pushed).Loads,
+    "force for a while, at most 3 N along +z, from 0 to 2 s, on ‘held’",
+  );
   assert.match(
     pressed.Springs,
     /100 N\/m along \+z from ‘held’ to an anchor at \(0, 0, 0\.3\) m that moves 0\.1 m\/s along \+z/,
