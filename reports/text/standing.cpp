@@ -104,18 +104,7 @@ std::map<std::string, std::uint64_t> most_steps(const std::vector<Record>& recor
   return most;
 }
 
-void count(Standing& row, const Record& record, bool shared,
-           const std::map<std::string, std::uint64_t>& steps) {
-  const bool held = holds(record);
-  ++row.ran;
-  row.held += held;
-  if (row.compared && !shared) return;
-  ++row.shared;
-  row.held_shared += held;
-  row.cpu_seconds += record.cost.cpu_seconds;
-  const auto most = steps.find(step_key(record));
-  row.ended_early += !held && record.simulations == 1 && most != steps.end() &&
-                     10 * record.cost.steps < 9 * most->second;
+void look_at_rest(Standing& row, const Record& record) {
   for (const Judgement& check : record.checks) {
     if (is_share_at_rest(check.claim)) {
       row.least_at_rest = std::min(row.least_at_rest.value_or(check.value), check.value);
@@ -127,6 +116,21 @@ void count(Standing& row, const Record& record, bool shared,
       row.creeps = row.creeps || !within(check);
     }
   }
+}
+
+void count(Standing& row, const Record& record, bool shared,
+           const std::map<std::string, std::uint64_t>& steps) {
+  const bool held = holds(record);
+  ++row.ran;
+  row.held += held;
+  look_at_rest(row, record);
+  if (row.compared && !shared) return;
+  ++row.shared;
+  row.held_shared += held;
+  row.cpu_seconds += record.cost.cpu_seconds;
+  const auto most = steps.find(step_key(record));
+  row.ended_early += !held && record.simulations == 1 && most != steps.end() &&
+                     10 * record.cost.steps < 9 * most->second;
 }
 
 }  // namespace

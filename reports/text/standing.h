@@ -27,6 +27,7 @@ struct Standing {
   std::size_t shared = 0;       ///< records
   double cpu_seconds = 0.0;     ///< summed
   std::size_t ended_early = 0;  ///< records of one simulation that took fewer steps than others
+  // Of all that it ran:
   std::optional<double> least_at_rest{};  ///< least share of scenes at rest
   std::optional<double> most_at_rest{};   ///< largest
   std::optional<double> slip{};           ///< fastest contact's, worst, m/s
