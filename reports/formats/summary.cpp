@@ -313,7 +313,8 @@ std::string summary_screen(const std::vector<Record>& records, const TableStyle&
   const Standings standings = standings_of(records);
   const std::string head = title_line(records, style, facts) +
                            verdict_line(tally_of(records), style) + failing_lines(records, style);
-  // How much of what is shown: the first that a terminal has room for.
+  // How much of what is shown: the first that a terminal has room for. What is not applicable is
+  // counted above, so that a low one can do without why.
   struct Fill {
     bool airy;
     std::size_t accuracies, reasons;
@@ -331,7 +332,8 @@ std::string summary_screen(const std::vector<Record>& records, const TableStyle&
     text = head;
     for (const std::string& part :
          {standings_text(standings, style), accuracy_text(standings, fill.accuracies, style),
-          not_applicable_block(records, style), reasons_text(records, fill.reasons, style)}) {
+          fill.airy ? not_applicable_block(records, style) : std::string(),
+          reasons_text(records, fill.reasons, style)}) {
       if (!part.empty()) text += (fill.airy ? "\n" : "") + part;
     }
     if (fill.airy) text += "\n";
