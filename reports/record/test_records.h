@@ -22,25 +22,24 @@ inline std::string hostile_text() {
 }
 
 inline Judgement passing_check() {
-  return {
-      .claim = {.quantity = "critical slope, tan θ",
-                .unit = "1",
-                .statement = "A box sticks if and only if tan θ ≤ μ.",
-                .formula = "tan θ_c = μ",
-                .source = "Coulomb1785",
-                .kind = ReferenceKind::kAnalytic,
-                .expected = 0.3,
-                .relative = true,
-                .scale = 0.3,
-                .tolerance = 1e-4,
-                .reason = "half the bracket's width plus the settling error, first order in Δt",
-                .headline = "critical slope"},
-      .value = 0.300012,
-      .worst = "upper end of the bracket",
-      .error = 4e-5,
-      .of_tolerance = 0.4,
-      .digits = 4.4,
-      .verdict = Verdict::kPass};
+  return {.claim = {.quantity = "critical slope, tan θ",
+                    .unit = "1",
+                    .statement = "A box sticks if and only if tan θ ≤ μ.",
+                    .formula = "tan θ_c = μ",
+                    .source = "Coulomb1785",
+                    .kind = ReferenceKind::kAnalytic,
+                    .expected = 0.3,
+                    .relative = true,
+                    .scale = 0.3,
+                    .tolerance = 1e-4,
+                    .reason = "half the bracket's width plus the settling error, first order in Δt",
+                    .headline = "critical slope"},
+          .value = 0.300012,
+          .worst = "upper end of the bracket",
+          .error = 4e-5,
+          .of_tolerance = 0.4,
+          .digits = 4.4,
+          .verdict = Verdict::kPass};
 }
 
 inline Judgement failing_check() {
@@ -158,8 +157,8 @@ inline Record hostile_record() {
   const std::string text = hostile_text();
   Judgement check;
   check.claim.quantity = check.claim.unit = check.claim.statement = check.claim.formula =
-      check.claim.source = check.claim.reason = check.claim.headline = check.worst =
-          check.because = text;
+      check.claim.source = check.claim.reason = check.claim.headline = check.worst = check.because =
+          text;
   check.value = kNan;
   check.claim.expected = kInf;
   check.error = -kNan;
