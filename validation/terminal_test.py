@@ -72,7 +72,14 @@ def keep(name, lines):
 
 def main():
     validate = os.path.join(os.path.abspath(sys.argv[1]), "validate")
-    os.chdir(tempfile.mkdtemp())
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        look(validate)
+        os.chdir("/")
+    sys.exit(1 if failures else 0)
+
+
+def look(validate):
     quick = [validate, "--quick", "--no-page"]
     for columns, lines in ((80, 24), (200, 50)):
         written, code = on_terminal(quick, columns, lines)
@@ -105,7 +112,7 @@ def main():
     written, _ = on_terminal(failing, 80, 24, NO_COLOR="1")
     check("NO_COLOR: no colour, but progress", not re.search(r"\x1b\[[0-9;]*m", written))
     written, _ = on_terminal(quick, 80, 24, TERM="dumb")
-    check("a dumb terminal gets no escape", "\x1b" not in written and "\r\x1b" not in written)
+    check("a dumb terminal gets no escape", "\x1b" not in written)
     words = re.compile(r"[a-z/-]{4,}")
     roomy, narrow = (words.findall(" ".join(seen(on_terminal(quick, columns, 60)[0])))
                      for columns in (90, 40))
@@ -122,9 +129,9 @@ def main():
     keep("validate-verbose-80", verbose.stdout.splitlines())
     check("--verbose: every check, and no name is cut",
           "…" not in verbose.stdout and "nearest to failing" in verbose.stdout)
-    check("COLUMNS=80: no line is too wide", len([l for l in wide if "/" not in l]) == 0,
-          "\n".join(wide))
-    sys.exit(1 if failures else 0)
+    # Paths and commands stay whole, to be copied; a case's line is as long as its name.
+    wide = [line for line in wide if not re.match(r"Report: |.*again: |[a-z]\S*/\S+  ", line)]
+    check("COLUMNS=80: no line is too wide", not wide, "\n".join(wide))
 
 
 main()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program behind `./stiction validate`: cases → records → table, report.md, junit.xml,
+// The program behind `./stiction validate`: cases → records → summary screen, report.md, junit.xml,
 // records.csv.
 #include <fmt/format.h>
 #include <unistd.h>
@@ -202,18 +202,20 @@ std::vector<double> weights_of(const std::vector<Job>& jobs, const std::filesyst
   std::map<std::string, double> seconds;  // by case and engine, a variant's on average
   std::map<std::string, int> counts;
   double sum = 0.0;
+  std::size_t records = 0;
   try {
     for (const Record& record : read_records(earlier).records) {
       const std::string key = record.case_name + "\n" + record.engine;
       seconds[key] += record.cost.cpu_seconds;
       ++counts[key];
       sum += record.cost.cpu_seconds;
+      ++records;
     }
   } catch (const std::exception&) {
     seconds.clear();  // none, or not readable: that is no fault of this run
   }
   constexpr double kLeast = 0.02;  // s: starting a case takes that
-  const double usual = seconds.empty() ? 1.0 : sum / static_cast<double>(seconds.size());
+  const double usual = seconds.empty() ? 1.0 : sum / static_cast<double>(records) + kLeast;
   std::vector<double> weights;
   for (const Job& job : jobs) {
     const std::string key = job.which.name + "\n" + job.engine.name;
@@ -358,7 +360,7 @@ int validate(Arguments& arguments) {
   fmt::print("{}Report: {}\n", arguments.verbose ? "" : "All checks: --verbose, or report.md\n",
              (store.folder() / "report.md").string());
   if (!arguments.no_page) store.tell_caller();
-  if (std::fflush(stdout) != 0) throw InputError("the table could not be written to stdout");
+  if (std::fflush(stdout) != 0) throw InputError("the summary could not be written to stdout");
   return exit_code(records);
 }
 

@@ -209,7 +209,10 @@ std::string sample_of(const SampleRule& rule, const std::vector<std::vector<Reco
     const bool is_it = std::any_of(run->begin(), run->end(), [&](const Record& record) {
       return record.case_name == rule.run_of;
     });
-    if (is_it) return summary_screen(*run, {.width = 80});
+    if (!is_it) continue;
+    std::string screen = summary_screen(*run, {.width = 80});
+    while (screen.ends_with("\n\n")) screen.pop_back();
+    return screen;
   }
   throw std::runtime_error(fmt::format("{}: sample '{}': no run has a record of '{}'", rule.where,
                                        rule.name, rule.run_of));

@@ -6,16 +6,17 @@
 #include <string_view>
 
 #include "reports/text/check_text.h"
+#include "reports/text/configuration_text.h"
 #include "reports/text/number.h"
 
 namespace stiction {
 namespace {
 
-constexpr std::size_t kCheckColumns = 20;
+constexpr std::size_t kCheckColumns = 21;
 constexpr std::string_view kHeader =
-    "case,title,engine,settings,case_verdict,case_error,"
+    "case,title,engine,configuration,settings,case_verdict,case_error,"
     "quantity,unit,claim,formula,source,kind,value,expected,error,relative,scale,tolerance,reason,"
-    "of_tolerance,digits,worst,band_low,band_high,cause,verdict,"
+    "of_tolerance,digits,worst,band_low,band_high,cause,because,verdict,"
     "cpu_seconds,steps,contact_updates,ns_per_contact_update,state_hash,"
     "revision,toolchain,machine,date";
 
@@ -40,8 +41,8 @@ std::string row(const std::vector<std::string>& values) {
 }
 
 std::string case_cells(const Record& record) {
-  return row({record.case_name, record.title, record.engine, settings_text(record.settings),
-              to_string(record.verdict), record.error});
+  return row({record.case_name, record.title, record.engine, configuration_text(record),
+              settings_text(record.settings), to_string(record.verdict), record.error});
 }
 
 std::string check_cells(const Judgement& check) {
@@ -64,6 +65,7 @@ std::string check_cells(const Judgement& check) {
               check.band ? format_exact(check.band->low) : "",
               check.band ? format_exact(check.band->high) : "",
               check.cause,
+              check.because,
               to_string(check.verdict)});
 }
 

@@ -113,8 +113,8 @@ std::string failing_lines(const std::vector<Record>& records, const TableStyle& 
     text += lines.replace(kIndent.size(), plain.size(), verdict_cell(record.verdict, style));
   }
   if (bad.size() > kMostRows) {
-    text += fmt::format("{}and {} more, each whole above and in report.md\n", kIndent,
-                        bad.size() - kMostRows);
+    text +=
+        fmt::format("{}and {} more, each whole in report.md\n", kIndent, bad.size() - kMostRows);
   }
   return text;
 }
@@ -157,22 +157,29 @@ std::string standings_text(const Standings& standings, const TableStyle& style) 
       cells.push_back(row.compared ? fmt::format("{}/{}", row.held_shared, row.shared) : "–");
     }
     cells.push_back(fmt::format("{}/{}", row.held, row.ran));
-    cells.push_back((row.ended_early > 0 ? "*" : "") + format_seconds(row.cpu_seconds));
+    const bool has_cost = !compared || row.compared;
+    cells.push_back(!has_cost ? "–"
+                              : (row.ended_early > 0 ? "*" : "") + format_seconds(row.cpu_seconds));
     if (rest) cells.push_back(rest_text(row));
     if (slip) cells.push_back(size_text(row.slip));
     if (drift) cells.push_back(size_text(row.drift));
-    cells.push_back(row.creeps ? "creeps" : row.held == row.ran ? "holds" : "");
-    early += row.ended_early;
+    std::string words = row.creeps ? "creeps" : row.held == row.ran ? "holds" : "";
+    if (row.not_judged > 0) {
+      words += fmt::format("{}+{} not judged", words.empty() ? "" : ", ", row.not_judged);
+    }
+    cells.push_back(words);
+    if (has_cost) early += row.ended_early;
     rows.push_back(cells);
   }
   std::string title = "Who holds";
   if (compared) {
-    title += fmt::format(", in the {} that {} ran", counted(standings.shared_cases, "case"),
-                         standings.compared == standings.rows.size()
-                             ? std::string("all")
-                             : fmt::format("the first {}", standings.compared));
+    title +=
+        fmt::format(" (hold, CPU: the {} that {} ran{})", counted(standings.shared_cases, "case"),
+                    standings.compared == standings.rows.size()
+                        ? std::string("all")
+                        : fmt::format("the first {}", standings.compared),
+                    early > 0 ? fmt::format("; * {} ended early", counted(early, "run")) : "");
   }
-  if (early > 0) title += fmt::format(" (* {} of their runs ended early)", early);
   return block("", title, 0, style) + columns(rows, {0, rows[0].size() - 1}, style);
 }
 
@@ -220,10 +227,6 @@ Accuracy nearest_to_failing(const std::vector<const Record*>& records) {
 std::string accuracy_text(const Standings& standings, std::size_t most, const TableStyle& style) {
   if (standings.rows.empty()) return "";
   const Standing& leader = standings.rows.front();
-  std::vector<const Record*> all;
-  for (const Standing& row : standings.rows) {
-    all.insert(all.end(), row.records.begin(), row.records.end());
-  }
   std::vector<std::vector<std::string>> rows = {{"", "error", "tolerance", "of it", ""}};
   for (const auto& [name, at] : headlines(leader.records)) {
     if (rows.size() > most) break;
@@ -235,13 +238,12 @@ std::string accuracy_text(const Standings& standings, std::size_t most, const Ta
   }
   std::string text = fmt::format("How accurate ({})\n", leader.name);
   if (rows.size() > 1) text += columns(rows, {0, 4}, style);
-  const Accuracy nearest = nearest_to_failing(all);
+  const Accuracy nearest = nearest_to_failing(leader.records);
   if (nearest.check != nullptr) {
     text += block(
         "nearest to failing: ",
-        fmt::format("{} of the tolerance, {}: {}, {}", share_text(nearest.check->of_tolerance),
-                    one_line(nearest.record->case_name), one_line(nearest.check->claim.quantity),
-                    configuration_text(*nearest.record)),
+        fmt::format("{} of the tolerance, {}: {}", share_text(nearest.check->of_tolerance),
+                    one_line(nearest.record->case_name), one_line(nearest.check->claim.quantity)),
         kIndent.size(), style);
   }
   return rows.size() > 1 || nearest.check != nullptr ? text : "";

@@ -13,7 +13,6 @@ namespace stiction {
 /// What records do not tell of their run.
 struct RunFacts {
   double wall_seconds = 0.0;  ///< s; 0: not known
-  std::size_t jobs = 0;       ///< cases at a time; 0: not known
   std::size_t height = 0;     ///< lines to get by with, if it can be; 0: any number
 };
 

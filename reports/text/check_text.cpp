@@ -35,6 +35,8 @@ std::string share_text(double of_tolerance) {
   const auto plain = [](double value) {
     return fmt::format("{:g}", std::stod(fmt::format("{:.2g}", value)));
   };
+  // What is beyond its tolerance shall not read as 1.
+  if (of_tolerance > 1.0 && of_tolerance < 1.05) return fmt::format("{:.4g} ×", of_tolerance);
   return of_tolerance > 1.0 ? plain(of_tolerance) + " ×" : plain(100.0 * of_tolerance) + " %";
 }
 

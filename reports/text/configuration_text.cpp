@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/text/configuration_text.h"
 
+#include <cstring>
+
 #include "reports/text/check_text.h"
 #include "reports/text/text.h"
 
@@ -14,6 +16,14 @@ std::string quoted(const std::string& text) {
     word += sign == '\'' ? std::string("'\\''") : std::string(1, sign);
   }
   return word + "'";
+}
+
+// A case's name is a pattern: what has a meaning in one stands for any sign.
+std::string pattern(std::string name) {
+  for (char& sign : name) {
+    if (std::strchr("[]*?\\", sign) != nullptr) sign = '?';
+  }
+  return name;
 }
 
 }  // namespace
@@ -33,10 +43,12 @@ std::string rerun_command(const Record& record, const std::vector<std::string>& 
                           const std::string& engine) {
   std::string command = "./stiction validate";
   for (const std::string& file : problems) command += " " + quoted(file);
-  command += " --case " + quoted(record.case_name);
+  // The record does not tell the file of a user's own problem.
+  if (problems.empty() && record.case_name.starts_with("user/")) command += " PROBLEM.toml";
+  command += " --case " + quoted(pattern(record.case_name));
   const std::string& words = engine.empty() ? record.engine : engine;
   if (words != "stiction") command += " --engine " + quoted(words);
-  if (!record.configuration.empty() && record.configuration != "default") {
+  if (!record.configuration.empty()) {
     command += " --configuration " + quoted(record.configuration);
   }
   for (const auto& [name, value] : record.differs) {

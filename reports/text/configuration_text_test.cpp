@@ -27,9 +27,15 @@ TEST(RerunCommand, NamesCaseConfigurationAndWhatDiffers) {
   record.configuration = "default";
   record.differs.clear();
   record.engine = "bullet";
-  EXPECT_EQ(rerun_command(record), "./stiction validate --case 'slab/kappa' --engine 'bullet'");
+  EXPECT_EQ(rerun_command(record),
+            "./stiction validate --case 'slab/kappa' --engine 'bullet' --configuration 'default'");
   EXPECT_EQ(rerun_command(record, {"my ramp.toml"}, "python3 mine.py"),
-            "./stiction validate 'my ramp.toml' --case 'slab/kappa' --engine 'python3 mine.py'");
+            "./stiction validate 'my ramp.toml' --case 'slab/kappa' --engine 'python3 mine.py' "
+            "--configuration 'default'");
+  record.configuration.clear();
+  record.case_name = "user/a[1]*b";
+  EXPECT_EQ(rerun_command(record),
+            "./stiction validate PROBLEM.toml --case 'user/a?1??b' --engine 'bullet'");
 }
 
 TEST(RerunCommand, HasNoWordThatAShellWouldRun) {

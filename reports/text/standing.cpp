@@ -30,19 +30,6 @@ bool is_decided(const Judgement& check) {
   return check.verdict != Verdict::kForInformation && check.verdict != Verdict::kNotApplicable;
 }
 
-// What a record is held to.
-std::vector<const Judgement*> held_to(const Record& record) {
-  std::vector<const Judgement*> checks;
-  for (const Judgement& check : record.checks) {
-    if (is_decided(check)) checks.push_back(&check);
-  }
-  if (!checks.empty()) return checks;
-  for (const Judgement& check : record.checks) {
-    if (!is_decided(check) && check.claim.tolerance > 0.0) checks.push_back(&check);
-  }
-  return checks;
-}
-
 // By the verdict, which knows of a tolerance that was scaled.
 bool within(const Judgement& check) {
   return is_decided(check) ? check.verdict == Verdict::kPass : check.of_tolerance <= 1.0;
@@ -120,12 +107,13 @@ void look_at_rest(Standing& row, const Record& record) {
 
 void count(Standing& row, const Record& record, bool shared,
            const std::map<std::string, std::uint64_t>& steps) {
-  const bool held = holds(record);
-  ++row.ran;
+  const bool held = holds(record), judged = is_judged(record);
+  row.ran += judged;
+  row.not_judged += !judged;
   row.held += held;
   look_at_rest(row, record);
   if (row.compared && !shared) return;
-  ++row.shared;
+  row.shared += judged;
   row.held_shared += held;
   row.cpu_seconds += record.cost.cpu_seconds;
   const auto most = steps.find(step_key(record));
@@ -135,11 +123,15 @@ void count(Standing& row, const Record& record, bool shared,
 
 }  // namespace
 
+bool is_judged(const Record& record) {
+  return record.verdict == Verdict::kError ||
+         std::any_of(record.checks.begin(), record.checks.end(), is_decided);
+}
+
 bool holds(const Record& record) {
-  if (record.verdict == Verdict::kError) return false;
-  const std::vector<const Judgement*> checks = held_to(record);
-  return !checks.empty() && std::all_of(checks.begin(), checks.end(),
-                                        [](const Judgement* one) { return within(*one); });
+  return record.verdict != Verdict::kError && is_judged(record) &&
+         std::all_of(record.checks.begin(), record.checks.end(),
+                     [](const Judgement& one) { return !is_decided(one) || within(one); });
 }
 
 Standings standings_of(const std::vector<Record>& records) {

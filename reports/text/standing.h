@@ -10,9 +10,11 @@
 
 namespace stiction {
 
-/// Whether all claims of a record hold, whatever was expected of them: each decided check passes,
-/// or, where none is decided, as of a method that stands for contrast, each that is shown is within its
-/// tolerance. A record without such checks, or with an error, doesn't hold.
+/// Whether something decides of a record: an error, or a check that is not for information.
+bool is_judged(const Record& record);
+
+/// Whether all claims of a record hold, whatever was expected of them: each decided check passes. A
+/// record that is not judged, or with an error, doesn't hold.
 bool holds(const Record& record);
 
 /// How a configuration stands beside the others.
@@ -20,7 +22,8 @@ struct Standing {
   std::string name;  ///< the configuration; behind the engine's name where there are several
   std::vector<const Record*> records{};  ///< those counted, which must outlive this
   std::size_t held = 0;                  ///< records whose claims all hold
-  std::size_t ran = 0;                   ///< records, those that are not applicable left out
+  std::size_t ran = 0;                   ///< records that are judged
+  std::size_t not_judged = 0;            ///< records for information
   bool compared = false;                 ///< it ran the cases that are compared
   // Of these cases alone where it is compared, else of all that it ran:
   std::size_t held_shared = 0;  ///< records

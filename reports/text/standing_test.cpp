@@ -38,11 +38,11 @@ Record creeping(const char* name, const char* configuration, Verdict verdict) {
   return record(name, configuration, {check("fastest contact slip", -3e-4, verdict, 3e5)});
 }
 
-TEST(Holds, GoesByWhatIsDecidedElseByWhatIsShown) {
+TEST(Holds, GoesByWhatIsDecided) {
   EXPECT_TRUE(holds(resting("a", "quiet")));
   EXPECT_FALSE(holds(creeping("a", "paper", Verdict::kRefuted))) << "expected, but no rest";
-  EXPECT_FALSE(holds(creeping("a", "old", Verdict::kForInformation)));
-  EXPECT_TRUE(holds(record("a", "old", {check("drift", 0.0, Verdict::kForInformation, 0.0)})));
+  EXPECT_FALSE(holds(record("a", "old", {check("drift", 0.0, Verdict::kForInformation, 0.0)})))
+      << "nobody judged it";
   EXPECT_TRUE(holds(record("a", "quiet",
                            {check("drift", 0.0, Verdict::kPass, 0.0),
                             check("bracket width", 1.0, Verdict::kForInformation, 1e9)})));
@@ -66,6 +66,9 @@ TEST(Standings, ComparesThoseThatRanTheSameCases) {
   EXPECT_EQ(all.shared_cases, 3u);
   EXPECT_EQ(all.compared, 3u);
   ASSERT_EQ(all.rows.size(), 4u);
+  EXPECT_EQ(all.rows[1].name, "old");
+  EXPECT_EQ(all.rows[1].ran, 0u);
+  EXPECT_EQ(all.rows[1].not_judged, 3u);
   const Standing& quiet = all.rows[0];
   EXPECT_EQ(quiet.name, "quiet");
   EXPECT_EQ(quiet.held_shared, 3u);

@@ -47,7 +47,7 @@ void check_rest(CaseRun& run, const std::vector<SlabSetup>& setups) {
   run.check({.quantity = "share of configurations at rest",
              .unit = "1",
              .statement = "a box on a deformable slab comes to rest below the critical slope",
-             .formula = "fastest slip ≤ 1e-12 m/s and kinetic energy ≤ 1e-24 J",
+             .formula = "fastest slip ≤ 1e-12 m/s and kinetic energy ≤ 1e-24 J for half a second",
              .source = "Coulomb's law; [Lazarevych2009], sec. 5",
              .kind = ReferenceKind::kAnalytic,
              .expected = 1.0,

@@ -65,7 +65,8 @@ void run_ball(CaseRun& run, double friction) {
              .expected = expected.acceleration,
              .relative = true,
              .tolerance = round_off,
-             .reason = reason},
+             .reason = reason,
+             .headline = "acceleration of a ball on a slope"},
             (after.velocity - before.velocity).dot(frame.downhill) / seconds);
   run.check({.quantity = "angular acceleration",
              .unit = "rad/s²",

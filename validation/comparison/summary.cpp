@@ -170,7 +170,7 @@ std::string finding(const Record& found, const std::string& begin, const std::st
 
 }  // namespace
 
-std::string rerun_command(const Record& record) {
+std::string compare_command(const Record& record) {
   const auto of = [&](const char* name) {
     const auto found = record.settings.find(name);
     return found == record.settings.end() ? std::string() : found->second;
@@ -279,7 +279,7 @@ std::string comparison_summary(const std::vector<Record>& records, const Record&
     text +=
         bullet(fmt::format("{}, {}: {}", record.case_name, who_of(record).words(), record.error),
                screen.width, bold("ERROR", screen) + " ");
-    text += "      again: " + rerun_command(record) + "\n";
+    text += "      again: " + compare_command(record) + "\n";
   }
   return text;
 }

@@ -28,6 +28,6 @@ std::string comparison_summary(const std::vector<Record>& records, const Record&
                                const Screen& screen);
 
 /// "./stiction compare --scene X --rule R --contacts C": runs that record again.
-std::string rerun_command(const Record& record);
+std::string compare_command(const Record& record);
 
 }  // namespace stiction

@@ -51,7 +51,12 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
   for (const std::string& glob : selection.globs) {
     if (std::none_of(cases.begin(), cases.end(),
                      [&](const Case& one) { return matches(glob, one.name); })) {
-      throw InputError("no case matches '" + glob + "'; --list shows them all");
+      const bool is_family = std::any_of(cases.begin(), cases.end(), [&](const Case& one) {
+        return one.name.starts_with(glob + "/");
+      });
+      throw InputError(
+          "no case matches '" + glob + "'; " +
+          (is_family ? "of that family they are '" + glob + "/*'" : "--list shows them all"));
     }
   }
   std::vector<Job> jobs;
@@ -62,6 +67,11 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
     for (Settings settings : chosen_variants(one, engine, selection, names)) {
       for (const auto& [name, value] : selection.settings) settings[name] = value;
       if (std::find(seen.begin(), seen.end(), settings) != seen.end()) continue;
+      const std::string name = called_configuration(engine, one.name, settings).name;
+      if (!selection.configuration.empty() && name != selection.configuration) {
+        throw InputError(fmt::format("--set makes the configuration '{}' another, '{}'",
+                                     selection.configuration, name));
+      }
       seen.push_back(settings);
       jobs.push_back({one, engine, settings});
     }

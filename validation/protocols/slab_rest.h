@@ -11,11 +11,11 @@ inline constexpr double kStallWindow = 0.3;   ///< s
 
 /// How a run ended.
 struct SlabOutcome {
-  bool at_rest = false;  ///< the last sample is below both bounds
+  bool at_rest = false;  ///< all samples of the last half second are below both bounds
   SlabSample last;
 };
 
-/// Runs until the box rests, or until nothing decays any more: when twice running the
+/// Runs until the box has rested for half a second, or until nothing decays any more: when twice running the
 /// highest kinetic energy seen in a window of `kStallWindow` is more than half that of the window
 /// before. Elastic vibration falls by more than a decade in that time, a limit cycle or a slide
 /// doesn't; so a run that would still come to rest is not cut off. Gives up at 8 s in any case.

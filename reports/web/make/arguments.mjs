@@ -93,6 +93,8 @@ export function parse_arguments(words) {
   });
   const limit = Number(values.limit);
   if (!(limit > 0)) throw new Error(`--limit needs a number of megabytes, not '${values.limit}'`);
+  if (values.manual !== undefined && (values.out || values.svg))
+    throw new Error("--manual writes the manual alone: it goes neither with --out nor with --svg");
   if (values.manual && !is_manual_file(values.manual))
     throw new Error(`--manual writes a .html or .pdf file, not '${values.manual}'`);
   if (!values.help && positionals.length === 0)

@@ -269,7 +269,11 @@ async function case_page(page, place, { heads, bytes_of }) {
         { class: "of" },
         `The problem and the drawing are those of ${told.case}: ${told.title}.`,
       ),
-    problem_part(told, surfaces_from(page.entries, bytes_of)),
+    // As long as the one that was followed longest: others may have broken.
+    problem_part(
+      { ...told, series: page.entries.flatMap(({ record }) => record.series) },
+      surfaces_from(page.entries, bytes_of),
+    ),
     claims_and_results(records.map((record, i) => ({ record, name: names[i] }))),
     await plot_part(page, heads),
     notes_part(

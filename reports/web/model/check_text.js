@@ -44,6 +44,8 @@ export function short_margin(value) {
   if (!Number.isFinite(value)) return "∞";
   if (value > 1e5) return `${general(value, 1)} ×`;
   if (value < 1e-4) return "<0.01 %";
+  // What is beyond its tolerance shall not read as 1.
+  if (value > 1 && value < 1.05) return `${Number(value.toPrecision(4))} ×`;
   const plain = (number) => format_value(Number(number.toPrecision(2)));
   return value > 1 ? `${plain(value)} ×` : `${plain(value * 100)} %`;
 }

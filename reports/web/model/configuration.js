@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people call the way an engine was run. Records from schema version 5 on tell it; of older ones it is
-// read from their settings.
+// What people call the way an engine was run. Records that have the field tell it; of older ones it is read
+// from their settings.
 
 /** This project's own, in the order in which they are shown. */
 export const QUIET = "quiet";
@@ -38,9 +38,3 @@ export function ordered_configurations(names) {
   };
   return [...new Set(names)].sort((a, b) => place(a) - place(b) || (a < b ? -1 : a > b ? 1 : 0));
 }
-
-/** "dt = 1e-4 s, κ = 0.7": what a record sets over its configuration; "" where nothing. */
-export const difference_text = ({ differs = {} }) =>
-  Object.entries(differs)
-    .map(([name, value]) => `${name} = ${value}`)
-    .join(", ");

@@ -8,24 +8,25 @@ const quoted = (word) => `'${word.replace(/'/g, `'\\''`)}'`;
 // A case's name is a pattern: what has a meaning in one stands for any sign.
 const pattern = (name) => name.replace(/[[\]*?\\]/g, "?");
 
-/** The case with all its configurations, on the engine of a record. */
-export const case_command = ({ case: name, engine }) =>
-  [
-    "./stiction validate",
-    engine !== OURS && `--engine ${quoted(engine)}`,
-    `--case ${quoted(pattern(name))}`,
-  ]
+// As rerun_command() in reports/text/configuration_text.h; `more`: what stands behind the case.
+function command_of({ case: name, engine }, more = []) {
+  const file = name.startsWith("user/") && "PROBLEM.toml"; // which, no record tells
+  const words = ["./stiction validate", file, `--case ${quoted(pattern(name))}`];
+  return [...words, engine !== OURS && `--engine ${quoted(engine)}`, ...more]
     .filter(Boolean)
     .join(" ");
+}
+
+/** The case with all its configurations, on the engine of a record. */
+export const case_command = (record) => command_of(record);
 
 /** The same in the record's configuration alone; "" where nobody named it. */
 export const record_command = (record) =>
   record.configuration
-    ? [
-        case_command(record),
+    ? command_of(record, [
         `--configuration ${quoted(record.configuration)}`,
         ...Object.entries(record.differs ?? {}).map(
           ([name, value]) => `--set ${quoted(`${name}=${value}`)}`,
         ),
-      ].join(" ")
+      ])
     : "";

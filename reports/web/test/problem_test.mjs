@@ -248,7 +248,11 @@ test("commands that run a case again can be pasted into a shell", () => {
   assert.equal(case_command(record()), "./stiction validate --case 'incline/stop/mu=0.3'");
   assert.equal(
     case_command({ case: "it's", engine: "bullet" }),
-    "./stiction validate --engine 'bullet' --case 'it'\\''s'",
+    "./stiction validate --case 'it'\\''s' --engine 'bullet'",
+  );
+  assert.equal(
+    case_command({ case: "user/a[1]*b", engine: "bullet" }),
+    "./stiction validate PROBLEM.toml --case 'user/a?1??b' --engine 'bullet'",
   );
   assert.equal(record_command(record()), "");
   assert.equal(

@@ -170,7 +170,7 @@ std::string broken_text(const EngineAnswers& answers, std::size_t width) {
     said.push_back(fmt::format("{} {}", row.name(), count));
     for (const Question& question : answers.questions()) {
       if (!again.empty() || !answers.of(question, row).broke()) continue;
-      again = fmt::format("./stiction compare engines --engine {} --question {}", row.engine,
+      again = fmt::format("./stiction compare engines --engine '{}' --question {}", row.engine,
                           question.id);
     }
   }

@@ -131,6 +131,8 @@ std::vector<Configuration> configurations_of(const std::string& case_name) {
   return all;
 }
 
+const std::vector<Settings>& compared_methods() { return kMethods; }
+
 std::optional<Settings> settings_without(Without what) {
   switch (what) {
     case Without::kFrictionMemory:

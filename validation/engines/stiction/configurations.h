@@ -14,9 +14,13 @@ namespace stiction {
 /// touch fixed half-spaces alone, the friction rules.
 std::vector<Configuration> configurations_of(const std::string& case_name);
 
-/// The configuration that any settings are, or are nearest to: its name and its settings. Of old only what the engine's table expects is judged, that it breaks
-/// where the paper says so; the paper's contacts, of vertices alone, let bodies pass that part.
+/// The configuration that any settings are, or are nearest to: its name and its settings.
+/// Of old only what the engine's table expects is judged, that it breaks where the paper says so; the
+/// paper's contacts, of vertices alone, let bodies pass that part.
 Configuration configuration_of(const Settings& settings);
+
+/// Those that most comparisons run: old, paper with either iteration, quiet.
+const std::vector<Settings>& compared_methods();
 
 std::optional<Settings> settings_without(Without what);
 

@@ -151,12 +151,11 @@ export function view_of(recordings, moment = Infinity) {
   };
 }
 
+// Of sizes: between two bodies a force and its reaction would cancel.
 const sum_of = (contacts, field) =>
-  Math.hypot(
-    ...[0, 1, 2].map((axis) => contacts.reduce((sum, contact) => sum + contact[field][axis], 0)),
-  );
+  contacts.reduce((sum, contact) => sum + Math.hypot(...contact[field]), 0);
 
-/** Contacts in numbers: sticking, slipping, the sums of the forces in N. */
+/** Contacts in numbers: sticking, slipping, the sums of the forces' sizes in N. */
 export function count_contacts(contacts) {
   const sticking = contacts.filter(({ sticks }) => sticks).length;
   return {

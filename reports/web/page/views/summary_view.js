@@ -24,7 +24,8 @@ const has_history = ({ families }) =>
 function headline(tally, index) {
   if (tally["not-applicable"] === tally.records && has_history(index))
     return ["for-information", "Measured over runs, and judged by nobody."];
-  if (tally.bad === 0 && tally.pass === 0) return ["for-information", "Nothing was decided."];
+  const expected = tally["expected-shortfall"] + tally.refuted;
+  if (tally.bad === 0 && tally.pass === 0 && expected === 0) return ["for-information", "Nothing was decided."];
   if (tally.bad === 0 && tally["expected-shortfall"] + tally.refuted > 0) {
     const parts = [
       `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}`,

@@ -3,16 +3,14 @@
 // ones. Work and precision, a curve a method.
 #include <vector>
 
+#include "validation/engines/stiction/configurations.h"
 #include "validation/protocols/slab_rest.h"
 
 namespace stiction {
 
 std::vector<Case> cases_slab_effort() {
   std::vector<Settings> variants;
-  for (const Settings& method : std::vector<Settings>{{{"method", "old"}},
-                                                      {{"method", "paper"}},
-                                                      {{"method", "paper"}, {"rule", "secant"}},
-                                                      {{"method", "quiet"}}}) {
+  for (const Settings& method : compared_methods()) {
     variants.push_back(method);
     for (const char* const step : {"0.0001", "0.00005"}) {
       variants.push_back(method);
