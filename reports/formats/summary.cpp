@@ -164,7 +164,7 @@ std::string standings_text(const Standings& standings, const TableStyle& style) 
     if (slip) cells.push_back(size_text(row.slip));
     if (drift) cells.push_back(size_text(row.drift));
     std::string words = row.creeps ? "creeps" : row.held == row.ran ? "holds" : "";
-    if (row.not_judged > 0) {
+    if (row.not_judged > 0 && style.width >= kRoomy) {
       words += fmt::format("{}+{} not judged", words.empty() ? "" : ", ", row.not_judged);
     }
     cells.push_back(words);
