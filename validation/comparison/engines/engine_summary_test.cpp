@@ -50,7 +50,7 @@ TEST(EngineSummary, TellsWhoHoldsWhoDoesNotAndWhoIsCloser) {
   EXPECT_THAT(text, HasSubstr("slack · default (0.0001; 4.5)"));
   EXPECT_THAT(text, HasSubstr("stops-30: swift · default -0.001, ours -0.004"));
   EXPECT_THAT(text, Not(HasSubstr("creep-30: swift")));  // both are right
-  EXPECT_THAT(text, HasSubstr("./stiction compare engines --engine slack --question stops-30"));
+  EXPECT_THAT(text, HasSubstr("./stiction compare engines --engine 'slack' --question stops-30"));
 }
 
 }  // namespace
