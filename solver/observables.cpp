@@ -13,11 +13,11 @@ namespace {
 
 // Mass-weighted mean of a vertex quantity over a body's vertices.
 template <class Quantity>
-Vec3 mass_mean(const Scene& scene, const Body& body, const Quantity& quantity) {
-  Vec3 sum = Vec3::Zero();
+Eigen::Vector3d mass_mean(const Scene& scene, const Body& body, const Quantity& quantity) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const auto first = static_cast<std::size_t>(body.first_vertex);
   for (std::size_t k = first; k < first + static_cast<std::size_t>(body.vertex_count); ++k) {
-    sum += scene.mass[k] * quantity(k);
+    sum += scene.mass[k] * quantity(k).template cast<double>();
   }
   return sum / body.mass;
 }
@@ -27,75 +27,78 @@ Vec3 mass_mean(const Scene& scene, const Body& body, const Quantity& quantity) {
 double kinetic_energy(const Scene& scene, const State& state) {
   double energy = 0.0;
   for (std::size_t k = 0; k < scene.mass.size(); ++k) {
-    energy += 0.5 * scene.mass[k] * state.velocity[k].v.squaredNorm();
+    energy += 0.5 * scene.mass[k] * state.velocity[k].v.cast<double>().squaredNorm();
   }
   return energy;
 }
 
 double gravity_energy(const Scene& scene, const State& state, double time) {
-  const Vec3 g = scene.gravity.at(time);
+  const Eigen::Vector3d g = scene.gravity.at(time);
   double energy = 0.0;
   for (std::size_t k = 0; k < scene.mass.size(); ++k) {
-    energy -= scene.mass[k] * g.dot(state.position[k].x);
+    energy -= scene.mass[k] * g.dot(state.position[k].x.cast<double>());
   }
   return energy;
 }
 
-Vec3 linear_momentum(const Scene& scene, const State& state) {
-  Vec3 momentum = Vec3::Zero();
+Eigen::Vector3d linear_momentum(const Scene& scene, const State& state) {
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < scene.mass.size(); ++k) {
-    momentum += scene.mass[k] * state.velocity[k].v;
+    momentum += scene.mass[k] * state.velocity[k].v.cast<double>();
   }
   return momentum;
 }
 
-Vec3 angular_momentum(const Scene& scene, const State& state) {
-  Vec3 momentum = Vec3::Zero();
+Eigen::Vector3d angular_momentum(const Scene& scene, const State& state) {
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < scene.mass.size(); ++k) {
-    momentum += scene.mass[k] * state.position[k].x.cross(state.velocity[k].v);
+    momentum += scene.mass[k] *
+                state.position[k].x.cast<double>().cross(state.velocity[k].v.cast<double>());
   }
   return momentum;
 }
 
-Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body) {
+Eigen::Vector3d centre_of_mass(const Scene& scene, const State& state, const Body& body) {
   return mass_mean(scene, body, [&](std::size_t k) -> const Vec3& { return state.position[k].x; });
 }
 
-Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body) {
+Eigen::Vector3d centre_velocity(const Scene& scene, const State& state, const Body& body) {
   return mass_mean(scene, body, [&](std::size_t k) -> const Vec3& { return state.velocity[k].v; });
 }
 
-Mat3 inertia(const Scene& scene, const State& state, const Body& body) {
-  const Vec3 c = centre_of_mass(scene, state, body);
-  Mat3 second = Mat3::Zero();
+Eigen::Matrix3d inertia(const Scene& scene, const State& state, const Body& body) {
+  const Eigen::Vector3d c = centre_of_mass(scene, state, body);
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   const auto first = static_cast<std::size_t>(body.first_vertex);
   for (std::size_t k = first; k < first + static_cast<std::size_t>(body.vertex_count); ++k) {
-    const Vec3 r = state.position[k].x - c;
+    const Eigen::Vector3d r = state.position[k].x.cast<double>() - c;
     second += scene.mass[k] * r * r.transpose();
   }
-  return second.trace() * Mat3::Identity() - second;
+  return second.trace() * Eigen::Matrix3d::Identity() - second;
 }
 
-Vec3 angular_velocity(const Scene& scene, const State& state, const Body& body) {
-  const Vec3 c = centre_of_mass(scene, state, body);
-  const Vec3 momentum = body.mass * mass_mean(scene, body, [&](std::size_t k) -> Vec3 {
-                          return (state.position[k].x - c).cross(state.velocity[k].v);
-                        });
+Eigen::Vector3d angular_velocity(const Scene& scene, const State& state, const Body& body) {
+  const Eigen::Vector3d c = centre_of_mass(scene, state, body);
+  const Eigen::Vector3d momentum =
+      body.mass * mass_mean(scene, body, [&](std::size_t k) -> Eigen::Vector3d {
+        return (state.position[k].x.cast<double>() - c).cross(state.velocity[k].v.cast<double>());
+      });
   return inertia(scene, state, body).completeOrthogonalDecomposition().solve(momentum);
 }
 
-Mat3 fitted_rotation(const Scene& scene, const State& state, const Body& body) {
-  const Vec3 c = centre_of_mass(scene, state, body);
-  const Vec3 c0 = mass_mean(scene, body, [&](std::size_t k) -> Vec3 {
+Eigen::Matrix3d fitted_rotation(const Scene& scene, const State& state, const Body& body) {
+  const Eigen::Vector3d c = centre_of_mass(scene, state, body);
+  const Eigen::Vector3d c0 = mass_mean(scene, body, [&](std::size_t k) -> Vec3 {
     return scene.rest_position.col(static_cast<Eigen::Index>(k));
   });
-  Mat3 moment = Mat3::Zero();
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
   const auto first = static_cast<std::size_t>(body.first_vertex);
   for (std::size_t k = first; k < first + static_cast<std::size_t>(body.vertex_count); ++k) {
-    moment += scene.mass[k] * (state.position[k].x - c) *
-              (scene.rest_position.col(static_cast<Eigen::Index>(k)) - c0).transpose();
+    moment +=
+        scene.mass[k] * (state.position[k].x.cast<double>() - c) *
+        (scene.rest_position.col(static_cast<Eigen::Index>(k)).cast<double>() - c0).transpose();
   }
-  if (moment.norm() == 0.0) return Mat3::Identity();
+  if (moment.norm() == 0.0) return Eigen::Matrix3d::Identity();
   return polar_rotation_by_svd(moment);
 }
 

@@ -6,7 +6,8 @@
 
 namespace stiction {
 
-// Pure functions of scene and state. SI units.
+// Pure functions of scene and state. SI units. In double, whatever Real is, so that what is told of a
+// state does not add to its errors.
 
 /// ½ Σ m v², J; pinned vertices do not move and count nothing.
 double kinetic_energy(const Scene& scene, const State& state);
@@ -15,24 +16,24 @@ double kinetic_energy(const Scene& scene, const State& state);
 double gravity_energy(const Scene& scene, const State& state, double time);
 
 /// Σ m v, kg m/s.
-Vec3 linear_momentum(const Scene& scene, const State& state);
+Eigen::Vector3d linear_momentum(const Scene& scene, const State& state);
 
 /// Σ x × m v about the origin, kg m²/s.
-Vec3 angular_momentum(const Scene& scene, const State& state);
+Eigen::Vector3d angular_momentum(const Scene& scene, const State& state);
 
 /// Centre of mass, m, and its velocity, m/s, of one body.
-Vec3 centre_of_mass(const Scene& scene, const State& state, const Body& body);
-Vec3 centre_velocity(const Scene& scene, const State& state, const Body& body);
+Eigen::Vector3d centre_of_mass(const Scene& scene, const State& state, const Body& body);
+Eigen::Vector3d centre_velocity(const Scene& scene, const State& state, const Body& body);
 
 /// Σ m (|r|² 1 − r rᵀ) of one body's vertices about its centre of mass, kg m².
-Mat3 inertia(const Scene& scene, const State& state, const Body& body);
+Eigen::Matrix3d inertia(const Scene& scene, const State& state, const Body& body);
 
 /// Of the rigid motion with the body's angular momentum about its centre, rad/s; zero for a point.
-Vec3 angular_velocity(const Scene& scene, const State& state, const Body& body);
+Eigen::Vector3d angular_velocity(const Scene& scene, const State& state, const Body& body);
 
 /// Rotation from the initial positions that fits a body's present ones best, mass-weighted: the
 /// polar rotation of Σ m (x − c)(X − C)ᵀ. The identity for a point.
-Mat3 fitted_rotation(const Scene& scene, const State& state, const Body& body);
+Eigen::Matrix3d fitted_rotation(const Scene& scene, const State& state, const Body& body);
 
 /// True when all positions and velocities are finite numbers.
 bool is_finite(const State& state);

@@ -25,6 +25,9 @@ struct Options {
   /// rule with conjugate directions ends them as soon as its slip tolerance is met.
   int sweeps = 0;
   PairOptions pairs{};  ///< two-sided contacts
+
+  /// Δt as forces and velocities are multiplied by it; times are reckoned with `time_step`.
+  Real dt() const { return static_cast<Real>(time_step); }
 };
 
 /// Throws InputError with one sentence when an option is out of range or unknown, whatever the

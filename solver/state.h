@@ -9,17 +9,17 @@
 
 namespace stiction {
 
-/// 32-byte records: one contact update reads a vertex's velocity and inverse mass from half a cache
+/// Records of four numbers, 32 bytes in double precision: one contact update reads a vertex's velocity and inverse mass from half a cache
 /// line. The inverse mass is constant and stands here as a copy of `Scene::inverse_mass`.
-struct alignas(32) Velocity {
-  Vec3 v;               ///< m/s
-  double inverse_mass;  ///< 1/kg
+struct alignas(4 * sizeof(Real)) Velocity {
+  Vec3 v;             ///< m/s
+  Real inverse_mass;  ///< 1/kg
 };
-struct alignas(32) Position {
+struct alignas(4 * sizeof(Real)) Position {
   Vec3 x;  ///< m
-  double unused;
+  Real unused;
 };
-static_assert(sizeof(Velocity) == 32 && sizeof(Position) == 32);
+static_assert(sizeof(Velocity) == 4 * sizeof(Real) && sizeof(Position) == 4 * sizeof(Real));
 
 /// What persists of a pair contact besides its friction: where it was, for hysteresis and ties. In
 /// the order of the body keys, which is that of `State::pair_friction` too.
@@ -31,7 +31,7 @@ struct PairGeometry {
   /// What of a depth is not answered yet (PairContact::excess), of the few contacts that have such.
   struct Excess {
     ContactKey body_key;
-    double depth;  ///< m, > 0
+    Real depth;  ///< m, > 0
   };
   std::vector<Excess> excess;  ///< in the order of the keys
 };

@@ -30,7 +30,8 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
       return;
     case Phase::kPredict: {
       const bool half = options.integrator == Integrator::kVerlet && state.step == 0;
-      predict(half ? 0.5 * dt : dt, workspace.force, state.velocity, workspace.velocity);
+      predict(static_cast<Real>(half ? 0.5 * dt : dt), workspace.force, state.velocity,
+              workspace.velocity);
       if (scene.anything_moves_by_plan) follow_motions(scene, time, dt, workspace.velocity);
       return;
     }
@@ -53,7 +54,7 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
     case Phase::kIntegrate:
       if (scene.pairs_possible)
         remember_pairs(workspace.pairs, scene.topology, state.pair_geometry);
-      integrate(dt, workspace.velocity, state);
+      integrate(options.dt(), workspace.velocity, state);
       return;
   }
 }

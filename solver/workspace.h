@@ -49,12 +49,12 @@ struct PairSearch {
   std::vector<Vec3> predicted;  ///< x*, per vertex, m
 
   std::uint64_t scene = 0;      ///< serial number of the scene that the lists are of
-  double skin = 0.0;            ///< m
+  Real skin = 0.0;              ///< m
   std::vector<Vec3> reference;  ///< x* that they were made at, per vertex, m
-  std::vector<double> moved;    ///< per body: bound on |x* − reference| of its vertices, m
-  std::vector<Eigen::AlignedBox3d> box;      ///< per body
-  std::vector<Eigen::AlignedBox3d> overlap;  ///< per body: where it can meet another
-  std::vector<int> order;                    ///< bodies along x
+  std::vector<Real> moved;      ///< per body: bound on |x* − reference| of its vertices, m
+  std::vector<Box3> box;        ///< per body
+  std::vector<Box3> overlap;    ///< per body: where it can meet another
+  std::vector<int> order;       ///< bodies along x
   SpatialHash hash;
   struct Candidate {
     ContactKey key;  ///< (vertex, body that it may be in)
@@ -67,41 +67,41 @@ struct PairSearch {
     std::int32_t candidate_begin, candidate_end;
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
-    double near_reach;  ///< m: up to this distance at the reference `near` names all
+    Real near_reach;  ///< m: up to this distance at the reference `near` names all
   };
   std::vector<Group> group;  ///< by key
   struct Near {
-    double distance;  ///< of the group's vertex at the reference, m
+    Real distance;  ///< of the group's vertex at the reference, m
     std::int32_t triangle;
   };
   std::vector<Near> near;  ///< of each group: by distance, then triangle
   /// Per surface triangle: a ball around it; infinite where the body can meet no other.
   struct Ball {
-    Vec3 centre;    ///< m
-    double radius;  ///< m
+    Vec3 centre;  ///< m
+    Real radius;  ///< m
   };
   std::vector<Ball> ball;
 
-  std::vector<Eigen::AlignedBox3d> travel;  ///< per body: of its vertices in a step, m
+  std::vector<Box3> travel;  ///< per body: of its vertices in a step, m
   /// Two bodies that a step can carry through each other; `travel` is 0 while there are none. With
   /// PairFace::kOpposed alone, as the next.
   struct Outrun {
     std::int32_t body = -1, other = -1;
-    double travel = 0.0;  ///< of one against the other in a step, m
-    double width = 0.0;   ///< least width of an element of either, m
+    Real travel = 0.0;  ///< of one against the other in a step, m
+    Real width = 0.0;   ///< least width of an element of either, m
   };
   Outrun outrun;
   /// The first contact so deep that it can't be told from a passage (note_too_deep); `depth` is 0
   /// while there is none. With PairFace::kOpposed alone, which knows where a vertex came from.
   struct TooDeep {
     std::int32_t vertex = -1, body = -1;
-    double depth = 0.0;  ///< m
-    double width = 0.0;  ///< least width of an element of the two, m
+    Real depth = 0.0;  ///< m
+    Real width = 0.0;  ///< least width of an element of the two, m
   };
   TooDeep too_deep;
 
   struct EdgeBox {
-    Eigen::AlignedBox3d box;
+    Box3 box;
     std::int32_t edge, body;
   };
   std::vector<EdgeBox> edge_box;           ///< scratch of the search for edges that cross
@@ -128,7 +128,7 @@ struct Workspace {
   EdgeContacts edges;              ///< between crossing edges, of the last step
   FrictionMemory edge_friction;    ///< the memory being written
   ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
-  std::vector<double> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
+  std::vector<Real> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   PairSearch search;
   ConsistentScratch consistent;
   std::uint64_t contact_updates = 0;      ///< summed over steps

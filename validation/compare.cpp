@@ -18,6 +18,8 @@
 #include "reports/screen/help_page.h"
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
+#include "reports/text/number.h"
+#include "reports/text/text.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 #include "validation/comparison/comparison.h"

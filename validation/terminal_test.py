@@ -114,7 +114,7 @@ def look(validate):
     written, _ = on_terminal(quick, 80, 24, TERM="dumb")
     check("a dumb terminal gets no escape", "\x1b" not in written)
     words = re.compile(r"[a-z/-]{4,}")
-    roomy, narrow = (words.findall(" ".join(seen(on_terminal(quick, columns, 60)[0])))
+    roomy, narrow = (words.findall(" ".join(seen(on_terminal(quick, columns, 120)[0])))
                      for columns in (80, 40))
     lost = set(roomy) - set(narrow)
     check("a narrow window loses no word", not lost, str(lost))

@@ -19,6 +19,7 @@
 #include <thread>
 
 #include "reports/formats/csv.h"
+#include "reports/formats/failure_block.h"
 #include "reports/formats/junit.h"
 #include "reports/formats/markdown.h"
 #include "reports/formats/summary.h"
@@ -36,7 +37,7 @@
 #include "validation/core/runner.h"
 #include "validation/engine/conformance/conformance.h"
 #include "validation/judge/show_expectations.h"
-#include "validation/user/user_problem.h"
+#include "validation/user/user_case.h"
 
 namespace stiction {
 
@@ -116,6 +117,11 @@ void define(CLI::App& app, Arguments& arguments) {
                  "Only cases whose name matches, e.g. 'incline/*' or '*/mu=0.3/*'; repeatable")
       ->type_name("GLOB")
       ->group("What runs");
+  app.add_option("--suite", arguments.selection.suite,
+                 "Another suite than the usual one: 'stability', hard cases, how many digits "
+                 "survive and where it breaks")
+      ->type_name("NAME")
+      ->group("What runs");
   app.add_flag("--list", arguments.list, "Show the names of the cases and end")->group("What runs");
   app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind")
       ->group("What runs");
@@ -133,6 +139,11 @@ void define(CLI::App& app, Arguments& arguments) {
       ->group("What runs");
   for (CLI::Option* const option : add_engine_limits(app, arguments.limits))
     option->group("How it runs");
+  app.add_option("--perturb", arguments.selection.perturbation,
+                 "Runs each case in a way that must not matter, e.g. turned/1 or ulp/3; an unknown "
+                 "name lists them all")
+      ->type_name("NAME")
+      ->group("How it runs");
   app.add_option("--set", arguments.settings, "A setting of the engine, over that of each case")
       ->type_name("NAME=VALUE")
       ->group("How it runs");
@@ -229,15 +240,15 @@ std::vector<double> weights_of(const std::vector<Job>& jobs, const std::filesyst
 // --verbose all records, in the order of their jobs.
 class Console {
  public:
-  Console(const std::vector<Job>& jobs, const TableStyle& style, const Arguments& arguments)
+  Console(const std::vector<Job>& jobs, const Screen& screen, const Arguments& arguments)
       : arguments_(arguments),
-        style_(style),
+        screen_(screen),
         jobs_(jobs),
         weights_(weights_of(jobs, earlier_records(arguments.out))),
         total_(std::accumulate(weights_.begin(), weights_.end(), 0.0)),
         waiting_(jobs.size()),
         progress_(jobs.size()) {
-    if (arguments_.verbose) fmt::print("{}", table_header(style_));
+    if (arguments_.verbose) fmt::print("{}", table_header(screen_));
     std::fflush(stdout);
     show_progress();
   }
@@ -251,10 +262,10 @@ class Console {
     }
     // What an engine cannot take stands in a few lines at the end.
     waiting_[index] = arguments_.verbose && record.verdict != Verdict::kNotApplicable
-                          ? table_rows(record, style_)
+                          ? table_rows(record, screen_)
                           : std::string();
     *waiting_[index] += failure_block(
-        record, style_,
+        record, screen_,
         rerun_command(record, arguments_.problems, arguments_.selection.engine) + scaled());
     while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
     std::fflush(stdout);
@@ -278,7 +289,7 @@ class Console {
   }
 
   const Arguments& arguments_;
-  TableStyle style_;
+  Screen screen_;
   const std::vector<Job>& jobs_;
   std::vector<double> weights_;  // of the jobs, and their sum
   double total_;
@@ -334,9 +345,9 @@ int validate(Arguments& arguments) {
   demand_conformance(find_engine(selection.engine), selection.settings);
 
   RecordStore store = RecordStore::create(arguments.out);
-  const TableStyle style = terminal_style();
+  const Screen screen = screen_of(STDOUT_FILENO);
   std::vector<Record> records(jobs.size());
-  Console console(jobs, style, arguments);
+  Console console(jobs, screen, arguments);
   const auto start = std::chrono::steady_clock::now();
   const auto finished = [&](std::size_t index, Record record) {
     store.append(record);
@@ -351,12 +362,11 @@ int validate(Arguments& arguments) {
   };
   run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, finished, keep);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const RunFacts facts{.wall_seconds = took.count(), .height = terminal_height()};
   store.write_file("report.md", markdown_report(records));
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("{}{}", arguments.verbose ? "\n" : "", summary_screen(records, style, facts));
+  fmt::print("{}{}", arguments.verbose ? "\n" : "", summary_screen(records, screen, took.count()));
   fmt::print("{}Report: {}\n", arguments.verbose ? "" : "All checks: --verbose, or report.md\n",
              (store.folder() / "report.md").string());
   if (!arguments.no_page) store.tell_caller();

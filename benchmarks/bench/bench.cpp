@@ -20,6 +20,7 @@
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
 #include "reports/text/exit_code.h"
+#include "reports/text/number.h"
 #include "solver/demand.h"
 
 namespace stiction::bench {

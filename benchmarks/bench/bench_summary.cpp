@@ -191,14 +191,14 @@ std::string bench_summary(const std::vector<Result>& results, const std::vector<
   const Cells costs = cost_table(results, fits);
   std::string text;
   if (costs.size() > 1) {
-    text = plain_table(costs, 1, screen.width);
+    text = plain_table(costs, {0}, screen.width);
   } else {
     Cells rows = {{"benchmark", "contacts", "ns a contact", "error"}};
     for (const Result& one : results) {
       rows.push_back({one.chosen.name, count_text(static_cast<int>(one.contacts)),
                       nanoseconds(1e9 * one.seconds / one.contacts), format_error(one.error)});
     }
-    text = plain_table(rows, 1, screen.width);
+    text = plain_table(rows, {0}, screen.width);
   }
   text += "\n" + rules_text(results, screen.width) + features_text(features, screen.width);
   return text + failures_text(records, screen);

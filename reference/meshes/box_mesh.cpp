@@ -194,6 +194,11 @@ TetMesh box_mesh(const Eigen::Vector3d& size, const Eigen::Vector3i& cells) {
   return mesh;
 }
 
+Eigen::Vector3i box_cells(const Eigen::Vector3d& size, int along_longest) {
+  const double cell = size.maxCoeff() / along_longest;
+  return (size / cell).array().round().cast<int>().max(1);
+}
+
 // Π_d (upper_d − lower_d)
 ExactVolume exact_box_volume(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
   if (!lower.allFinite() || !upper.allFinite() || (lower.array() > upper.array()).any()) {

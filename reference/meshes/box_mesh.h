@@ -17,6 +17,10 @@ namespace stiction::reference {
 /// fewer than one cell, or more cells than an int can number.
 TetMesh box_mesh(const Eigen::Vector3d& size, const Eigen::Vector3i& cells);
 
+/// The cells nearest to cubes when the longest edge has so many, at least one along each edge.
+/// `size`: edge lengths, m.
+Eigen::Vector3i box_cells(const Eigen::Vector3d& size, int along_longest);
+
 /// A volume in exact rational arithmetic.
 struct ExactVolume {
   std::string fraction;  ///< m³, reduced: "p/q", or "p" where q = 1

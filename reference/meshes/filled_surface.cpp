@@ -58,7 +58,7 @@ class Words {
 
  private:
   std::string_view next() {
-    constexpr std::string_view kSpace = " \n";
+    constexpr std::string_view kSpace = " \t\r\n\v\f";
     left_.remove_prefix(std::min(left_.find_first_not_of(kSpace), left_.size()));
     const std::string_view word = left_.substr(0, left_.find_first_of(kSpace));
     left_.remove_prefix(word.size());

@@ -141,7 +141,7 @@ std::string markdown_report(const std::vector<Record>& records, const std::strin
   const std::vector<Family> families = families_of(records);
   std::string report = fmt::format("# {}\n\n**{}** of {} records. {}.\n\n", markdown_escaped(title),
                                    verdicts_text(tally), tally.records(), cost_text(tally));
-  if (!records.empty()) report += code_block(summary_screen(records, {})) + "\n";
+  if (!records.empty()) report += code_block(summary_screen(records, {.width = 100})) + "\n";
   report += environment_table(records);
   if (tally.fail + tally.error > 0) {
     report += "## What failed\n\n";

@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+#include "reports/formats/failure_block.h"
 #include "reports/record/test_records.h"
 #include "reports/text/text.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+
+const Screen kWide{.width = 100};
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -44,8 +47,7 @@ std::vector<Record> large_run() {
 }
 
 TEST(Summary, SaysWhoHoldsHowAccuratelyAndWhy) {
-  const std::string text =
-      summary_screen(large_run(), {100, false}, {.wall_seconds = 139.4, .height = 0});
+  const std::string text = summary_screen(large_run(), kWide, 139.4);
   EXPECT_THAT(text, HasSubstr("stiction 4f2a9c1+ · 24 records, 12 cases · 2 min 19 s (6 s CPU)"));
   EXPECT_THAT(text,
               HasSubstr("0 fail, 0 broke off · 12 hold · 12 fall short as expected (12 refute "
@@ -64,23 +66,23 @@ TEST(Summary, SaysWhoHoldsHowAccuratelyAndWhy) {
 TEST(Summary, FitsItsScreen) {
   for (const std::size_t width : {80u, 100u, 200u}) {
     for (const std::size_t height : {24u, 40u}) {
-      const auto lines = lines_of(summary_screen(large_run(), {width, false}, {.height = height}));
+      const auto lines = lines_of(summary_screen(large_run(), {.width = width, .height = height}));
       EXPECT_LE(lines.size() + 3, height)
           << "two lines that tell where reports are, and the prompt";
       for (const std::string& line : lines) EXPECT_LE(display_width(line), width) << line;
     }
   }
-  EXPECT_THAT(summary_screen(large_run(), {80, false}, {.height = 24}),
+  EXPECT_THAT(summary_screen(large_run(), {.width = 80, .height = 24}),
               HasSubstr("more causes, in report.md"));
 }
 
 TEST(Summary, NamesWhatFails) {
   std::vector<Record> records = large_run();
-  EXPECT_EQ(failure_block(records.front(), {}), "");
+  EXPECT_EQ(failure_block(records.front(), kWide), "");
   records.push_back(test::failing_record());
   records.push_back(test::error_record());
   records.push_back(test::outside_record(7.0));
-  const std::string text = summary_screen(records, {200, false});
+  const std::string text = summary_screen(records, {.width = 200});
   EXPECT_THAT(text, HasSubstr("2 fail, 1 broke off · 12 hold"));
   EXPECT_THAT(text,
               HasSubstr("FAIL     incline/below/mu=0.3 paper, fixed point, kappa=0.7: stopping "
@@ -91,42 +93,44 @@ TEST(Summary, NamesWhatFails) {
 
 TEST(Summary, OfManyFailuresNamesTheFirst) {
   const std::vector<Record> records(30, test::failing_record());
-  const auto lines = lines_of(summary_screen(records, {80, false}, {.height = 24}));
+  const auto lines = lines_of(summary_screen(records, {.width = 80, .height = 24}));
   EXPECT_LE(lines.size(), 40u);
-  EXPECT_THAT(summary_screen(records, {80, false}),
+  EXPECT_THAT(summary_screen(records, {.width = 80}),
               HasSubstr("and 22 more, each whole in report.md"));
 }
 
 TEST(Summary, SaysWhatIsLacking) {
-  EXPECT_THAT(summary_screen({test::not_applicable_record(), test::passing_record()}, {}),
+  EXPECT_THAT(summary_screen({test::not_applicable_record(), test::passing_record()}, kWide),
               HasSubstr("n/a      the engine has no deformable obstacles: slab/threshold"));
 }
 
 TEST(Summary, ColourAddsOnlyColour) {
-  EXPECT_THAT(summary_screen({test::failing_record()}, {100, false}), Not(HasSubstr("\x1b")));
-  EXPECT_THAT(summary_screen({test::failing_record()}, {100, true}), HasSubstr("\x1b["));
+  EXPECT_THAT(summary_screen({test::failing_record()}, kWide), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(summary_screen({test::failing_record()}, {.width = 100, .colour = true}),
+              HasSubstr("\x1b["));
 }
 
 TEST(Summary, OfNothingAndOfHostileText) {
-  EXPECT_EQ(summary_screen({}, {}), "no records\n");
+  EXPECT_EQ(summary_screen({}, kWide), "no records\n");
   const Record hostile = test::hostile_record();
-  for (const std::string& text : {summary_screen({hostile}, {}), failure_block(hostile, {})}) {
+  for (const std::string& text :
+       {summary_screen({hostile}, kWide), failure_block(hostile, kWide)}) {
     EXPECT_THAT(text, Not(HasSubstr("\x1b")));
     EXPECT_EQ(text.find_first_of(std::string_view("\0\r\t", 3)), std::string::npos);
   }
 }
 
 TEST(FailureBlock, TellsAllAndHowToRunItAgain) {
-  const std::string text = failure_block(test::failing_record(), {200, false});
+  const std::string text = failure_block(test::failing_record(), {.width = 200});
   EXPECT_THAT(text, HasSubstr("stopping distance: measured 0.31 m, expected 0.3 m (analytic)"));
   EXPECT_THAT(text, HasSubstr("worst at:  vertex 17 at t = 0.42 s"));
   EXPECT_THAT(text, HasSubstr("tolerance: v₀Δt/2, the bias of symplectic Euler"));
   EXPECT_THAT(text, HasSubstr("note: Fails until the stop is resolved within a step."));
   EXPECT_THAT(text, HasSubstr("again: ./stiction validate --case 'incline/below/mu=0.3' "
                               "--configuration 'paper, fixed point' --set 'kappa=0.7'"));
-  EXPECT_THAT(failure_block(test::outside_record(7.0), {200, false}),
+  EXPECT_THAT(failure_block(test::outside_record(7.0), {.width = 200}),
               HasSubstr("cause of the band: normal forces never settle"));
-  EXPECT_THAT(failure_block(test::error_record(), {200, false}),
+  EXPECT_THAT(failure_block(test::error_record(), {.width = 200}),
               HasSubstr("the time step 0.1 s is above the stability limit of element 3"));
 }
 

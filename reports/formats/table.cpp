@@ -8,6 +8,7 @@
 #include <map>
 #include <string_view>
 
+#include "reports/formats/verdict_word.h"
 #include "reports/text/check_text.h"
 #include "reports/text/configuration_text.h"
 #include "reports/text/family.h"
@@ -28,16 +29,16 @@ struct Layout {
   std::string_view gap, digits, share;
 };
 
-Layout layout_of(const TableStyle& style) {
-  return style.width >= kWideTerminal ? Layout{"  ", "digits", " of tol."}
-                                      : Layout{" ", "dig.", "of tol."};
+Layout layout_of(const Screen& screen) {
+  return screen.width >= kWideTerminal ? Layout{"  ", "digits", " of tol."}
+                                       : Layout{" ", "dig.", "of tol."};
 }
 
-std::size_t quantity_width(const TableStyle& style) {
-  const auto [gap, digits, share] = layout_of(style);
+std::size_t quantity_width(const Screen& screen) {
+  const auto [gap, digits, share] = layout_of(screen);
   const std::size_t others = kIndent.size() + kVerdictWidth + 2 * kValueWidth + kErrorWidth +
                              digits.size() + share.size() + 6 * gap.size();
-  return std::max(kLeastQuantity, style.width > others ? style.width - others : 0);
+  return std::max(kLeastQuantity, screen.width > others ? screen.width - others : 0);
 }
 
 struct Cells {
@@ -46,11 +47,11 @@ struct Cells {
   std::string value, expected, error, digits, share;
 };
 
-std::string check_line(const Cells& cells, const TableStyle& style) {
-  const auto [gap, digits, share] = layout_of(style);
+std::string check_line(const Cells& cells, const Screen& screen) {
+  const auto [gap, digits, share] = layout_of(screen);
   const std::array<std::string, 7> columns = {
       cells.verdict,
-      padded_right(cells.quantity.front(), quantity_width(style)),
+      padded_right(cells.quantity.front(), quantity_width(screen)),
       padded_left(cells.value, kValueWidth),
       padded_left(cells.expected, kValueWidth),
       padded_left(cells.error, kErrorWidth),
@@ -63,10 +64,10 @@ std::string check_line(const Cells& cells, const TableStyle& style) {
 }
 
 // Nothing of a name is left out: what its column has no room for stands below.
-std::vector<std::string> quantity_cell(const Judgement& check, const TableStyle& style) {
+std::vector<std::string> quantity_cell(const Judgement& check, const Screen& screen) {
   const std::string unit = one_line(check.claim.unit.empty() ? "1" : check.claim.unit);
   return wrapped(fmt::format("{} [{}]", one_line(check.claim.quantity), unit),
-                 quantity_width(style));
+                 quantity_width(screen));
 }
 
 // `left` at the line's start, `right` at its end.
@@ -79,7 +80,7 @@ std::string spread(const std::string& left, const std::string& right, std::size_
 
 }  // namespace
 
-std::string not_applicable_block(const std::vector<Record>& records, const TableStyle& style) {
+std::string not_applicable_block(const std::vector<Record>& records, const Screen& screen) {
   std::map<std::string, std::map<std::string, int>> families;  // by reason
   for (const Record& record : records) {
     if (record.verdict != Verdict::kNotApplicable) continue;
@@ -94,15 +95,15 @@ std::string not_applicable_block(const std::vector<Record>& records, const Table
       if (count > 1) list += fmt::format(" ({})", count);
     }
     const std::string plain = padded_right(verdict_word(Verdict::kNotApplicable), kVerdictWidth);
-    std::string lines = block(plain + "  ", why + ": " + list, 0, style);
-    text += lines.replace(0, plain.size(), verdict_cell(Verdict::kNotApplicable, style));
+    std::string lines = bullet(why + ": " + list, screen.width, plain + "  ");
+    text += lines.replace(0, plain.size(), verdict_cell(Verdict::kNotApplicable, screen));
   }
   return text;
 }
 
-std::string table_header(const TableStyle& style) {
-  const Layout layout = layout_of(style);
-  return spread("case  configuration", "ns/contact", style.width) +
+std::string table_header(const Screen& screen) {
+  const Layout layout = layout_of(screen);
+  return spread("case  configuration", "ns/contact", screen.width) +
          check_line({padded_right("", kVerdictWidth),
                      {"quantity [unit]"},
                      "measured",
@@ -110,33 +111,34 @@ std::string table_header(const TableStyle& style) {
                      "error",
                      std::string(layout.digits),
                      std::string(layout.share)},
-                    style) +
-         std::string(style.width, '-') + "\n";
+                    screen) +
+         std::string(screen.width, '-') + "\n";
 }
 
-std::string table_rows(const Record& record, const TableStyle& style) {
+std::string table_rows(const Record& record, const Screen& screen) {
   const double ns = record.cost.ns_per_contact_update;
   std::string rows = spread(one_line(record.case_name) + "  " + configuration_text(record),
-                            ns > 0.0 ? fmt::format("{:.3g} ns", ns) : std::string(), style.width);
+                            ns > 0.0 ? fmt::format("{:.3g} ns", ns) : std::string(), screen.width);
   for (const Judgement& check : record.checks) {
     rows +=
-        check_line({verdict_cell(check.verdict, style), quantity_cell(check, style),
+        check_line({verdict_cell(check.verdict, screen), quantity_cell(check, screen),
                     format_value(check.value), format_value(check.claim.expected),
                     format_error(check.error) + (check.claim.relative ? " rel" : ""),
                     check.digits ? format_digits(*check.digits) : std::string(), share_text(check)},
-                   style);
+                   screen);
     // What follows the comma stands under the quantity.
-    const std::size_t indent = kIndent.size() + kVerdictWidth + layout_of(style).gap.size();
-    if (check.band) rows += block("", band_text(check).substr(2), indent, style);
+    const std::size_t indent = kIndent.size() + kVerdictWidth + layout_of(screen).gap.size();
+    if (check.band)
+      rows += bullet(band_text(check).substr(2), screen.width, std::string(indent, ' '));
   }
   if (record.verdict == Verdict::kError || record.checks.empty()) {
     std::string why = record.error;
     if (why.empty() && !record.notes.empty()) why = record.notes.front();
     // The colour codes are put in afterwards, since wrapping counts columns.
     const std::string plain = padded_right(verdict_word(record.verdict), kVerdictWidth);
-    std::string lines = block(plain + std::string(layout_of(style).gap),
-                              why.empty() ? "no checks" : why, kIndent.size(), style);
-    lines.replace(kIndent.size(), plain.size(), verdict_cell(record.verdict, style));
+    std::string lines = bullet(why.empty() ? "no checks" : why, screen.width,
+                               std::string(kIndent) + plain + std::string(layout_of(screen).gap));
+    lines.replace(kIndent.size(), plain.size(), verdict_cell(record.verdict, screen));
     rows += lines;
   }
   return rows;

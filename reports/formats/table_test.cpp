@@ -11,6 +11,8 @@
 namespace stiction {
 namespace {
 
+const Screen kWide{.width = 100};
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
@@ -36,7 +38,7 @@ std::string without_colours(const std::string& text) {
 }
 
 TEST(Table, ALinePerCheckUnderItsCase) {
-  const auto lines = lines_of(table_rows(test::failing_record(), {}));
+  const auto lines = lines_of(table_rows(test::failing_record(), kWide));
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].starts_with("incline/below/mu=0.3  paper, fixed point, kappa=0.7"));
   EXPECT_TRUE(lines[0].ends_with("41.5 ns"));
@@ -52,13 +54,13 @@ TEST(Table, LinesFitTheWidthAndNothingIsCut) {
   record.checks[1].value = -1.2345678e-30;
   record.checks[1].error = -1.234e-30;
   for (const std::size_t width : {77u, 80u, 95u, 96u, 100u, 140u, 200u}) {
-    const TableStyle style{width, false};
-    const auto header = lines_of(table_header(style));
-    const auto rows = lines_of(table_rows(record, style));
+    const Screen screen{.width = width};
+    const auto header = lines_of(table_header(screen));
+    const auto rows = lines_of(table_rows(record, screen));
     for (const auto& line : header) EXPECT_LE(display_width(line), width) << line;
     for (const auto& line : rows) EXPECT_LE(display_width(line), width) << line;
     EXPECT_EQ(display_width(rows[1]), display_width(header[1])) << width;
-    std::istringstream words(table_rows(record, style));
+    std::istringstream words(table_rows(record, screen));
     std::string text;
     for (std::string word; words >> word;) text += word + " ";
     EXPECT_FALSE(has(text, "…"));
@@ -70,15 +72,15 @@ TEST(Table, LinesFitTheWidthAndNothingIsCut) {
 
 TEST(Table, TinyWidthsDoNotCrash) {
   for (const std::size_t width : {0u, 1u, 10u, 40u}) {
-    const TableStyle style{width, false};
-    EXPECT_TRUE(has(table_rows(test::failing_record(), style), "FAIL"));
-    EXPECT_TRUE(has(table_header(style), "measured"));
+    const Screen screen{.width = width};
+    EXPECT_TRUE(has(table_rows(test::failing_record(), screen), "FAIL"));
+    EXPECT_TRUE(has(table_header(screen), "measured"));
   }
 }
 
 TEST(Table, ColourAddsOnlyColour) {
-  const TableStyle plain{100, false};
-  const TableStyle coloured{100, true};
+  const Screen plain{.width = 100};
+  const Screen coloured{.width = 100, .colour = true};
   for (const Record& record : {test::failing_record(), test::passing_record(), test::error_record(),
                                test::not_applicable_record()}) {
     EXPECT_FALSE(has(table_rows(record, plain), "\x1b"));
@@ -93,21 +95,22 @@ TEST(Table, ABandStandsBelowItsCheck) {
     EXPECT_TRUE(has(rows, "  refuted"));
     EXPECT_TRUE(has(rows, "as expected in")) << rows;
   }
-  EXPECT_TRUE(has(table_rows(test::outside_record(0.30001), {}), "raise the bar"));
+  EXPECT_TRUE(has(table_rows(test::outside_record(0.30001), kWide), "raise the bar"));
 }
 
 TEST(Table, ARecordWithoutChecksSaysWhy) {
-  EXPECT_TRUE(has(table_rows(test::error_record(), {}), "ERROR    the time step 0.1 s is above"));
-  EXPECT_TRUE(has(table_rows(test::not_applicable_record(), {}),
+  EXPECT_TRUE(
+      has(table_rows(test::error_record(), kWide), "ERROR    the time step 0.1 s is above"));
+  EXPECT_TRUE(has(table_rows(test::not_applicable_record(), kWide),
                   "n/a      the engine has no deformable obstacles"));
   Record silent = test::not_applicable_record();
   silent.notes.clear();
-  EXPECT_TRUE(has(table_rows(silent, {}), "n/a      no checks"));
+  EXPECT_TRUE(has(table_rows(silent, kWide), "n/a      no checks"));
 }
 
 TEST(Table, TextFromRecordsCannotSteerTheTerminal) {
   const Record record = test::hostile_record();
-  const std::string text = table_rows(record, {});
+  const std::string text = table_rows(record, kWide);
   EXPECT_FALSE(has(text, "\x1b"));
   EXPECT_EQ(text.find_first_of(std::string_view("\0\r\t", 3)), std::string::npos);
   EXPECT_TRUE(has(text, "nan"));
@@ -116,9 +119,9 @@ TEST(Table, TextFromRecordsCannotSteerTheTerminal) {
 TEST(NotApplicable, TellsOnceWhatAnEngineLacks) {
   std::vector<Record> records(3, test::not_applicable_record());
   records[1].case_name = "stack/flush/n=2";
-  EXPECT_EQ(not_applicable_block(records, {}),
+  EXPECT_EQ(not_applicable_block(records, kWide),
             "n/a      the engine has no deformable obstacles: slab/threshold (2), stack/flush\n");
-  EXPECT_EQ(not_applicable_block({test::passing_record()}, {}), "");
+  EXPECT_EQ(not_applicable_block({test::passing_record()}, kWide), "");
 }
 
 }  // namespace

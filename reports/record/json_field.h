@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "reports/text/text.h"
+
 namespace stiction {
 
 /// A JSON value together with the way to it, so that every complaint names its place: each function
@@ -25,8 +27,10 @@ class JsonField {
       : json_(&json), where_(std::move(where)), path_(std::move(path)) {}
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw std::runtime_error(path_.empty() ? fmt::format("{}: {}", where_, message)
-                                           : fmt::format("{}: {}: {}", where_, path_, message));
+    // Of keys and words of the JSON, which may hold anything.
+    throw std::runtime_error(one_line(path_.empty()
+                                          ? fmt::format("{}: {}", where_, message)
+                                          : fmt::format("{}: {}: {}", where_, path_, message)));
   }
 
   bool has(const char* name) const { return json_->contains(name); }

@@ -32,7 +32,10 @@ struct Claim {
   std::optional<double> scale{};
   double tolerance =
       0.0;  ///< |error| ≤ tolerance holds; in `unit`, or of the scale when `relative`
-  std::string reason{};    ///< derivation of the tolerance
+  std::string reason{};  ///< derivation of the tolerance
+  /// It compares differences between runs, such as an order of convergence: that multiplies their
+  /// rounding, so that a perturbed case does not count its digits. Not in records.
+  bool derived = false;
   std::string headline{};  ///< what a run's summary calls it; empty: it has no line there
 };
 

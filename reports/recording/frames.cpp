@@ -20,10 +20,7 @@ constexpr std::uint32_t kVersion = 1;
 constexpr double kPositionQuanta = 65535.0;
 constexpr double kForceQuanta = 32767.0;
 constexpr std::size_t kContactBytes = 20;
-
-void demand_recording(bool condition, const char* what) {
-  if (!condition) throw std::invalid_argument(fmt::format("a recording {}", what));
-}
+constexpr std::uint64_t kMost = 0xffffffff;  // of anything that is counted
 
 bool finite(const Triple& triple) {
   return std::all_of(triple.begin(), triple.end(), [](double x) { return std::isfinite(x); });
@@ -35,31 +32,36 @@ std::size_t vertex_count(const Recording& recording) {
   return count;
 }
 
-void check(const Recording& recording) {
-  demand_recording(!recording.frames.empty(), "needs a frame");
+// What is wrong with it, in words; empty: nothing.
+std::string fault_of(const Recording& recording) {
+  if (recording.frames.empty()) return "needs a frame";
   for (const FrameBody& body : recording.bodies) {
     for (const auto& triangle : body.triangles) {
-      demand_recording(std::all_of(triangle.begin(), triangle.end(),
-                                   [&](std::uint32_t corner) { return corner < body.vertices; }),
-                       "has a triangle with a corner that is not there");
+      if (std::any_of(triangle.begin(), triangle.end(),
+                      [&](std::uint32_t corner) { return corner >= body.vertices; })) {
+        return "has a triangle with a corner that is not there";
+      }
     }
   }
   for (const FramePlane& plane : recording.planes) {
-    demand_recording(finite(plane.point) && finite(plane.normal), "has a plane that is not finite");
+    if (!finite(plane.point) || !finite(plane.normal)) return "has a plane that is not finite";
   }
   const std::size_t vertices = vertex_count(recording);
   for (const Frame& frame : recording.frames) {
-    demand_recording(frame.positions.size() == vertices, "has a frame with another vertex count");
-    demand_recording(std::isfinite(frame.time) &&
-                         std::all_of(frame.positions.begin(), frame.positions.end(), finite),
-                     "has a position or time that is not finite");
-    demand_recording(finite(frame.gravity), "has gravity that is not finite");
+    if (frame.positions.size() != vertices) return "has a frame with another vertex count";
+    if (!std::isfinite(frame.time) ||
+        !std::all_of(frame.positions.begin(), frame.positions.end(), finite)) {
+      return "has a position or time that is not finite";
+    }
+    if (!finite(frame.gravity)) return "has gravity that is not finite";
     for (const FrameContact& contact : frame.contacts) {
-      demand_recording(finite(contact.position) && finite(contact.normal_force) &&
-                           finite(contact.friction_force),
-                       "has a contact that is not finite");
+      if (!finite(contact.position) || !finite(contact.normal_force) ||
+          !finite(contact.friction_force)) {
+        return "has a contact that is not finite";
+      }
     }
   }
+  return {};
 }
 
 // What positions and forces are quantised by.
@@ -178,6 +180,14 @@ class Reader {
   std::string_view bytes_;
 };
 
+// nlohmann's own conversion takes -1 and 1e300 as well.
+std::size_t count_of(const Json& value) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMost) {
+    throw std::runtime_error("the header of the frames file has a count that is none");
+  }
+  return value.get<std::size_t>();
+}
+
 FrameContact take_contact(Reader& reader, const Scales& scales) {
   FrameContact contact;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -192,7 +202,9 @@ FrameContact take_contact(Reader& reader, const Scales& scales) {
 }  // namespace
 
 std::string encode_frames(const Recording& recording) {
-  check(recording);
+  if (const std::string fault = fault_of(recording); !fault.empty()) {
+    throw std::invalid_argument("a recording " + fault);
+  }
   const Scales scales = scales_of(recording);
   const std::string header = header_of(recording, scales);
   std::string bytes(kMagic);
@@ -236,8 +248,8 @@ Recording decode_frames(std::string_view bytes) {
     scales.force = header.at("force").get<double>();
     for (const Json& body : header.at("bodies")) {
       recording.bodies.push_back(
-          {body.at("name").get<std::string>(), body.at("vertices").get<std::uint32_t>(), {}});
-      triangles.push_back(body.at("triangles").get<std::uint32_t>());
+          {body.at("name").get<std::string>(), count_of(body.at("vertices")), {}});
+      triangles.push_back(count_of(body.at("triangles")));
     }
     for (const Json& plane : header.at("planes")) {
       recording.planes.push_back({plane.at("name").get<std::string>(),
@@ -250,12 +262,13 @@ Recording decode_frames(std::string_view bytes) {
     for (std::size_t i = 0; i < times.size(); ++i) {
       recording.frames.push_back({times[i], gravity[i], {}, {}});
     }
-    contacts = header.at("contacts").get<std::vector<std::size_t>>();
+    for (const Json& count : header.at("contacts")) contacts.push_back(count_of(count));
   } catch (const Json::exception& error) {
     throw std::runtime_error(
         fmt::format("the header of the frames file is broken: {}", error.what()));
   }
   const std::size_t vertices = vertex_count(recording);
+  if (recording.frames.empty()) throw std::runtime_error("the frames file has no frame");
   // Before anything is allocated by sizes that a broken header may give.
   if (contacts.size() != recording.frames.size() ||
       (vertices > 0 && recording.frames.size() > reader.left() / (6 * vertices))) {
@@ -283,6 +296,9 @@ Recording decode_frames(std::string_view bytes) {
     }
   }
   if (reader.left() > 0) throw std::runtime_error("the frames file is longer than its header says");
+  if (const std::string fault = fault_of(recording); !fault.empty()) {
+    throw std::runtime_error("the frames file " + fault);
+  }
   return recording;
 }
 

@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "reports/screen/screen.h"
+#include "reports/text/number.h"
 #include "reports/text/text.h"
 
 namespace stiction {
@@ -20,13 +20,6 @@ constexpr double kSoonest = 2.0;  // s
 constexpr std::size_t kFewest = 3;
 
 }  // namespace
-
-std::string duration_text(double seconds) {
-  const long whole = std::lround(seconds);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-}
 
 std::string progress_text(std::size_t done, std::size_t total, const std::string& running,
                           double seconds_left, std::size_t width) {

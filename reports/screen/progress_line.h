@@ -33,7 +33,4 @@ class ProgressLine {
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-/// "45 s", "2 min 05 s", "1 h 20 min".
-std::string duration_text(double seconds);
-
 }  // namespace stiction

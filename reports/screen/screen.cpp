@@ -16,7 +16,13 @@ namespace {
 
 constexpr long kLeast = 20, kMost = 10000;  // columns that are believed
 
-std::size_t width_of(int descriptor) {
+winsize size_of(int descriptor) {
+  winsize size{};
+  if (ioctl(descriptor, TIOCGWINSZ, &size) != 0) return {};
+  return size;
+}
+
+std::size_t width_of(const winsize& size) {
   if (const char* const told = std::getenv("COLUMNS")) {
     char* end = nullptr;
     const long columns = std::strtol(told, &end, 10);
@@ -24,8 +30,7 @@ std::size_t width_of(int descriptor) {
       return static_cast<std::size_t>(columns);
     }
   }
-  winsize size{};
-  if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col >= kLeast) return size.ws_col;
+  if (size.ws_col >= kLeast) return size.ws_col;
   return Screen{}.width;
 }
 
@@ -40,42 +45,56 @@ Screen screen_of(int descriptor) {
   const char* const terminal = std::getenv("TERM");
   const bool dumb = terminal == nullptr || *terminal == '\0' || std::strcmp(terminal, "dumb") == 0;
   const char* const no_colour = std::getenv("NO_COLOR");
+  const winsize size = size_of(descriptor);
   Screen screen;
-  screen.width = width_of(descriptor);
+  screen.width = width_of(size);
+  screen.height = size.ws_row;
   screen.moving = isatty(descriptor) == 1 && !dumb;
   screen.colour = screen.moving && (no_colour == nullptr || *no_colour == '\0');
   return screen;
 }
 
 std::string bullet(const std::string& text, std::size_t width, const std::string& mark) {
+  constexpr std::size_t kLeastRoom = 20;
   const std::size_t indent = display_width(mark);
+  const std::size_t room = width > indent + kLeastRoom ? width - indent : kLeastRoom;
   std::string lines;
-  for (const std::string& line : wrapped(text, std::max(width, indent + 1) - indent)) {
+  for (const std::string& line : wrapped(one_line(text), room)) {
     lines += (lines.empty() ? mark : std::string(indent, ' ')) + line + "\n";
   }
   return lines;
 }
 
-std::string plain_table(const Cells& rows, std::size_t texts, std::size_t width) {
+std::string plain_table(const Cells& rows, const std::set<std::size_t>& texts, std::size_t width,
+                        std::size_t gap) {
   if (rows.empty()) return "";
-  std::vector<std::size_t> widths(rows.front().size(), 0);
+  std::vector<std::size_t> widths;
   for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
     for (std::size_t c = 0; c < row.size(); ++c) {
       widths[c] = std::max(widths[c], display_width(row[c]));
     }
   }
+  const auto cell = [&](const std::vector<std::string>& row, std::size_t c) {
+    return texts.contains(c) ? padded_right(row[c], widths[c]) : padded_left(row[c], widths[c]);
+  };
   std::string text;
   for (std::size_t begin = 1; begin == 1 || begin < widths.size();) {
     std::size_t end = begin, used = widths[0];
-    while (end < widths.size() && (end == begin || used + 2 + widths[end] <= width)) {
-      used += 2 + widths[end++];
+    while (end < widths.size() && (end == begin || used + gap + widths[end] <= width)) {
+      used += gap + widths[end++];
+    }
+    const bool blank = std::all_of(widths.begin() + begin, widths.begin() + end,
+                                   [](std::size_t w) { return w == 0; });
+    if (blank && begin > 1) {
+      begin = end;
+      continue;
     }
     if (!text.empty()) text += "\n";
     for (const auto& row : rows) {
-      std::string line = padded_right(row[0], widths[0]);
+      std::string line = cell(row, 0);
       for (std::size_t c = begin; c < std::min(end, row.size()); ++c) {
-        line +=
-            "  " + (c < texts ? padded_right(row[c], widths[c]) : padded_left(row[c], widths[c]));
+        line += std::string(gap, ' ') + cell(row, c);
       }
       text += without_end_spaces(line) + "\n";
     }
@@ -83,10 +102,6 @@ std::string plain_table(const Cells& rows, std::size_t texts, std::size_t width)
     begin = end;
   }
   return text;
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 std::string bold(const std::string& text, const Screen& screen) {

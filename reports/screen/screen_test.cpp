@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "reports/screen/progress_line.h"
+#include "reports/text/number.h"
 #include "reports/text/text.h"
 
 namespace stiction {
@@ -50,7 +51,7 @@ TEST(Screen, ATableIsNeverWiderThanAskedForAndCutsNothing) {
                       {"a question of some length", "the conjugate vector", "1e-17 m/s"},
                       {"µ", "secant", "2"}};
   for (const std::size_t width : {30u, 48u, 60u, 200u}) {
-    const std::string table = plain_table(rows, 2, width);
+    const std::string table = plain_table(rows, {0, 1}, width);
     for (const auto& row : rows) {
       for (const auto& cell : row) EXPECT_NE(table.find(cell), std::string::npos) << cell;
     }
@@ -60,11 +61,11 @@ TEST(Screen, ATableIsNeverWiderThanAskedForAndCutsNothing) {
       EXPECT_TRUE(line.empty() || line.back() != ' ');
     }
   }
-  EXPECT_EQ(plain_table({{"a"}, {"b"}}, 1, 80), "a\nb\n");
+  EXPECT_EQ(plain_table({{"a"}, {"b"}}, {0}, 80), "a\nb\n");
 }
 
-TEST(Screen, ABulletStandsOverItsText) {
-  EXPECT_EQ(bullet("one two three", 9), "- one two\n  three\n");
+TEST(Screen, ABulletsFurtherLinesStandUnderItsText) {
+  EXPECT_EQ(bullet("one two three four five", 23), "- one two three four\n  five\n");
 }
 
 TEST(ProgressLine, GivesUpTheTimeBeforeTheName) {

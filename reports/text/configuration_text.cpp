@@ -52,7 +52,9 @@ std::string rerun_command(const Record& record, const std::vector<std::string>& 
     command += " --configuration " + quoted(record.configuration);
   }
   for (const auto& [name, value] : record.differs) {
-    command += " --set " + quoted(name + "=" + value);
+    // How a case was perturbed is no setting of the engine (validation/stability/).
+    command += name == "perturbed" ? " --perturb " + quoted(value)
+                                   : " --set " + quoted(name + "=" + value);
   }
   return command;
 }

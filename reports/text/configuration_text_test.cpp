@@ -24,6 +24,11 @@ TEST(RerunCommand, NamesCaseConfigurationAndWhatDiffers) {
   EXPECT_EQ(rerun_command(record),
             "./stiction validate --case 'slab/kappa' --configuration 'paper, fixed point' --set "
             "'kappa=0.7'");
+  record.differs = {{"perturbed", "turned/1"}};
+  EXPECT_EQ(
+      rerun_command(record),
+      "./stiction validate --case 'slab/kappa' --configuration 'paper, fixed point' --perturb "
+      "'turned/1'");
   record.configuration = "default";
   record.differs.clear();
   record.engine = "bullet";

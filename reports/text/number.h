@@ -21,6 +21,9 @@ std::string format_digits(double digits);
 /// CPU time, s: three significant digits, no exponent from 1 ms up.
 std::string format_seconds(double seconds);
 
+/// A duration: "45 s", "2 min 05 s", "1 h 20 min".
+std::string duration_text(double seconds);
+
 /// Whole number with "," between thousands.
 std::string format_count(std::uint64_t count);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/number.h"
+#include "reports/text/text.h"
 
 namespace stiction {
 
@@ -43,12 +44,10 @@ Tally tally_of(const std::vector<Record>& records) {
 }
 
 std::string verdicts_text(const Tally& tally) {
-  return fmt::format(
-      "{} pass, {} fail, {} expected shortfall{}, {} refuted, {} error{}, {} not applicable, {} "
-      "for "
-      "information",
-      tally.pass, tally.fail, tally.shortfall, tally.shortfall == 1 ? "" : "s", tally.refuted,
-      tally.error, tally.error == 1 ? "" : "s", tally.not_applicable, tally.information);
+  return fmt::format("{} pass, {} fail, {}, {} refuted, {}, {} not applicable, {} for information",
+                     tally.pass, tally.fail, counted(tally.shortfall, "expected shortfall"),
+                     tally.refuted, counted(tally.error, "error"), tally.not_applicable,
+                     tally.information);
 }
 
 std::string cost_text(const Tally& tally) {

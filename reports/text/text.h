@@ -27,6 +27,9 @@ std::string shortened(std::string_view text, std::size_t width);
 std::string padded_right(std::string_view text, std::size_t width);
 std::string padded_left(std::string_view text, std::size_t width);
 
+/// "1 scene", "7 scenes".
+std::string counted(std::size_t count, const std::string& what);
+
 /// `text` broken at spaces into lines of at most `width` columns (a longer word stays whole).
 /// Empty text gives no line.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);

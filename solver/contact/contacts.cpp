@@ -15,7 +15,7 @@ void OneSidedContacts::clear() {
 }
 
 void OneSidedContacts::add(ContactKey contact, std::int32_t vertex_number,
-                           std::int32_t obstacle_number, double penetration_depth,
+                           std::int32_t obstacle_number, Real penetration_depth,
                            const Vec3& velocity_of_obstacle) {
   key.push_back(contact);
   vertex.push_back(vertex_number);

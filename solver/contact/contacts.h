@@ -48,23 +48,23 @@ struct OneSidedContacts {
   std::vector<ContactKey> key;
   std::vector<std::int32_t> vertex;
   std::vector<std::int32_t> obstacle;
-  std::vector<double> depth;            ///< at the predicted position, m
+  std::vector<Real> depth;              ///< at the predicted position, m
   std::vector<Vec3> obstacle_velocity;  ///< mean over the step, m/s
-  std::vector<double> normal_force;     ///< fⁿ, N
+  std::vector<Real> normal_force;       ///< fⁿ, N
   std::vector<Vec3> friction_force;     ///< f on the vertex, N
   std::vector<ContactStatus> status;
 
   std::size_t size() const { return key.size(); }
   void clear();
   void add(ContactKey contact, std::int32_t vertex_number, std::int32_t obstacle_number,
-           double penetration_depth, const Vec3& velocity_of_obstacle = Vec3::Zero());
+           Real penetration_depth, const Vec3& velocity_of_obstacle = Vec3::Zero());
 };
 
 /// Friction memory of the contacts of one step, in the order of their keys: part of the state.
 struct FrictionMemory {
   std::vector<ContactKey> key;
   std::vector<ContactStatus> status;  ///< at the end of the step
-  std::vector<double> value;          ///< values per contact × contact count, rule's own units
+  std::vector<Real> value;            ///< values per contact × contact count, rule's own units
 };
 
 }  // namespace stiction

@@ -14,14 +14,14 @@ namespace stiction {
 struct EdgeContact {
   ContactKey key = 0;                 ///< (edge a, edge b), numbers in Topology::sharp_edge
   std::int32_t vertex[2] = {-1, -1};  ///< ends of edge a
-  double own_weight[2] = {0, 0};      ///< of them at the crossing; they sum to 1
+  Real own_weight[2] = {0, 0};        ///< of them at the crossing; they sum to 1
   std::int32_t element = -1;          ///< a tetrahedron of b's body that has edge b
   std::int32_t partner[4] = {-1, -1, -1, -1};  ///< its corners
-  double weight[4] = {0, 0, 0, 0};  ///< of a's crossing point in it at the start of the step; sum 1
-  Vec3 normal = Vec3::Zero();       ///< across both edges, out of b's body, unit
-  double depth = 0.0;               ///< m, ≥ 0; 0 for a contact kept by hysteresis
-  double inverse_mass = 0.0;        ///< Σ own_weight²/m + Σ weight²/m, 1/kg
-  double normal_force = 0.0;        ///< fⁿ on edge a, N
+  Real weight[4] = {0, 0, 0, 0};  ///< of a's crossing point in it at the start of the step; sum 1
+  Vec3 normal = Vec3::Zero();     ///< across both edges, out of b's body, unit
+  Real depth = 0.0;               ///< m, ≥ 0; 0 for a contact kept by hysteresis
+  Real inverse_mass = 0.0;        ///< Σ own_weight²/m + Σ weight²/m, 1/kg
+  Real normal_force = 0.0;        ///< fⁿ on edge a, N
   Vec3 friction_force = Vec3::Zero();  ///< f on edge a, N
   ContactStatus status = ContactStatus::kNew;
 };

@@ -10,7 +10,7 @@ namespace stiction {
 
 /// A two-sided contact: vertex i of one body inside a tetrahedron of another (or, where the scene
 /// asks for it, of its own). One record, so that a sweep reads it from three neighbouring cache
-/// lines.
+/// lines, two in single precision.
 struct alignas(64) PairContact {
   ContactKey key = 0;          ///< see PairKey in pair_options.h
   std::int32_t vertex = -1;    ///< i
@@ -21,16 +21,16 @@ struct alignas(64) PairContact {
   std::int32_t partner[4] = {
       -1, -1, -1, -1};  ///< j: corners of Tᵢ (the fourth repeats the third) or of the tetrahedron
   ContactStatus status = ContactStatus::kNew;
-  double weight[4] = {0, 0, 0,
-                      0};  ///< hᵢⱼ, dimensionless; they sum to 1 (the fourth is 0 for a triangle)
+  Real weight[4] = {0, 0, 0,
+                    0};  ///< hᵢⱼ, dimensionless; they sum to 1 (the fourth is 0 for a triangle)
   Vec3 normal = Vec3::Zero();  ///< n, out of the penetrated body, unit
-  double depth = 0.0;          ///< m, ≥ 0; 0 for a contact kept by hysteresis
-  double excess = 0.0;         ///< m, ≥ 0: how much deeper it stands, not answered yet
-  double inverse_mass = 0.0;  ///< 1/mᵢ + Σⱼ hᵢⱼ²/mⱼ, 1/kg: of a force on i and its reaction on Tᵢ
-  double normal_force = 0.0;           ///< fⁿ: what the contact really puts on i, N
+  Real depth = 0.0;            ///< m, ≥ 0; 0 for a contact kept by hysteresis
+  Real excess = 0.0;           ///< m, ≥ 0: how much deeper it stands, not answered yet
+  Real inverse_mass = 0.0;  ///< 1/mᵢ + Σⱼ hᵢⱼ²/mⱼ, 1/kg: of a force on i and its reaction on Tᵢ
+  Real normal_force = 0.0;             ///< fⁿ: what the contact really puts on i, N
   Vec3 friction_force = Vec3::Zero();  ///< f on i, N
 };
-static_assert(sizeof(PairContact) == 192);
+static_assert(sizeof(PairContact) == 64 * (sizeof(Real) == sizeof(double) ? 3 : 2));
 
 /// Pair contacts of one step, in the order of their keys.
 using PairContacts = std::vector<PairContact>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "solver/real.h"
+
 namespace stiction {
 
 /// How strongly a depth is answered.
@@ -39,7 +41,7 @@ enum class PairKey {
 /// once, by the adapter's presets (validation/engines/stiction/stiction_method.cpp).
 struct PairOptions {
   NormalGain gain = NormalGain::kHarmonic;
-  double harmonic_gain = 1.0;  ///< κ₀, dimensionless, in (0, 4/3)
+  Real harmonic_gain = 1.0;  ///< κ₀, dimensionless, in (0, 4/3)
   PairWeights weights = PairWeights::kTetrahedron;
   DepthRule depth = DepthRule::kProjection;
   PairFace face = PairFace::kOpposed;
@@ -50,18 +52,18 @@ struct PairOptions {
   bool literal_bound = false;  ///< μ|F| instead of μ × the transmitted force: sticks up to 2μ
   bool normals_first = true;   ///< all normal forces, then friction; else pair by pair
   /// Contacts are kept up to a gap of `hysteresis` · |g|Δt², dimensionless, with F = 0.
-  double hysteresis = 20.0;
+  Real hysteresis = 20.0;
   /// A vertex that has slipped sideways over the border of the face that it lies on is kept up to
   /// this distance, in mean edges. Where borders coincide, rounding alone would choose.
-  double border_margin = 1e-3;
+  Real border_margin = 1e-3;
   bool count_hysteresis = true;  ///< such contacts count in the harmonic gain
   /// A contact stays with its triangle while that is at most this much farther than the nearest,
   /// relative to the depth. Where a vertex is as near to two faces, rounding alone would choose
   /// anew in each step, and the normal would jump.
-  double tie_margin = 1e-3;
+  Real tie_margin = 1e-3;
   /// A depth is wrong by up to this share of it, evenly spread and anew in each step: what a coarse
   /// or approximate detection does to friction. 0 but in tests.
-  double depth_noise = 0.0;
+  Real depth_noise = 0.0;
 };
 
 }  // namespace stiction

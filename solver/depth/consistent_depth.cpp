@@ -10,23 +10,23 @@ namespace stiction {
 namespace {
 
 // Normals whose mean is this short cancel out: its direction would be rounding.
-constexpr double kCancelled = 1e-12;
+constexpr Real kCancelled = by_precision(1e-12, 1e-5);
 
 // Weighted means over what surrounds a vertex.
 struct Average {
-  double weight = 0.0;
-  double depth = 0.0;
+  Real weight = 0.0;
+  Real depth = 0.0;
   Vec3 normal = Vec3::Zero();
 
-  void add(double w, double d, const Vec3& n) {
+  void add(Real w, Real d, const Vec3& n) {
     weight += w;
     depth += w * d;
     normal += w * n;
   }
   bool write_to(PairContact& contact) const {
-    const double length = normal.norm();
+    const Real length = normal.norm();
     if (!(weight > 0.0) || !(length > kCancelled * weight)) return false;
-    contact.depth = std::max(0.0, depth / weight);
+    contact.depth = std::max(Real(0), depth / weight);
     contact.normal = normal / length;
     return true;
   }
@@ -100,7 +100,7 @@ class Pass {
 
   bool set_border(PairContact& contact) {
     const Vec3& p = x(contact.vertex);
-    const double thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
+    const Real thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
     Average average;
     for_each_neighbour(contact.vertex, [&](std::int32_t v) {
       Exit exit;
@@ -109,7 +109,7 @@ class Pass {
         return;
       }
       const Vec3 away = exit.t * (x(v) - p);
-      average.add(1.0 / (away.squaredNorm() + thin * thin), away.dot(exit.normal), exit.normal);
+      average.add(1 / (away.squaredNorm() + thin * thin), away.dot(exit.normal), exit.normal);
     });
     return average.write_to(contact);
   }
@@ -121,7 +121,7 @@ class Pass {
       const PairContact& from = pairs_[other];
       if (scratch_.level[other] < 1 || scratch_.level[other] > level) return;
       const Vec3 away = x(from.vertex) - p;
-      average.add(1.0 / away.squaredNorm(), away.dot(from.normal) + from.depth, from.normal);
+      average.add(1 / away.squaredNorm(), away.dot(from.normal) + from.depth, from.normal);
     });
     return average.write_to(contact);
   }

@@ -8,8 +8,8 @@ namespace stiction {
 
 /// ε over the penetrated body's longest edge at rest, dimensionless: detection takes a vertex in up
 /// to 1e-12 of an element's altitude outside it; four times that leaves room for edges stretched
-/// since rest. Far above the rounding of a height, 1e-15.
-inline constexpr double kConsistentThin = 4e-12;
+/// since rest. Far above the rounding of a height, 1e-15. (In single precision 2e-6, and 1e-7.)
+inline constexpr Real kConsistentThin = by_precision(4e-12, 8e-6);
 
 /// Replaces depth and normal of the penetrating contacts by consistent ones [Heidelberger2004], the
 /// paper's sec. 3.2:

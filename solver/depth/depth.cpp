@@ -31,13 +31,13 @@ void set_partners(const Triangle& triangle, const Options& options, const State&
     return state.position[static_cast<std::size_t>(v)].x;
   };
   const auto& corner = contact.partner;
-  const Eigen::Vector4d weight =
+  const Vec4 weight =
       barycentric(x(contact.vertex), x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
   for (int k = 0; k < 4; ++k) contact.weight[k] = weight[k];
 }
 
 // In mean edges: an excess below the rounding of a position.
-constexpr double kNothing = 1e-15;
+constexpr Real kNothing = round_off(1e-15);
 
 // What of the contact's depth is not to be answered in this step, m; `last` is its triangle of the
 // last step. A vertex that comes in through a side wall, behind a face that it can rest on, has not
@@ -47,9 +47,9 @@ constexpr double kNothing = 1e-15;
 // energy. Of the border's margin, in which one contact comes and goes, a third is answered at once:
 // with nothing the critical force of a row of boxes reads 0.075 % too much, with all of it 2 of 200
 // poses don't rest.
-double excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairGeometry& memory,
-                 const PairContact& contact, std::int32_t last, double unexplained) {
-  constexpr double kRemains = 0.9;
+Real excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairGeometry& memory,
+               const PairContact& contact, std::int32_t last, Real unexplained) {
+  constexpr Real kRemains = 0.9;
   if (unexplained > 0.0) return std::min(unexplained, contact.depth);
   if (memory.excess.empty()) return 0.0;
   const auto found =
@@ -64,10 +64,10 @@ double excess_of(const Topology& topology, const std::vector<Vec3>& x, const Pai
 
 }  // namespace
 
-void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, double depth,
+void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, Real depth,
                    PairSearch& search) {
   const auto own = static_cast<std::size_t>(topology.vertex_body[static_cast<std::size_t>(vertex)]);
-  const double width =
+  const Real width =
       std::min(topology.least_width[own], topology.least_width[static_cast<std::size_t>(body)]);
   if (depth <= kPassed * width || search.too_deep.depth > 0.0) return;
   search.too_deep = {vertex, body, depth, width};
@@ -76,12 +76,13 @@ void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t b
 void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
   const std::vector<Vec3>& x = workspace.search.predicted;
   const double dt = options.time_step;
-  const double widest = options.pairs.hysteresis * dt * dt *
-                        scene.gravity.at(static_cast<double>(state.step) * dt).norm();
+  const auto widest =
+      static_cast<Real>(options.pairs.hysteresis * dt * dt *
+                        scene.gravity.at(static_cast<double>(state.step) * dt).norm());
   const auto inverse_mass = [&](std::int32_t v) {
     return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
   };
-  const double border = options.pairs.border_margin * scene.topology.mean_edge;
+  const Real border = options.pairs.border_margin * scene.topology.mean_edge;
   std::size_t kept = 0;
   bool immovable = false;  // any contact that nothing can move
   // Contacts and groups are both in the order of their keys.
@@ -101,10 +102,9 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
     const std::int32_t last = contact.triangle;
     contact.triangle = projection.triangle;
     const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
-    const double distance = std::sqrt(projection.nearest.distance2);
+    const Real distance = std::sqrt(projection.nearest.distance2);
     contact.normal = outward_normal(triangle, x);
-    const double height =
-        contact.normal.dot(point - x[static_cast<std::size_t>(triangle.vertex[0])]);
+    const Real height = contact.normal.dot(point - x[static_cast<std::size_t>(triangle.vertex[0])]);
     if (open) {
       // Kept above or below a face, or a hair beyond its border: beyond that it has left.
       if (!projection.nearest.inside &&
@@ -115,11 +115,11 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       if (-height >= widest && !goes_on(scene.topology, x, last, contact.triangle)) continue;
       contact.element = triangle.element;
       set_corners(scene.elements, contact);
-      contact.depth = std::max(0.0, -height);
+      contact.depth = std::max(Real(0), -height);
     } else if (projection.nearest.inside || distance == 0.0) {
       contact.depth = distance;
     } else if (choice.passed_over) {
-      contact.depth = std::max(0.0, -height);
+      contact.depth = std::max(Real(0), -height);
     } else {
       Vec3 foot = Vec3::Zero();
       for (int k = 0; k < 3; ++k) {
@@ -133,7 +133,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
                     workspace.search);
     }
     contact.excess = excess_of(scene.topology, x, state.pair_geometry, contact, last,
-                               choice.unexplained - border / 3.0);
+                               choice.unexplained - border / 3);
     contact.depth -= contact.excess;
     set_partners(triangle, options, state, projection, contact);
     contact.inverse_mass = inverse_mass(contact.vertex);
@@ -152,7 +152,8 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   }
   if (options.pairs.depth_noise > 0.0) {
     for (PairContact& contact : workspace.pairs) {
-      contact.depth *= 1.0 + options.pairs.depth_noise * even_noise(contact.key, state.step);
+      contact.depth *=
+          1 + options.pairs.depth_noise * static_cast<Real>(even_noise(contact.key, state.step));
     }
   }
   if (options.pairs.key == PairKey::kTriangle) {

@@ -22,11 +22,11 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
 
 /// A body is taken to be passed when something is deeper in it than this share of the least element
 /// of the two.
-inline constexpr double kPassed = 0.4;
+inline constexpr Real kPassed = 0.4;
 
 /// Notes in `search.too_deep` the first contact that deep (m) of a vertex, or an edge's end, in a
 /// body.
-void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, double depth,
+void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, Real depth,
                    PairSearch& search);
 
 /// Keeps where the contacts are for the hysteresis and the ties of the next step.

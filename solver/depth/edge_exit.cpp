@@ -11,33 +11,33 @@ namespace stiction {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr Real kPi = 3.14159265358979323846;
 
 // Crossings this many times `thin` apart are one: where two planes cross a segment near their
 // common edge, rounding is divided by the sine of the segment's slope to them.
-constexpr double kSame = 16.0;
+constexpr Real kSame = 16.0;
 
 // Heights of the ends of a segment above a plane, times the length of the plane's normal.
 struct Heights {
-  double p, q, slack;
+  Real p, q, slack;
 
-  Heights(const Vec3& normal, const Vec3& on_plane, const Vec3& from, const Vec3& to, double thin)
+  Heights(const Vec3& normal, const Vec3& on_plane, const Vec3& from, const Vec3& to, Real thin)
       : p(normal.dot(from - on_plane)), q(normal.dot(to - on_plane)), slack(thin * normal.norm()) {}
-  double at(double t) const { return p + t * (q - p); }
+  Real at(Real t) const { return p + t * (q - p); }
 };
 
 // Angle of the triangle around a point of it, as its distances from the edges a→b, b→c, c→a say:
 // touched or not.
-double angle_around(const std::array<Vec3, 3>& corner, const std::array<bool, 3>& touched) {
+Real angle_around(const std::array<Vec3, 3>& corner, const std::array<bool, 3>& touched) {
   const int count = touched[0] + touched[1] + touched[2];
-  if (count == 0) return 2.0 * kPi;
+  if (count == 0) return 2 * kPi;
   if (count != 2) return kPi;
   const std::size_t at = !touched[0] ? 2 : !touched[1] ? 0 : 1;
   const Vec3 one = corner[(at + 1) % 3] - corner[at], other = corner[(at + 2) % 3] - corner[at];
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-void hit_triangle(const std::array<Vec3, 3>& corner, const Vec3& p, const Vec3& q, double thin,
+void hit_triangle(const std::array<Vec3, 3>& corner, const Vec3& p, const Vec3& q, Real thin,
                   std::vector<WalkScratch::Hit>& hits) {
   const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
   const Heights h(normal, corner[0], p, q, thin);
@@ -46,17 +46,17 @@ void hit_triangle(const std::array<Vec3, 3>& corner, const Vec3& p, const Vec3& 
   std::array<bool, 3> touched = {};
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = corner[k], &b = corner[(k + 1) % 3];
-    const double side = along.dot((a - p).cross(b - p));
-    const double slack = thin * along.norm() * (b - a).norm();
+    const Real side = along.dot((a - p).cross(b - p));
+    const Real slack = thin * along.norm() * (b - a).norm();
     if (!(side >= -slack)) return;
     touched[k] = side <= slack;
   }
   hits.push_back(
-      {std::max(0.0, -h.p / (h.q - h.p)), normal.normalized(), angle_around(corner, touched)});
+      {std::max(Real(0), -h.p / (h.q - h.p)), normal.normalized(), angle_around(corner, touched)});
 }
 
 // One crossing of those that are as near as the nearest.
-Exit merge(const std::vector<WalkScratch::Hit>& hits, double first, double same) {
+Exit merge(const std::vector<WalkScratch::Hit>& hits, Real first, Real same) {
   Exit exit{first, Vec3::Zero()};
   const WalkScratch::Hit* nearest = nullptr;
   int count = 0;
@@ -66,7 +66,7 @@ Exit merge(const std::vector<WalkScratch::Hit>& hits, double first, double same)
     if (nearest == nullptr || hit.t < nearest->t) nearest = &hit;
     ++count;
   }
-  const double length = exit.normal.norm();
+  const Real length = exit.normal.norm();
   exit.normal = count == 1 || !(length > 0.0) ? nearest->normal : Vec3(exit.normal / length);
   return exit;
 }
@@ -74,13 +74,13 @@ Exit merge(const std::vector<WalkScratch::Hit>& hits, double first, double same)
 }  // namespace
 
 bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
-               const Vec3& p, const Vec3& q, std::int32_t element, double thin,
-               WalkScratch& scratch, Exit& exit) {
+               const Vec3& p, const Vec3& q, std::int32_t element, Real thin, WalkScratch& scratch,
+               Exit& exit) {
   const auto at = [&](std::int32_t v) -> const Vec3& { return x[static_cast<std::size_t>(v)]; };
-  const double length = (q - p).norm();
+  const Real length = (q - p).norm();
   if (!(length > 0.0 && std::isfinite(length))) return false;
-  const double same = kSame * thin / length;
-  double first = std::numeric_limits<double>::infinity();
+  const Real same = kSame * thin / length;
+  Real first = std::numeric_limits<Real>::infinity();
   scratch.hit.clear();
   scratch.stack.clear();
   ++scratch.walk;
@@ -96,14 +96,14 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
     scratch.stack.pop_back();
     const auto& v = scene.elements[e].vertex;
     // The part [from, to] of the segment that is within `thin` of the tetrahedron.
-    double from = 0.0, to = 1.0;
-    std::array<double, 4> p_height, q_height, slack;
+    Real from = 0.0, to = 1.0;
+    std::array<Real, 4> p_height, q_height, slack;
     for (std::size_t k = 0; k < 4; ++k) {
       static constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
       const Vec3& a = at(v[kFace[k][0]]);
       const Heights h((at(v[kFace[k][1]]) - a).cross(at(v[kFace[k][2]]) - a), a, p, q, thin);
       if (h.p > h.slack) {
-        from = h.q > h.slack ? 2.0 : std::max(from, (h.p - h.slack) / (h.p - h.q));
+        from = h.q > h.slack ? 2 : std::max(from, (h.p - h.slack) / (h.p - h.q));
       } else if (h.q > h.slack) {
         to = std::min(to, (h.slack - h.p) / (h.q - h.p));
       }
@@ -113,7 +113,7 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
     }
     if (from > to || from > first + same) continue;
     for (std::size_t k = 0; k < 4; ++k) {
-      const double rise = q_height[k] - p_height[k];
+      const Real rise = q_height[k] - p_height[k];
       if (std::max(p_height[k] + from * rise, p_height[k] + to * rise) < -slack[k]) continue;
       const std::int32_t behind = links.behind[e][k];
       if (behind >= 0) {

@@ -13,9 +13,9 @@ namespace stiction {
 /// Scratch memory of walks.
 struct WalkScratch {
   struct Hit {
-    double t;      ///< on the segment, dimensionless
-    Vec3 normal;   ///< of the triangle, unit
-    double angle;  ///< of the triangle around the point, rad
+    Real t;       ///< on the segment, dimensionless
+    Vec3 normal;  ///< of the triangle, unit
+    Real angle;   ///< of the triangle around the point, rad
   };
   std::vector<std::uint64_t> visited;  ///< per element: the last walk that came by
   std::uint64_t walk = 0;
@@ -25,7 +25,7 @@ struct WalkScratch {
 
 /// Where the segment p → q leaves a body.
 struct Exit {
-  double t = 0.0;              ///< x_e = p + t (q − p), in [0, 1], dimensionless
+  Real t = 0.0;                ///< x_e = p + t (q − p), in [0, 1], dimensionless
   Vec3 normal = Vec3::Zero();  ///< n_e, outward, unit
 };
 
@@ -44,7 +44,7 @@ struct Exit {
 /// [ThuermerWuethrich1998]. Whether a line passes on one side of an edge is decided alike for the
 /// two triangles of the edge, so that it can't slip between them.
 bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
-               const Vec3& p, const Vec3& q, std::int32_t element, double thin,
-               WalkScratch& scratch, Exit& exit);
+               const Vec3& p, const Vec3& q, std::int32_t element, Real thin, WalkScratch& scratch,
+               Exit& exit);
 
 }  // namespace stiction

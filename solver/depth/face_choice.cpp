@@ -10,13 +10,13 @@ namespace {
 
 // The last step's triangle while its distance is within (1 + margin) of the one found now.
 Projection keep_last(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
-                     const PairContact& contact, double margin, const Projection& found) {
+                     const PairContact& contact, Real margin, const Projection& found) {
   if (margin == 0.0 || contact.triangle < 0 || contact.triangle == found.triangle ||
       found.triangle < 0) {
     return found;
   }
   const Projection last = project_on(topology, x, point, contact.triangle);
-  const double farthest2 = (1.0 + margin) * (1.0 + margin) * found.nearest.distance2;
+  const Real farthest2 = (1 + margin) * (1 + margin) * found.nearest.distance2;
   return last.nearest.distance2 <= farthest2 ? last : found;
 }
 
@@ -28,7 +28,7 @@ Vec3 path_past(const Topology& topology, const std::vector<Vec3>& x, const State
   };
   Vec3 of_triangle = Vec3::Zero();
   for (const std::int32_t v : topology.triangle[static_cast<std::size_t>(triangle)].vertex) {
-    of_triangle += moved(v) / 3.0;
+    of_triangle += moved(v) / 3;
   }
   return moved(vertex) - of_triangle;
 }
@@ -37,7 +37,7 @@ Vec3 path_past(const Topology& topology, const std::vector<Vec3>& x, const State
 
 bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t from,
              std::int32_t to) {
-  constexpr double kSameFace = 0.87;  // cosine of 30°
+  constexpr Real kSameFace = 0.87;  // cosine of 30°
   const auto normal = [&](std::int32_t t) {
     return outward_normal(topology.triangle[static_cast<std::size_t>(t)], x);
   };
@@ -46,9 +46,9 @@ bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t 
 
 Choice choose_face(const Topology& topology, const State& state, PairSearch& search,
                    PairSearch::Group* group, const Vec3& point, const PairContact& contact,
-                   double margin, std::int32_t resting) {
+                   Real margin, std::int32_t resting) {
   // In mean edges: how deep a vertex may stand that is not known yet.
-  constexpr double kDeepest = 1e-2;
+  constexpr Real kDeepest = 1e-2;
   const std::vector<Vec3>& x = search.predicted;
   const auto keep = [&](const Projection& found) {
     return keep_last(topology, x, point, contact, margin, found);
@@ -63,14 +63,14 @@ Choice choose_face(const Topology& topology, const State& state, PairSearch& sea
   const Projection other = keep(project(topology, search, group, point, contact, resting));
   if (other.triangle < 0) return {best};
   if (goes_on(topology, x, contact.triangle, other.triangle)) return {other, true};
-  const double deepest = kDeepest * topology.mean_edge;
-  const double depth = std::sqrt(other.nearest.distance2);
+  const Real deepest = kDeepest * topology.mean_edge;
+  const Real depth = std::sqrt(other.nearest.distance2);
   const Vec3 path = path_past(topology, x, state, resting, other.triangle);
   if (depth > deepest + path.norm()) return {best};
   if (state.step == 0) return {other, true};  // as it was put there
   const Vec3 normal =
       outward_normal(topology.triangle[static_cast<std::size_t>(other.triangle)], x);
-  return {other, true, depth - std::max(0.0, -normal.dot(path))};
+  return {other, true, depth - std::max(Real(0), -normal.dot(path))};
 }
 
 }  // namespace stiction

@@ -15,7 +15,7 @@ struct Choice {
   bool passed_over = false;  ///< a nearer triangle, which the vertex can't rest on
   /// By how much the vertex stands deeper than it has come in this step, m: it came in through the
   /// nearer triangle. 0 where it was there before, or was put there; may be negative.
-  double unexplained = 0.0;
+  Real unexplained = 0.0;
 };
 
 /// With `resting`, the vertex's number, the nearest triangle counts only if it can rest on it; else
@@ -23,7 +23,7 @@ struct Choice {
 /// this step. `margin`: see PairOptions::tie_margin. Positions are those of the search.
 Choice choose_face(const Topology& topology, const State& state, PairSearch& search,
                    PairSearch::Group* group, const Vec3& point, const PairContact& contact,
-                   double margin, std::int32_t resting);
+                   Real margin, std::int32_t resting);
 
 /// Whether a contact that was with one triangle goes on with another.
 bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t from,

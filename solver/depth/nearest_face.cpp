@@ -17,12 +17,12 @@ struct Nearest {
   const std::vector<Vec3>& x;
   const Vec3& point;
   std::int32_t resting = -1;  // only triangles that this vertex can rest on; −1: any
-  Projection best{{Vec3::Zero(), std::numeric_limits<double>::infinity(), false}, -1};
-  double reach = std::numeric_limits<double>::infinity();  // distance of the best
+  Projection best{{Vec3::Zero(), std::numeric_limits<Real>::infinity(), false}, -1};
+  Real reach = std::numeric_limits<Real>::infinity();  // distance of the best
 
   void consider(std::int32_t t) {
     const Projection other = project_on(topology, x, point, t);
-    const double nearer = other.nearest.distance2 - best.nearest.distance2;
+    const Real nearer = other.nearest.distance2 - best.nearest.distance2;
     if (nearer < 0.0 || (nearer == 0.0 && t < best.triangle)) {
       if (resting >= 0 &&
           !can_rest_on(topology, x, resting,
@@ -44,8 +44,8 @@ Projection project_by_list(const Topology& topology, const PairSearch& search,
   const auto vertex = static_cast<std::size_t>(first_of(group.key));
   const auto body = static_cast<std::size_t>(second_of(group.key));
   // Far above the round-off of a distance.
-  const double rounding = 1e-9 * search.skin + 1e-14 * point.norm();
-  const double moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
+  const Real rounding = by_precision(1e-9, 1e-5) * search.skin + round_off(1e-14) * point.norm();
+  const Real moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
   Nearest nearest{topology, search.predicted, point, resting};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
   for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
@@ -62,12 +62,12 @@ Projection project_by_list(const Topology& topology, const PairSearch& search,
 // reach.
 Projection project_by_balls(const Topology& topology, const PairSearch& search, const Vec3& point,
                             const PairContact& contact, std::int32_t resting, bool everywhere) {
-  constexpr double kRounding = 1.0 + 1e-12;
+  constexpr Real kRounding = 1 + round_off(1e-12);
   Nearest nearest{topology, search.predicted, point, resting};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
   const auto consider = [&](std::int32_t t) {
     const PairSearch::Ball& ball = search.ball[static_cast<std::size_t>(t)];
-    const double least = nearest.reach + ball.radius;
+    const Real least = nearest.reach + ball.radius;
     if (t == contact.triangle || (point - ball.centre).squaredNorm() > least * least * kRounding) {
       return;
     }
@@ -88,7 +88,7 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
 }
 
 // An element is taken not to be squeezed to less than this share of its least width.
-constexpr double kSqueezed = 0.5;
+constexpr Real kSqueezed = 0.5;
 
 }  // namespace
 
@@ -96,12 +96,12 @@ bool can_rest_on(const Topology& topology, const std::vector<Vec3>& x, std::int3
                  const Vec3& normal) {
   // Sine of the angle by which an edge may lead behind the plane: surfaces bend, and a face that
   // is the wrong one stands across.
-  constexpr double kBehind = 0.5;
+  constexpr Real kBehind = 0.5;
   const auto v = static_cast<std::size_t>(vertex);
   for (std::int32_t k = topology.neighbour_begin[v]; k < topology.neighbour_begin[v + 1]; ++k) {
     const Vec3 edge =
         x[static_cast<std::size_t>(topology.neighbour[static_cast<std::size_t>(k)])] - x[v];
-    const double along = normal.dot(edge);
+    const Real along = normal.dot(edge);
     if (along < 0.0 && along * along > kBehind * kBehind * edge.squaredNorm()) return false;
   }
   return true;
@@ -126,7 +126,7 @@ Projection project(const Topology& topology, PairSearch& search, PairSearch::Gro
   if (listed) best = project_by_list(topology, search, *group, point, contact, resting);
   if (best.triangle < 0) best = project_by_balls(topology, search, point, contact, resting, false);
   const auto body = static_cast<std::size_t>(second_of(contact.key));
-  const double near = kSqueezed * topology.least_width[body];
+  const Real near = kSqueezed * topology.least_width[body];
   if (resting >= 0 || best.nearest.distance2 < near * near) return best;
   return project_by_balls(topology, search, point, contact, resting, true);
 }

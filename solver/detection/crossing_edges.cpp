@@ -13,29 +13,29 @@ namespace stiction {
 namespace {
 
 // Sine of the least angle between edges that cross.
-constexpr double kParallel = 0.087;
+constexpr Real kParallel = 0.087;
 
 // Sine of the angle by which a face may stand before the plane between the bodies: as for vertices
 // (nearest_face.cpp).
-constexpr double kBehind = 0.5;
+constexpr Real kBehind = 0.5;
 
 // In mean edges: a crossing that is deeper when it is first seen is one of another kind.
-constexpr double kDeepest = 1e-2;
+constexpr Real kDeepest = 1e-2;
 
 // In mean edges: far above round-off, so that no crossing falls between two edges in one line.
-constexpr double kOnJoint = 1e-9;
+constexpr Real kOnJoint = by_precision(1e-9, 1e-5);
 
 // Distance of a crossing from the nearest corner over its depth: where bodies rest on each other a
 // corner is farther away than they are deep; of a corner that is put down on a face, beside which
 // edges cross sideways, it is nearer.
-constexpr double kFarther = 10.0;
+constexpr Real kFarther = 10.0;
 
 // Cosine of the angle to the normal within which edges must near each other to touch near a corner.
-constexpr double kNearing = 0.3;
+constexpr Real kNearing = 0.3;
 
 // Depth of a crossing over how far the edges have neared each other in the step: 1 if they touched
 // in it, and as much again for the step before, in which they may have met beyond the corner.
-constexpr double kJustNow = 2.0;
+constexpr Real kJustNow = 2.0;
 
 const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
   return x[static_cast<std::size_t>(v)];
@@ -48,26 +48,26 @@ Vec3 into_face(const std::vector<Vec3>& x, const Topology::SharpEdge& edge, int 
   return (to - along.dot(to) * along).normalized();
 }
 
-double length_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge) {
+Real length_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge) {
   return (at(x, edge.vertex[1]) - at(x, edge.vertex[0])).norm();
 }
 
 // How far a crossing must be from an edge's end, m, where the edge goes on and where it does not.
 struct EndMargins {
-  double joint, corner;
+  Real joint, corner;
 };
 
 // How far the crossing lies beyond such margins of one edge, m; negative outside.
-double inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t e,
-                   double along, const EndMargins& margins) {
+Real inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t e, Real along,
+                 const EndMargins& margins) {
   const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
-  const double length = length_of(x, edge);
+  const Real length = length_of(x, edge);
   const auto margin = [&](int end) { return edge.goes_on[end] ? margins.joint : margins.corner; };
-  return std::min(along * length - margin(0), (1.0 - along) * length - margin(1));
+  return std::min(along * length - margin(0), (1 - along) * length - margin(1));
 }
 
-double inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
-                   std::int32_t b, const EdgeCrossing& crossing, const EndMargins& margins) {
+Real inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
+                 std::int32_t b, const EdgeCrossing& crossing, const EndMargins& margins) {
   return std::min(inside_ends(topology, x, a, crossing.along_a, margins),
                   inside_ends(topology, x, b, crossing.along_b, margins));
 }
@@ -100,10 +100,10 @@ EdgeContact contact_of(const Scene& scene, const State& state, const Workspace& 
   const auto& b = topology.sharp_edge[static_cast<std::size_t>(found.b)];
   EdgeContact contact;
   contact.key = found.key;
-  contact.own_weight[0] = 1.0 - found.crossing.along_a;
+  contact.own_weight[0] = 1 - found.crossing.along_a;
   contact.own_weight[1] = found.crossing.along_a;
   contact.normal = found.crossing.normal;
-  contact.depth = std::max(0.0, -found.crossing.gap);
+  contact.depth = std::max(Real(0), -found.crossing.gap);
   contact.element = b.element;
   const auto x = [&](std::int32_t v) -> const Vec3& {
     return state.position[static_cast<std::size_t>(v)].x;
@@ -119,8 +119,7 @@ EdgeContact contact_of(const Scene& scene, const State& state, const Workspace& 
         contact.own_weight[k] * contact.own_weight[k] * inverse_mass(a.vertex[k]);
   }
   const auto& corner = scene.elements[static_cast<std::size_t>(b.element)].vertex;
-  const Eigen::Vector4d weight =
-      barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
+  const Vec4 weight = barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
   for (int k = 0; k < 4; ++k) {
     contact.partner[k] = corner[k];
     contact.weight[k] = weight[k];
@@ -143,12 +142,13 @@ bool crossing_of(const Topology& topology, const std::vector<Vec3>& x, std::int3
   const Vec3 u = at(x, edge_a.vertex[1]) - at(x, edge_a.vertex[0]);
   const Vec3 v = at(x, edge_b.vertex[1]) - at(x, edge_b.vertex[0]);
   const Vec3 across = u.cross(v);
-  const double across2 = across.squaredNorm();
+  const Real across2 = across.squaredNorm();
   if (!(across2 > kParallel * kParallel * u.squaredNorm() * v.squaredNorm())) return false;
   const Vec3 between = at(x, edge_b.vertex[0]) - at(x, edge_a.vertex[0]);
   crossing.along_a = between.cross(v).dot(across) / across2;
   crossing.along_b = between.cross(u).dot(across) / across2;
-  if (std::abs(crossing.along_a - 0.5) > 1.0 || std::abs(crossing.along_b - 0.5) > 1.0) {
+  if (std::abs(crossing.along_a - Real(0.5)) > 1.0 ||
+      std::abs(crossing.along_b - Real(0.5)) > 1.0) {
     return false;  // far from it, before anything else is computed
   }
   crossing.normal = across / std::sqrt(across2);
@@ -169,11 +169,12 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   const Topology& topology = scene.topology;
   const std::vector<Vec3>& x = workspace.search.predicted;
   const double dt = options.time_step;
-  const double deepest = kDeepest * topology.mean_edge;
-  const double border = options.pairs.border_margin * topology.mean_edge;
+  const Real deepest = kDeepest * topology.mean_edge;
+  const Real border = options.pairs.border_margin * topology.mean_edge;
   const EndMargins lasts{-border, -border};
-  const double widest = options.pairs.hysteresis * dt * dt *
-                        scene.gravity.at(static_cast<double>(state.step) * dt).norm();
+  const auto widest =
+      static_cast<Real>(options.pairs.hysteresis * dt * dt *
+                        scene.gravity.at(static_cast<double>(state.step) * dt).norm());
   const std::vector<ContactKey>& last = state.edge_friction.key;
   const auto was_apart = [&](const Found& pair) {
     std::vector<Vec3>& start = workspace.search.start;
@@ -193,24 +194,24 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   // corner that is put down on a face crosses the edges beside it too, but sideways, where it
   // hardly nears them; and a deeper one would throw the bodies apart, again and again.
   const auto came_in = [&](const Found& pair) {
-    const auto travel = [&](std::int32_t e, double along) -> Vec3 {
+    const auto travel = [&](std::int32_t e, Real along) -> Vec3 {
       const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
       const auto of = [&](int k) -> Vec3 {
         const auto v = static_cast<std::size_t>(edge.vertex[k]);
         return x[v] - state.position[v].x;
       };
-      return (1.0 - along) * of(0) + along * of(1);
+      return (1 - along) * of(0) + along * of(1);
     };
     const Vec3 relative =
         travel(pair.a, pair.crossing.along_a) - travel(pair.b, pair.crossing.along_b);
-    const double nearing = -relative.dot(pair.crossing.normal);
+    const Real nearing = -relative.dot(pair.crossing.normal);
     return nearing > kNearing * relative.norm() && -pair.crossing.gap <= kJustNow * nearing;
   };
   std::vector<Found> found;
   for (const ContactKey key : workspace.search.edge_candidate) {
     Found pair{key, first_of(key), second_of(key), {}};
     if (!crossing_of(topology, x, pair.a, pair.b, pair.crossing)) continue;
-    const double gap = pair.crossing.gap;
+    const Real gap = pair.crossing.gap;
     const auto lies_within = [&](const EndMargins& margins) {
       return inside_ends(topology, x, pair.a, pair.b, pair.crossing, margins) >= 0.0;
     };

@@ -15,9 +15,9 @@ bool with_edges(const Options& options);
 
 /// How two edges pass each other.
 struct EdgeCrossing {
-  double along_a, along_b;  ///< where, 0 … 1 from the first end
-  Vec3 normal;              ///< n ∥ (direction of a) × (direction of b), out of b's body, unit
-  double gap;  ///< (point of a − point of b)·n, m; negative when they interpenetrate
+  Real along_a, along_b;  ///< where, 0 … 1 from the first end
+  Vec3 normal;            ///< n ∥ (direction of a) × (direction of b), out of b's body, unit
+  Real gap;               ///< (point of a − point of b)·n, m; negative when they interpenetrate
 };
 
 /// Whether two sharp edges can touch as they lie, and how. They can if a plane across both has each

@@ -5,18 +5,18 @@ namespace stiction {
 
 void detect(const Scene& scene, double dt, const std::vector<Position>& position,
             const std::vector<Velocity>& predicted, OneSidedContacts& contacts, double time) {
+  const auto h = static_cast<Real>(dt);
   contacts.clear();
   for (std::size_t o = 0; o < scene.half_spaces.size(); ++o) {
     const HalfSpace& obstacle = scene.half_spaces[o];
     const auto number = static_cast<std::int32_t>(o);
-    const Vec3 offset = obstacle.motion.at(time + dt);
-    const Vec3 velocity = (offset - obstacle.motion.at(time)) / dt;
-    const Vec3 point = obstacle.point + offset;
+    const Vec3 velocity = obstacle.motion.mean_velocity(time, dt).cast<Real>();
+    const Vec3 point = obstacle.point + obstacle.motion.at(time + dt).cast<Real>();
     for (const int vertex : scene.surface_vertex) {
       const auto v = static_cast<std::size_t>(vertex);
       if (predicted[v].inverse_mass == 0.0) continue;
-      const Vec3 x = position[v].x + dt * predicted[v].v;
-      const double depth = -obstacle.normal.dot(x - point);
+      const Vec3 x = position[v].x + h * predicted[v].v;
+      const Real depth = -obstacle.normal.dot(x - point);
       if (depth > 0.0) {
         contacts.add(contact_key(number, vertex), vertex, number, depth, velocity);
       }

@@ -16,11 +16,11 @@ namespace {
 
 // Round-off of weights of order one: a point on a shared face must not fall between its two
 // elements.
-constexpr double kOnBoundary = -1e-12;
+constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);
 
 // With weights above this the point is inside this tetrahedron and no other of an unfolded body:
 // far above round-off, far below any depth.
-constexpr double kInside = 1e-9;
+constexpr Real kInside = by_precision(1e-9, 1e-4);
 
 // Of large scenes the elements that hold the vertices are far apart and out of the cache: asked for
 // so many contacts before they are read, which halves the time at 1e5 contacts.
@@ -42,7 +42,7 @@ void add_contact(const Scene& scene, ContactKey key, std::int32_t element, std::
 // lower number winning a tie; −1 for none. `last`, where it was in the last step or −1, is tried
 // first, and stays while the vertex is in the body and no weight in `last` is below −`margin`.
 std::int32_t find_element(const Scene& scene, const PairSearch& search,
-                          const PairSearch::Group& group, std::int32_t last, double margin) {
+                          const PairSearch::Group& group, std::int32_t last, Real margin) {
   const auto x = [&](std::int32_t v) -> const Vec3& {
     return search.predicted[static_cast<std::size_t>(v)];
   };
@@ -53,19 +53,18 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
   };
   // What the round-off of the weights lets in must not be beyond the outermost corner.
   const auto in_box = [&](std::int32_t e) {
-    Eigen::AlignedBox3d box;
+    Box3 box;
     for (const std::int32_t v : scene.elements[static_cast<std::size_t>(e)].vertex)
       box.extend(x(v));
     return box.contains(point);
   };
-  const double in_last =
-      last >= 0 ? smallest_weight(last) : -std::numeric_limits<double>::infinity();
+  const Real in_last = last >= 0 ? smallest_weight(last) : -std::numeric_limits<Real>::infinity();
   if (in_last > kInside) return last;
   std::int32_t found = -1;
-  double deepest = kOnBoundary;
+  Real deepest = kOnBoundary;
   for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
     const std::int32_t element = search.candidate[static_cast<std::size_t>(k)].element;
-    const double weight = smallest_weight(element);
+    const Real weight = smallest_weight(element);
     if (!(found < 0 ? weight >= deepest : weight > deepest)) continue;
     if (in_box(element)) {
       found = element;
@@ -114,16 +113,15 @@ void set_corners(const std::vector<Element>& elements, PairContact& contact) {
   std::copy(corner, corner + 4, contact.partner);
 }
 
-Eigen::Vector4d barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
-                            const Vec3& d) {
+Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 ab = b - a, ac = c - a, ad = d - a, ap = point - a;
   const Vec3 ac_ad = ac.cross(ad);
-  const double volume = ab.dot(ac_ad);
-  Eigen::Vector4d weight;
+  const Real volume = ab.dot(ac_ad);
+  Vec4 weight;
   weight[1] = ap.dot(ac_ad) / volume;
   weight[2] = ab.dot(ap.cross(ad)) / volume;
   weight[3] = ab.dot(ac.cross(ap)) / volume;
-  weight[0] = 1.0 - weight[1] - weight[2] - weight[3];
+  weight[0] = 1 - weight[1] - weight[2] - weight[3];
   return weight;
 }
 
@@ -132,12 +130,12 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   PairSearch& search = workspace.search;
   search.predicted.resize(state.position.size());
   for (std::size_t k = 0; k < state.position.size(); ++k) {
-    search.predicted[k] = state.position[k].x + options.time_step * workspace.velocity[k].v;
+    search.predicted[k] = state.position[k].x + options.dt() * workspace.velocity[k].v;
   }
   if (update_candidates(scene, search)) {
     search.edges_listed = false;
     if (options.pairs.face == PairFace::kOpposed) {
-      note_outrun(scene, options.time_step, workspace.velocity, search);
+      note_outrun(scene, options.dt(), workspace.velocity, search);
     }
   }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);

@@ -25,7 +25,6 @@ void set_corners(const std::vector<Element>& elements, PairContact& contact);
 
 /// Barycentric weights of a point in a tetrahedron with the given corners, dimensionless; they sum
 /// to 1. Precondition: its volume is not zero.
-Eigen::Vector4d barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
-                            const Vec3& d);
+Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 }  // namespace stiction

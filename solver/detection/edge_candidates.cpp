@@ -15,16 +15,16 @@ void find_edge_candidates(const Scene& scene, PairSearch& search) {
     const auto body =
         static_cast<std::size_t>(topology.vertex_body[static_cast<std::size_t>(edge.vertex[0])]);
     if (search.overlap[body].isEmpty()) continue;
-    Eigen::AlignedBox3d box(search.reference[static_cast<std::size_t>(edge.vertex[0])]);
+    Box3 box(search.reference[static_cast<std::size_t>(edge.vertex[0])]);
     box.extend(search.reference[static_cast<std::size_t>(edge.vertex[1])]);
-    box.min().array() -= 2.0 * search.skin;
-    box.max().array() += 2.0 * search.skin;
+    box.min().array() -= 2 * search.skin;
+    box.max().array() += 2 * search.skin;
     if (!box.intersects(search.overlap[body])) continue;
     search.edge_box.push_back({box, static_cast<std::int32_t>(e), static_cast<std::int32_t>(body)});
   }
   auto& boxes = search.edge_box;
   std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) {
-    const double xa = a.box.min().x(), xb = b.box.min().x();
+    const Real xa = a.box.min().x(), xb = b.box.min().x();
     return xa != xb ? xa < xb : a.edge < b.edge;
   });
   for (std::size_t i = 0; i < boxes.size(); ++i) {

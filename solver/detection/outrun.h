@@ -11,7 +11,7 @@ namespace stiction {
 /// body in one step and behind it in the next, and nothing would tell. To be asked whenever the
 /// lists of candidates are made anew, which is every step where anything is that fast; the boxes
 /// are those of the lists. Nothing is noted for bodies that stay apart, or slower.
-void note_outrun(const Scene& scene, double dt, const std::vector<Velocity>& velocity,
+void note_outrun(const Scene& scene, Real dt, const std::vector<Velocity>& velocity,
                  PairSearch& search);
 
 }  // namespace stiction

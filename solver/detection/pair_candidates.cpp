@@ -16,7 +16,7 @@ namespace {
 // Skin over mean edge. Wider: lists last longer and name more; at 0.05 a vertex near a surface has
 // about ten tetrahedra, and a body that slides at 1 m/s over edges of 1 cm renews them every 500
 // µs.
-constexpr double kSkin = 0.05;
+constexpr Real kSkin = 0.05;
 
 bool may_touch_itself(const Body& body) {
   return STICTION_HAS_SELF_COLLISION && body.self_collision;
@@ -30,19 +30,19 @@ bool note_moves(const Scene& scene, PairSearch& search) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto begin = static_cast<std::size_t>(scene.bodies[b].first_vertex);
     const auto end = begin + static_cast<std::size_t>(scene.bodies[b].vertex_count);
-    double farthest = 0.0;  // along an axis
+    Real farthest = 0.0;  // along an axis
     for (std::size_t k = begin; k < end; ++k) {
       const Vec3 by = (search.predicted[k] - search.reference[k]).cwiseAbs();
       farthest = std::max({farthest, by.x(), by.y(), by.z()});
       // Written so that what is no number counts as moved.
       if (!(by.x() <= search.skin && by.y() <= search.skin && by.z() <= search.skin)) return false;
     }
-    search.moved[b] = std::sqrt(3.0) * farthest;
+    search.moved[b] = std::sqrt(Real(3)) * farthest;
   }
   return true;
 }
 
-void widen(Eigen::AlignedBox3d& box, double by) {
+void widen(Box3& box, Real by) {
   box.min().array() -= by;
   box.max().array() += by;
 }
@@ -51,11 +51,11 @@ void bound_bodies(const Scene& scene, PairSearch& search) {
   search.box.resize(scene.bodies.size());
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
-    Eigen::AlignedBox3d box;
+    Box3 box;
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
       box.extend(search.reference[static_cast<std::size_t>(v)]);
     }
-    widen(box, 2.0 * search.skin);
+    widen(box, 2 * search.skin);
     search.box[b] = box;
   }
 }
@@ -64,12 +64,12 @@ void bound_bodies(const Scene& scene, PairSearch& search) {
 // and prune along x.
 void find_overlaps(const Scene& scene, PairSearch& search) {
   const std::size_t count = scene.bodies.size();
-  search.overlap.assign(count, Eigen::AlignedBox3d());
+  search.overlap.assign(count, Box3());
   search.order.resize(count);
   std::iota(search.order.begin(), search.order.end(), 0);
   std::sort(search.order.begin(), search.order.end(), [&](int a, int b) {
-    const double xa = search.box[static_cast<std::size_t>(a)].min().x();
-    const double xb = search.box[static_cast<std::size_t>(b)].min().x();
+    const Real xa = search.box[static_cast<std::size_t>(a)].min().x();
+    const Real xb = search.box[static_cast<std::size_t>(b)].min().x();
     return xa != xb ? xa < xb : a < b;
   });
   for (std::size_t i = 0; i < count; ++i) {
@@ -81,7 +81,7 @@ void find_overlaps(const Scene& scene, PairSearch& search) {
       const auto b = static_cast<std::size_t>(search.order[j]);
       if (search.box[b].min().x() > search.box[a].max().x()) break;
       if (scene.bodies[a].fixed && scene.bodies[b].fixed) continue;
-      const Eigen::AlignedBox3d common = search.box[a].intersection(search.box[b]);
+      const Box3 common = search.box[a].intersection(search.box[b]);
       if (common.isEmpty()) continue;
       search.overlap[a].extend(common);
       search.overlap[b].extend(common);
@@ -107,11 +107,11 @@ void find_candidates(const Scene& scene, std::int32_t e, PairSearch& search) {
   const std::int32_t body = scene.topology.element_body[static_cast<std::size_t>(e)];
   const bool self = may_touch_itself(scene.bodies[static_cast<std::size_t>(body)]);
   const bool fixed = scene.bodies[static_cast<std::size_t>(body)].fixed;
-  Eigen::AlignedBox3d box;
+  Box3 box;
   for (const std::int32_t v : element.vertex) {
     box.extend(search.reference[static_cast<std::size_t>(v)]);
   }
-  widen(box, 2.0 * search.skin);
+  widen(box, 2 * search.skin);
   if (!box.intersects(search.overlap[static_cast<std::size_t>(body)])) return;
   search.hash.for_each_in(
       search.hash.cell(box.min()), search.hash.cell(box.max()), [&](std::int32_t vertex) {
@@ -135,17 +135,17 @@ void bound_triangles(const Topology& topology, PairSearch& search) {
     const auto end = static_cast<std::size_t>(topology.body_triangle_begin[b + 1]);
     for (std::size_t t = begin; t < end; ++t) {
       if (search.overlap[b].isEmpty()) {
-        search.ball[t] = {Vec3::Zero(), std::numeric_limits<double>::infinity()};
+        search.ball[t] = {Vec3::Zero(), std::numeric_limits<Real>::infinity()};
         continue;
       }
       const auto& v = topology.triangle[t].vertex;
       const Vec3& p = x[static_cast<std::size_t>(v[0])];
       const Vec3& q = x[static_cast<std::size_t>(v[1])];
       const Vec3& r = x[static_cast<std::size_t>(v[2])];
-      const Vec3 centre = (p + q + r) / 3.0;
-      const double radius2 = std::max(
+      const Vec3 centre = (p + q + r) / 3;
+      const Real radius2 = std::max(
           {(p - centre).squaredNorm(), (q - centre).squaredNorm(), (r - centre).squaredNorm()});
-      search.ball[t] = {centre, std::sqrt(radius2) + std::sqrt(3.0) * search.skin};
+      search.ball[t] = {centre, std::sqrt(radius2) + std::sqrt(Real(3)) * search.skin};
     }
   }
 }
@@ -193,7 +193,7 @@ bool update_candidates(const Scene& scene, PairSearch& search) {
 
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
                   PairSearch& search) {
-  const double moves = std::sqrt(3.0) * search.skin;
+  const Real moves = std::sqrt(Real(3)) * search.skin;
   const Vec3& x = search.reference[static_cast<std::size_t>(first_of(group.key))];
   const auto e = static_cast<std::size_t>(element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
@@ -213,14 +213,14 @@ void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Gr
     };
     return std::sqrt(nearest_on_triangle(x, corner(0), corner(1), corner(2)).distance2);
   };
-  double farthest = distance(*std::min_element(begin, end, by_centre)) + 4.0 * moves;
+  Real farthest = distance(*std::min_element(begin, end, by_centre)) + 4 * moves;
   const auto first = static_cast<std::ptrdiff_t>(search.near.size());
   for (auto t = begin; t != end; ++t) {
     // The ball is wider than the triangle at the reference by √3 s.
-    const double reach = farthest + ball(*t).radius - moves;
+    const Real reach = farthest + ball(*t).radius - moves;
     if ((x - ball(*t).centre).squaredNorm() > reach * reach) continue;
-    const double d = distance(*t);
-    farthest = std::min(farthest, d + 4.0 * moves);
+    const Real d = distance(*t);
+    farthest = std::min(farthest, d + 4 * moves);
     if (d <= farthest) search.near.push_back({d, *t});
   }
   std::sort(search.near.begin() + first, search.near.end(),

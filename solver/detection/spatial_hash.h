@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/real.h"
+
 namespace stiction {
 
 /// Points hashed by the cell of a uniform grid that they are in [Teschner2003]:
@@ -22,12 +24,12 @@ class SpatialHash {
   using Cell = Eigen::Matrix<std::int32_t, 3, 1>;
 
   /// Forgets all points; `cell_size` > 0, m.
-  void clear(double cell_size) {
-    inverse_cell_size_ = 1.0 / cell_size;
+  void clear(Real cell_size) {
+    inverse_cell_size_ = 1 / cell_size;
     entries_.clear();
   }
 
-  void add(std::int32_t point, const Eigen::Vector3d& x) { entries_.push_back({cell(x), point}); }
+  void add(std::int32_t point, const Vec3& x) { entries_.push_back({cell(x), point}); }
 
   /// To be called once, when all points are in.
   void build() {
@@ -48,10 +50,10 @@ class SpatialHash {
 
   /// Places beyond the range of the cells' numbers, and what is no number, are in the outermost
   /// cells: an exploding body is slow to look up, not undefined.
-  Cell cell(const Eigen::Vector3d& x) const {
-    constexpr double kFarthest = 1e9;
-    const auto number = [&](double along) {
-      const double place = std::floor(along * inverse_cell_size_);
+  Cell cell(const Vec3& x) const {
+    constexpr Real kFarthest = 1e9;
+    const auto number = [&](Real along) {
+      const Real place = std::floor(along * inverse_cell_size_);
       return static_cast<std::int32_t>(place >= -kFarthest ? std::min(place, kFarthest)
                                                            : -kFarthest);
     };
@@ -96,7 +98,7 @@ class SpatialHash {
     return (73856093u * u[0] ^ 19349663u * u[1] ^ 83492791u * u[2]) & mask_;
   }
 
-  double inverse_cell_size_ = 1.0;
+  Real inverse_cell_size_ = 1.0;
   std::uint32_t mask_ = 0;
   std::vector<Entry> entries_;
   std::vector<Entry> sorted_;

@@ -4,21 +4,26 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "solver/real.h"
+
 namespace stiction {
 
-/// Two numbers that go through the same operations side by side, in one register: a scalar for
-/// Eigen's matrices, so that one formula handles two elements.
+/// As many numbers as one register of 16 bytes holds, two in double precision and four in single,
+/// that go through the same operations side by side: a scalar for Eigen's matrices, so that one
+/// formula handles as many elements.
 struct Lanes {
-  using Register = double __attribute__((vector_size(2 * sizeof(double))));
+  static constexpr int kCount = 16 / sizeof(Real);
+  using Register = Real __attribute__((vector_size(16)));
 
   Register value;
 
   Lanes() = default;
-  Lanes(double both) : value{both, both} {}
-  Lanes(double first, double second) : value{first, second} {}
+  Lanes(Real all) {
+    for (int lane = 0; lane < kCount; ++lane) value[lane] = all;
+  }
   explicit Lanes(Register register_value) : value(register_value) {}
 
-  double operator[](int lane) const { return value[lane]; }
+  Real operator[](int lane) const { return value[lane]; }
 
   Lanes& operator+=(Lanes b) { return *this = Lanes(value + b.value); }
   Lanes& operator-=(Lanes b) { return *this = Lanes(value - b.value); }
@@ -32,8 +37,16 @@ struct Lanes {
   friend Lanes zero_where(decltype(Register{} < Register{}) condition, Lanes a) {
     return Lanes(condition ? Register{} : a.value);
   }
-  friend bool all_zero(Lanes a) { return a[0] == 0.0 && a[1] == 0.0; }
-  friend Lanes sqrt(Lanes a) { return {std::sqrt(a[0]), std::sqrt(a[1])}; }
+  friend bool all_zero(Lanes a) {
+    for (int lane = 0; lane < kCount; ++lane) {
+      if (a[lane] != 0) return false;
+    }
+    return true;
+  }
+  friend Lanes sqrt(Lanes a) {
+    for (int lane = 0; lane < kCount; ++lane) a.value[lane] = std::sqrt(a.value[lane]);
+    return a;
+  }
 };
 
 }  // namespace stiction

@@ -40,7 +40,7 @@ inline RuleCard friction_rule_card(const std::string& name) {
 }
 inline std::size_t friction_memory_bytes(const std::string& name) {
   std::size_t bytes = sizeof(ContactKey) + sizeof(ContactStatus);
-  with_friction_rule(name, {}, [&](const auto& rule) { bytes += rule.kValues * sizeof(double); });
+  with_friction_rule(name, {}, [&](const auto& rule) { bytes += rule.kValues * sizeof(Real); });
   return bytes;
 }
 

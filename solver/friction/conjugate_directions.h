@@ -13,8 +13,8 @@ namespace stiction {
 
 /// What a sweep changed.
 struct SweepChange {
-  double power = 0.0;  ///< Σ w |r|², r the change of a contact's force, W
-  double slip2 = 0.0;  ///< max (w |r|)², m²/s²: the slip that the sweep took away, squared
+  Real power = 0.0;  ///< Σ w |r|², r the change of a contact's force, W
+  Real slip2 = 0.0;  ///< max (w |r|)², m²/s²: the slip that the sweep took away, squared
 };
 
 /// Conjugate directions over the sweeps of one step (see conjugate_vector.h), for the contacts of
@@ -30,8 +30,8 @@ class ConjugateSide {
   /// Hears from a sweep what it did to a contact.
   void changed(std::size_t c, const Vec3& change, SweepChange& all) {
     scratch_.change[c] = change;
-    const double weight = side_.inverse_mass(c, velocity_);
-    const double power = weight * change.squaredNorm();
+    const Real weight = side_.inverse_mass(c, velocity_);
+    const Real power = weight * change.squaredNorm();
     all.power += power;
     all.slip2 = std::max(all.slip2, weight * power);
   }
@@ -40,14 +40,14 @@ class ConjugateSide {
   void restart() { scratch_.direction = scratch_.change; }
 
   /// f ← P(f + β p), p ← β p + r.
-  void accelerate(double beta) {
+  void accelerate(Real beta) {
     for (std::size_t c = 0; c < side_.size(); ++c) {
       const Vec3 force = side_.force(c);
       const Vec3 step = beta * scratch_.direction[c];
       scratch_.direction[c] = step + scratch_.change[c];
       Vec3 wanted = force + step;
-      const double bound = side_.bound(c);
-      const double size2 = wanted.squaredNorm();
+      const Real bound = side_.bound(c);
+      const Real size2 = wanted.squaredNorm();
       if (size2 > bound * bound) wanted *= bound / std::sqrt(size2);
       side_.apply(c, wanted - force, velocity_);
       side_.force(c) = wanted;
@@ -67,11 +67,11 @@ class ConjugateSide {
 /// `sweep(first, changed…)` does one and tells the n-th of `changed` of the n-th side. Returns the
 /// sweeps done. All sides share one β.
 template <class Sweep, class... Sides>
-int conjugate_sweeps(int sweeps, double tolerance, const Sweep& sweep, Sides&... side) {
+int conjugate_sweeps(int sweeps, Real tolerance, const Sweep& sweep, Sides&... side) {
   constexpr int kPatience = 8;
-  constexpr double kWorthIt = 0.81;  // of the power, the square of what is changed
-  double last = 0.0;                 // no direction yet
-  double mark = std::numeric_limits<double>::infinity();
+  constexpr Real kWorthIt = 0.81;  // of the power, the square of what is changed
+  Real last = 0.0;                 // no direction yet
+  Real mark = std::numeric_limits<Real>::infinity();
   for (int s = 1;; ++s) {
     SweepChange change;
     sweep(s == 1,
@@ -82,7 +82,7 @@ int conjugate_sweeps(int sweeps, double tolerance, const Sweep& sweep, Sides&...
       mark = change.power;
     }
     if (s > 1 && change.power <= last) {
-      const double beta = change.power / last;
+      const Real beta = change.power / last;
       (side.accelerate(beta), ...);
     } else {
       (side.restart(), ...);

@@ -23,6 +23,7 @@ class PushedCubes : public testing::Test {
                       double friction = 1e3) {  // nothing slides
     SceneDescription description = test::stacked_cubes(0.05);
     description.friction = friction;
+    description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};  // the scale of the tolerance
     const Scene scene = build_scene(description);
     Options options;
     options.rule = rule;

@@ -19,7 +19,7 @@ namespace {
 // The contacts with obstacles, as the sweep sees them.
 struct ObstacleSide {
   const Scene& scene;
-  double dt;
+  Real dt;
   OneSidedContacts& contacts;
 
   std::size_t size() const { return contacts.size(); }
@@ -30,8 +30,8 @@ struct ObstacleSide {
     return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
   }
   const Vec3& normal(std::size_t c) const { return obstacle(c).normal; }
-  double bound(std::size_t c) const { return obstacle(c).friction * contacts.normal_force[c]; }
-  double inverse_mass(std::size_t c, const std::vector<Velocity>& velocity) const {
+  Real bound(std::size_t c) const { return obstacle(c).friction * contacts.normal_force[c]; }
+  Real inverse_mass(std::size_t c, const std::vector<Velocity>& velocity) const {
     return dt * velocity[static_cast<std::size_t>(contacts.vertex[c])].inverse_mass;
   }
   Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
@@ -47,7 +47,7 @@ struct ObstacleSide {
 // The contacts between bodies.
 struct PairSide {
   const Options& options;
-  double mu;
+  Real mu;
   PairContacts& pairs;
 
   std::size_t size() const { return pairs.size(); }
@@ -55,21 +55,21 @@ struct PairSide {
   Vec3& force(std::size_t c) const { return pairs[c].friction_force; }
   ContactStatus& status(std::size_t c) const { return pairs[c].status; }
   const Vec3& normal(std::size_t c) const { return pairs[c].normal; }
-  double bound(std::size_t c) const {
+  Real bound(std::size_t c) const {
     const PairOptions& pair = options.pairs;
     const bool doubled =
         pair.literal_bound && pair.gain == NormalGain::kPaper && pair.post_correction;
-    return mu * (doubled ? 2.0 : 1.0) * pairs[c].normal_force;
+    return mu * (doubled ? 2 : 1) * pairs[c].normal_force;
   }
-  double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
-    return options.time_step * pairs[c].inverse_mass;
+  Real inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
+    return options.dt() * pairs[c].inverse_mass;
   }
   Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
     return slip_of(pairs[c], velocity);
   }
   void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
     const PairContact& contact = pairs[c];
-    const Vec3 impulse = options.time_step * force;
+    const Vec3 impulse = options.dt() * force;
     Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
     own.v += own.inverse_mass * impulse;
     if (!options.pairs.friction_reaction) return;
@@ -82,8 +82,8 @@ struct PairSide {
 
 // The contacts of crossing edges.
 struct EdgeSide {
-  double dt;
-  double mu;
+  Real dt;
+  Real mu;
   EdgeContacts& edges;
 
   std::size_t size() const { return edges.size(); }
@@ -91,8 +91,8 @@ struct EdgeSide {
   Vec3& force(std::size_t c) const { return edges[c].friction_force; }
   ContactStatus& status(std::size_t c) const { return edges[c].status; }
   const Vec3& normal(std::size_t c) const { return edges[c].normal; }
-  double bound(std::size_t c) const { return mu * edges[c].normal_force; }
-  double inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
+  Real bound(std::size_t c) const { return mu * edges[c].normal_force; }
+  Real inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
     return dt * edges[c].inverse_mass;
   }
   Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
@@ -120,7 +120,7 @@ void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
     const bool persists = STICTION_HAS_FRICTION_MEMORY && from < old.key.size() &&
                           old.key[from] == memory.key[c] &&
                           old.value.size() == old.key.size() * kValues;
-    double* const value = memory.value.data() + c * kValues;
+    Real* const value = memory.value.data() + c * kValues;
     if (persists) {
       memory.status[c] = old.status[from];
       std::copy_n(old.value.data() + from * kValues, kValues, value);
@@ -138,8 +138,8 @@ void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory
     side.force(c) = Vec3::Zero();
     if constexpr (Rule::kWarmStart) {
       Vec3 force = tangential(rule.start(memory.value.data() + c * Rule::kValues), side.normal(c));
-      const double bound = side.bound(c);
-      const double size2 = force.squaredNorm();
+      const Real bound = side.bound(c);
+      const Real size2 = force.squaredNorm();
       if (size2 > bound * bound) force *= bound / std::sqrt(size2);
       side.apply(c, force, velocity);
       side.force(c) = force;
@@ -151,8 +151,8 @@ void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory
 // start of the step. Returns the change of its force, N.
 template <class Rule, class Side>
 Vec3 solve(const Rule& rule, const Side& side, std::size_t c, bool first, ContactStatus was,
-           const std::vector<Velocity>& start, std::vector<Velocity>& velocity, double* memory) {
-  const double inverse_mass = side.inverse_mass(c, velocity);
+           const std::vector<Velocity>& start, std::vector<Velocity>& velocity, Real* memory) {
+  const Real inverse_mass = side.inverse_mass(c, velocity);
   const SlipProblem problem{.free_slip = side.slip(c, velocity) - inverse_mass * side.force(c),
                             .start_slip = side.slip(c, start),
                             .inverse_mass = inverse_mass,
@@ -200,9 +200,9 @@ void remember_status(const Side& side, FrictionMemory& memory) {
 void friction_forces(const Scene& scene, const Options& options, State& state,
                      Workspace& workspace) {
   std::vector<Velocity>& velocity = workspace.velocity;
-  const ObstacleSide obstacles{scene, options.time_step, workspace.contacts};
+  const ObstacleSide obstacles{scene, options.dt(), workspace.contacts};
   const PairSide pairs{options, scene.friction, workspace.pairs};
-  const EdgeSide edges{options.time_step, scene.friction, workspace.edges};
+  const EdgeSide edges{options.dt(), scene.friction, workspace.edges};
   const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
     carry_memory(rule, state.obstacle_friction, obstacles, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
@@ -227,7 +227,8 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
     };
     const int sweeps = options.sweeps > 0 ? options.sweeps : rule.kCard.sweeps;
     if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
-      const double tolerance = rule.slip_tolerance() * scene.gravity.scale() * options.time_step;
+      const auto tolerance =
+          static_cast<Real>(rule.slip_tolerance() * scene.gravity.scale() * options.time_step);
       ConjugateSide pair_side(pairs, workspace.pair_conjugate, velocity);
       ConjugateSide edge_side(edges, workspace.edge_conjugate, velocity);
       ConjugateSide obstacle_side(obstacles, workspace.conjugate, velocity);

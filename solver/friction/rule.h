@@ -17,8 +17,8 @@ struct RuleCard {
 struct SlipProblem {
   Vec3 free_slip;                           ///< ũ, tangential, m/s
   Vec3 start_slip;                          ///< u, tangential, at the start of the step, m/s
-  double inverse_mass = 0;                  ///< w > 0, m/s/N
-  double bound = 0;                         ///< μ fⁿ ≥ 0, N
+  Real inverse_mass = 0;                    ///< w > 0, m/s/N
+  Real bound = 0;                           ///< μ fⁿ ≥ 0, N
   ContactStatus was = ContactStatus::kNew;  ///< status at the end of the last step
   Vec3 normal = Vec3::UnitZ();              ///< n of the contact, unit
   bool first_sweep = true;    ///< of this step: rules that learn from step to step learn now
@@ -41,7 +41,7 @@ inline SlipSolution sliding(const SlipProblem& problem) {
 /// Friction at its full bound would end the slip within the step [(11)]: u* = ũ − w μfⁿ ũ/|ũ| does
 /// not keep the sign of ũ.
 inline bool can_stick(const SlipProblem& problem) {
-  const double reach = problem.inverse_mass * problem.bound;
+  const Real reach = problem.inverse_mass * problem.bound;
   return problem.free_slip.squaredNorm() <= reach * reach;
 }
 
@@ -51,12 +51,12 @@ inline bool can_stick(const SlipProblem& problem) {
 //   explicit Rule(const RuleSettings&)      takes the values of its parameters by value_of()
 //   static constexpr std::array kParameters the parameters that it can be given (parameter.h), its
 //                                           own and shared ones; may be left out without any
-//   void reset(double* memory) const        a new contact, or one whose memory is forgotten
+//   void reset(Real* memory) const        a new contact, or one whose memory is forgotten
 //   static constexpr RuleCard kCard         what it remembers and guarantees, for people
 //   static constexpr bool kWarmStart        whether the memory holds a force to start from:
-//   Vec3 start(const double* memory) const  that force, N (projected and clamped by the caller);
+//   Vec3 start(const Real* memory) const  that force, N (projected and clamped by the caller);
 //                                           may be left out without a warm start
-//   SlipSolution solve(const SlipProblem&, double* memory) const
+//   SlipSolution solve(const SlipProblem&, Real* memory) const
 //   static constexpr bool kConjugate        may be left out; see conjugate_vector.h
 // `solve` is called once a contact and sweep, in the order of the keys.
 

@@ -85,7 +85,7 @@ void measure_edges(const Scene& scene, MeshLinks& links) {
       const auto end = links.neighbour_begin[static_cast<std::size_t>(v) + 1];
       for (std::int32_t k = begin; k < end; ++k) {
         const int w = links.neighbour[static_cast<std::size_t>(k)];
-        const double length = (scene.rest_position.col(w) - scene.rest_position.col(v)).norm();
+        const Real length = (scene.rest_position.col(w) - scene.rest_position.col(v)).norm();
         links.longest_edge[b] = std::max(links.longest_edge[b], length);
       }
     }

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/real.h"
+
 namespace stiction {
 
 struct Scene;
@@ -23,7 +25,7 @@ struct MeshLinks {
   std::vector<std::int32_t> neighbour_begin;
   std::vector<std::int32_t> neighbour;
 
-  std::vector<double> longest_edge;  ///< per body, at rest, m
+  std::vector<Real> longest_edge;  ///< per body, at rest, m
 };
 
 void build_links(const Scene& scene, MeshLinks& links);

@@ -20,16 +20,20 @@ std::uint64_t spread_bits(std::uint64_t x) {
   return x;
 }
 
+// Vertices on a regular grid lie on the borders of no cell but the outermost: a quarter of a cell keeps
+// their rounding from choosing.
 std::vector<std::uint64_t> morton_codes(const Eigen::Matrix3Xd& vertices) {
   const Eigen::Vector3d low = vertices.rowwise().minCoeff();
   const double extent = (vertices.rowwise().maxCoeff() - low).maxCoeff();
   const double scale = extent > 0.0 ? 2097151.0 / extent : 0.0;
   std::vector<std::uint64_t> codes(static_cast<std::size_t>(vertices.cols()));
   for (Eigen::Index v = 0; v < vertices.cols(); ++v) {
-    const Eigen::Vector3d cell = (vertices.col(v) - low) * scale;
+    const Eigen::Vector3d cell = ((vertices.col(v) - low) * scale).array() + 0.25;
     std::uint64_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      code |= spread_bits(static_cast<std::uint64_t>(cell[axis])) << axis;
+      // Not so where the extent is beyond all numbers, or so small that the scale is.
+      const bool is_cell = cell[axis] >= 0.0 && cell[axis] < 2097152.0;
+      code |= spread_bits(is_cell ? static_cast<std::uint64_t>(cell[axis]) : 0) << axis;
     }
     codes[static_cast<std::size_t>(v)] = code;
   }
@@ -38,14 +42,14 @@ std::vector<std::uint64_t> morton_codes(const Eigen::Matrix3Xd& vertices) {
 
 }  // namespace
 
-Numbering spatial_numbering(const TetMesh& mesh) {
+Numbering spatial_numbering(const TetMesh& mesh, const Eigen::Matrix3d& axes) {
   const auto count = static_cast<std::size_t>(mesh.vertices.cols());
   std::vector<bool> inner(count, false);
   for (const int v : mesh.tetrahedra.reshaped()) inner[static_cast<std::size_t>(v)] = true;
   const Eigen::Matrix3Xi triangles = surface_triangles(mesh.tetrahedra);
   for (const int v : triangles.reshaped()) inner[static_cast<std::size_t>(v)] = false;
 
-  const std::vector<std::uint64_t> codes = morton_codes(mesh.vertices);
+  const std::vector<std::uint64_t> codes = morton_codes(axes.transpose() * mesh.vertices);
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

@@ -15,7 +15,9 @@ struct Numbering {
   int surface_count = 0;   ///< how many come first because they can touch something
 };
 
-/// Vertices that belong to no tetrahedron (point masses) count as surface.
-Numbering spatial_numbering(const TetMesh& mesh);
+/// Vertices that belong to no tetrahedron (point masses) count as surface. `axes`: of the grid that
+/// they are numbered in, orthonormal; a body that is turned with its axes keeps its numbering.
+Numbering spatial_numbering(const TetMesh& mesh,
+                            const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
 }  // namespace stiction

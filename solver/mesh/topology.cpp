@@ -38,7 +38,7 @@ void add_triangles(const Scene& scene, const Body& body, Topology& topology) {
 }
 
 // Cosine of the angle between the normals at a sharp edge, at most.
-const double kSharp = std::cos(30.0 * std::numbers::pi / 180.0);
+const Real kSharp = std::cos(30 * std::numbers::pi / 180);
 
 // Sharp edges of the surface triangles from `first` on, in the order in which they appear.
 void add_sharp_edges(const Scene& scene, std::size_t first, Topology& topology) {
@@ -100,8 +100,8 @@ void note_ends(const Scene& scene, Topology& topology) {
   }
 }
 
-double mean_edge_length(const Scene& scene) {
-  double sum = 0.0;
+Real mean_edge_length(const Scene& scene) {
+  Real sum = 0.0;
   for (const Element& element : scene.elements) {
     for (int a = 0; a < 4; ++a) {
       for (int b = 0; b < a; ++b) {
@@ -111,15 +111,15 @@ double mean_edge_length(const Scene& scene) {
       }
     }
   }
-  return scene.elements.empty() ? 0.0 : sum / (6.0 * static_cast<double>(scene.elements.size()));
+  return scene.elements.empty() ? 0.0 : sum / (6 * static_cast<Real>(scene.elements.size()));
 }
 
 // Of a tetrahedron: the least of the heights above its faces and of the distances between the lines
 // of opposite edges, each six times the volume over an area.
-double width(const Scene& scene, const Element& element) {
+Real width(const Scene& scene, const Element& element) {
   const auto x = [&](int k) -> Vec3 { return scene.rest_position.col(element.vertex[k]); };
   const Vec3 a = x(1) - x(0), b = x(2) - x(0), c = x(3) - x(0);
-  double area = 0.0;  // twice the largest
+  Real area = 0.0;  // twice the largest
   for (const Vec3& twice : {a.cross(b), b.cross(c), c.cross(a), (b - a).cross(c - a),
                             a.cross(c - b), b.cross(c - a), c.cross(b - a)}) {
     area = std::max(area, twice.norm());
@@ -144,7 +144,7 @@ Topology build_topology(const Scene& scene) {
     const std::size_t first = topology.triangle.size();
     add_triangles(scene, body, topology);
     add_sharp_edges(scene, first, topology);
-    double least = std::numeric_limits<double>::infinity();
+    Real least = std::numeric_limits<Real>::infinity();
     for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
       least = std::min(least, width(scene, scene.elements[static_cast<std::size_t>(e)]));
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/mesh/mesh.h"
+#include "solver/real.h"
 
 namespace stiction {
 
@@ -35,11 +36,11 @@ struct Topology {
     bool goes_on[2];           ///< another sharp edge goes on there within 30° of straight on
   };
   std::vector<SharpEdge> sharp_edge;  ///< body by body
-  double mean_edge = 0.0;             ///< of all elements, m: the cell of the hash
+  Real mean_edge = 0.0;               ///< of all elements, m: the cell of the hash
   /// Per body: the least width of its elements at rest, m; infinite where it has none. The hat
   /// functions of any of an element's corners fall from 1 to 0 within no less. So from a point of
   /// an element e to a triangle that shares no corner with e it is at least as far.
-  std::vector<double> least_width;
+  std::vector<Real> least_width;
 };
 
 struct Scene;

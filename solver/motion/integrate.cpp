@@ -5,7 +5,7 @@
 
 namespace stiction {
 
-void integrate(double dt, std::vector<Velocity>& corrected, State& state) {
+void integrate(Real dt, std::vector<Velocity>& corrected, State& state) {
   std::swap(corrected, state.velocity);
   for (std::size_t k = 0; k < state.position.size(); ++k) {
     state.position[k].x += dt * state.velocity[k].v;

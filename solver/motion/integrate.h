@@ -6,6 +6,6 @@
 namespace stiction {
 
 /// x_t1 = x_t0 + Δt v_t1; the corrected velocities become the state's (the arrays are exchanged).
-void integrate(double dt, std::vector<Velocity>& corrected, State& state);
+void integrate(Real dt, std::vector<Velocity>& corrected, State& state);
 
 }  // namespace stiction

@@ -21,11 +21,12 @@ void add_force(const Scene& scene, const Body& body, const Vec3& load, std::vect
   for_vertices(body, [&](std::size_t v) { force[v] += scene.mass[v] / body.mass * load; });
 }
 
-void add_couple(const Scene& scene, const State& state, const Body& body, const Vec3& couple,
-                std::vector<Vec3>& force) {
+void add_couple(const Scene& scene, const State& state, const Body& body,
+                const Eigen::Vector3d& couple, std::vector<Vec3>& force) {
   if (couple.isZero(0.0)) return;
-  const Vec3 centre = centre_of_mass(scene, state, body);
-  const Vec3 turning = inertia(scene, state, body).completeOrthogonalDecomposition().solve(couple);
+  const Vec3 centre = centre_of_mass(scene, state, body).cast<Real>();
+  const Vec3 turning =
+      inertia(scene, state, body).completeOrthogonalDecomposition().solve(couple).cast<Real>();
   for_vertices(body, [&](std::size_t v) {
     force[v] += scene.mass[v] * turning.cross(state.position[v].x - centre);
   });
@@ -37,14 +38,15 @@ void add_load_forces(const Scene& scene, double time, const State& state,
                      std::vector<Vec3>& force) {
   for (const Load& load : scene.loads) {
     const Body& body = scene.bodies[load.body];
-    add_force(scene, body, load.force.at(time), force);
+    add_force(scene, body, load.force.at(time).cast<Real>(), force);
     add_couple(scene, state, body, load.couple.at(time), force);
   }
   for (const Spring& spring : scene.springs) {
     const Body& body = scene.bodies[spring.body];
-    const Vec3 stretch =
+    const Eigen::Vector3d stretch =
         spring.anchor + time * spring.anchor_velocity - centre_of_mass(scene, state, body);
-    add_force(scene, body, spring.stiffness * spring.axis.dot(stretch) * spring.axis, force);
+    const Eigen::Vector3d pull = spring.stiffness * spring.axis.dot(stretch) * spring.axis;
+    add_force(scene, body, pull.cast<Real>(), force);
   }
 }
 

@@ -4,19 +4,19 @@
 namespace stiction {
 
 void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force) {
-  const Vec3 g = scene.gravity.at(time);
+  const Vec3 g = scene.gravity.at(time).cast<Real>();
   force.resize(scene.mass.size());
   for (std::size_t k = 0; k < force.size(); ++k) force[k] = scene.mass[k] * g;
 }
 
 void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity>& velocity,
                      std::vector<Vec3>& force) {
-  const double rate = scene.drag.at(time);
+  const auto rate = static_cast<Real>(scene.drag.at(time));
   if (rate == 0.0) return;
   for (std::size_t k = 0; k < force.size(); ++k) force[k] -= rate * scene.mass[k] * velocity[k].v;
 }
 
-void predict(double dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
+void predict(Real dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
              std::vector<Velocity>& predicted) {
   predicted.resize(velocity_t0.size());
   for (std::size_t k = 0; k < predicted.size(); ++k) {
@@ -27,8 +27,8 @@ void predict(double dt, const std::vector<Vec3>& force, const std::vector<Veloci
 
 void follow_motions(const Scene& scene, double time, double dt, std::vector<Velocity>& predicted) {
   for (const Body& body : scene.bodies) {
-    if (body.motion.time.empty()) continue;
-    const Vec3 velocity = (body.motion.at(time + dt) - body.motion.at(time)) / dt;
+    if (!body.motion.moves()) continue;
+    const Vec3 velocity = body.motion.mean_velocity(time, dt).cast<Real>();
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
       Velocity& vertex = predicted[static_cast<std::size_t>(v)];
       if (vertex.inverse_mass == 0.0) vertex.v = velocity;

@@ -15,7 +15,7 @@ void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity
                      std::vector<Vec3>& force);
 
 /// v* = v_t0 + Δt F/m, per vertex; 1/m = 0 where pinned.
-void predict(double dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
+void predict(Real dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
              std::vector<Velocity>& predicted);
 
 /// Gives the pinned vertices of bodies with a motion the mean velocity of that motion over the step

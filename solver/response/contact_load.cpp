@@ -7,17 +7,17 @@ namespace {
 
 // Σ over contacts of what each asks of its vertex and of its partners, per vertex.
 void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
-                std::vector<double>& load) {
+                std::vector<Real>& load) {
   for (const PairContact& contact : workspace.pairs) {
     if (contact.depth == 0.0 && !count_kept) continue;
-    if (count_vertex) load[static_cast<std::size_t>(contact.vertex)] += 1.0;
+    if (count_vertex) load[static_cast<std::size_t>(contact.vertex)] += 1;
     for (int k = 0; k < 4; ++k) {
       load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
     }
   }
 }
 
-void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<double>& load) {
+void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<Real>& load) {
   for (const EdgeContact& contact : edges) {
     if (contact.depth == 0.0 && !count_kept) continue;
     for (int k = 0; k < 2; ++k) {
@@ -33,14 +33,14 @@ void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<double>&
 // opened. Both lists are in the order of their keys.
 void add_obstacles(Workspace& workspace, const FrictionMemory& last, bool count_kept) {
   for (const std::int32_t v : workspace.contacts.vertex) {
-    workspace.load[static_cast<std::size_t>(v)] += 1.0;
+    workspace.load[static_cast<std::size_t>(v)] += 1;
   }
   if (!count_kept) return;
   auto now = workspace.contacts.key.begin();
   for (const ContactKey key : last.key) {
     while (now != workspace.contacts.key.end() && *now < key) ++now;
     if (now != workspace.contacts.key.end() && *now == key) continue;
-    workspace.load[static_cast<std::size_t>(second_of(key))] += 1.0;
+    workspace.load[static_cast<std::size_t>(second_of(key))] += 1;
   }
 }
 

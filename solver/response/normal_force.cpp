@@ -7,14 +7,15 @@ namespace stiction {
 
 void normal_forces(const Scene& scene, double dt, const std::vector<Position>& position,
                    std::vector<Velocity>& velocity, OneSidedContacts& contacts, double time) {
+  const auto h = static_cast<Real>(dt);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.vertex[c]);
     const HalfSpace& obstacle = scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
-    const Vec3 point = obstacle.point + obstacle.motion.at(time + dt);
-    const Vec3 x = position[i].x + dt * velocity[i].v;
-    const double depth = std::max(0.0, -obstacle.normal.dot(x - point));
-    contacts.normal_force[c] = depth / (dt * dt * velocity[i].inverse_mass);
-    velocity[i].v += depth / dt * obstacle.normal;
+    const Vec3 point = obstacle.point + obstacle.motion.at(time + dt).cast<Real>();
+    const Vec3 x = position[i].x + h * velocity[i].v;
+    const Real depth = std::max(Real(0), -obstacle.normal.dot(x - point));
+    contacts.normal_force[c] = depth / (h * h * velocity[i].inverse_mass);
+    velocity[i].v += depth / h * obstacle.normal;
   }
 }
 

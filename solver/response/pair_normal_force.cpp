@@ -12,57 +12,57 @@ bool corrects(const PairOptions& options) {
 }
 
 // N/m of a vertex, 1/kg.
-double share(const Workspace& workspace, std::int32_t v) {
+Real share(const Workspace& workspace, std::int32_t v) {
   const auto p = static_cast<std::size_t>(v);
   return workspace.load[p] * workspace.velocity[p].inverse_mass;
 }
 
-double own_share(const Workspace& workspace, const PairContact& contact) {
+Real own_share(const Workspace& workspace, const PairContact& contact) {
   return share(workspace, contact.vertex);
 }
 
-double own_share(const Workspace& workspace, const EdgeContact& contact) {
+Real own_share(const Workspace& workspace, const EdgeContact& contact) {
   return contact.own_weight[0] * share(workspace, contact.vertex[0]) +
          contact.own_weight[1] * share(workspace, contact.vertex[1]);
 }
 
 template <class Contact>
-double harmonic_force(const PairOptions& options, double dt, const Workspace& workspace,
-                      const Contact& contact) {
-  double inverse_mass = own_share(workspace, contact);
+Real harmonic_force(const PairOptions& options, Real dt, const Workspace& workspace,
+                    const Contact& contact) {
+  Real inverse_mass = own_share(workspace, contact);
   for (int k = 0; k < 4; ++k) {
     inverse_mass += contact.weight[k] * share(workspace, contact.partner[k]);
   }
   return options.harmonic_gain * contact.depth / (dt * dt * inverse_mass);
 }
 
-double paper_force(double dt, const Workspace& workspace, const PairContact& contact) {
+Real paper_force(Real dt, const Workspace& workspace, const PairContact& contact) {
   const auto c = [&](std::int32_t v) {
-    return 1.0 / (1.0 + workspace.load[static_cast<std::size_t>(v)]);
+    return 1 / (1 + workspace.load[static_cast<std::size_t>(v)]);
   };
   const auto inverse_mass = [&](std::int32_t v) {
     return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
   };
-  double partner_mass = 0.0;  // M
+  Real partner_mass = 0.0;  // M
   bool partner_fixed = false;
   for (int k = 0; k < 4; ++k) {
     if (contact.weight[k] == 0.0) continue;
-    const double w = inverse_mass(contact.partner[k]);
+    const Real w = inverse_mass(contact.partner[k]);
     if (w == 0.0) {
       partner_fixed = true;
     } else {
       partner_mass += c(contact.partner[k]) * contact.weight[k] / w;
     }
   }
-  const double own = inverse_mass(contact.vertex);
+  const Real own = inverse_mass(contact.vertex);
   // γ m, with the limits of an infinite mass on either side.
-  double effective_mass = 0.0;
+  Real effective_mass = 0.0;
   if (own == 0.0) {
-    effective_mass = partner_fixed ? 0.0 : partner_mass / c(contact.vertex);
+    effective_mass = partner_fixed ? 0 : partner_mass / c(contact.vertex);
   } else if (partner_fixed) {
-    effective_mass = 1.0 / own;
+    effective_mass = 1 / own;
   } else {
-    const double mass = 1.0 / own;
+    const Real mass = 1 / own;
     effective_mass = mass * partner_mass / (c(contact.vertex) * mass + partner_mass);
   }
   return effective_mass * contact.depth / (dt * dt);
@@ -78,17 +78,16 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
     if (contact.depth == 0.0) {
       contact.normal_force = 0.0;
     } else if (harmonic) {
-      contact.normal_force = harmonic_force(options.pairs, options.time_step, workspace, contact);
+      contact.normal_force = harmonic_force(options.pairs, options.dt(), workspace, contact);
     } else {
-      const double force = paper_force(options.time_step, workspace, contact);
-      contact.normal_force = corrects(options.pairs) ? 0.5 * force : force;
+      const Real force = paper_force(options.dt(), workspace, contact);
+      contact.normal_force = corrects(options.pairs) ? Real(0.5) * force : force;
     }
   }
   for (EdgeContact& contact : workspace.edges) {
     contact.normal_force =
-        contact.depth > 0.0 ? harmonic_force(options.pairs, options.time_step, workspace, contact)
-                            : 0.0;
-    apply_impulse(options.time_step * contact.normal_force * contact.normal, contact,
+        contact.depth > 0.0 ? harmonic_force(options.pairs, options.dt(), workspace, contact) : 0;
+    apply_impulse(options.dt() * contact.normal_force * contact.normal, contact,
                   workspace.velocity);
   }
   if (!options.pairs.normals_first) return;
@@ -111,7 +110,7 @@ void apply_impulse(const Vec3& impulse, const EdgeContact& contact,
 
 void apply_normal_force(const Options& options, const PairContact& contact,
                         std::vector<Velocity>& velocity) {
-  const Vec3 impulse = options.time_step * contact.normal_force * contact.normal;
+  const Vec3 impulse = options.dt() * contact.normal_force * contact.normal;
   Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
   own.v += own.inverse_mass * impulse;
   if (!corrects(options.pairs)) return;

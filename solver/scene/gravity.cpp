@@ -5,8 +5,9 @@
 
 namespace stiction {
 
-Vec3 smooth_keyframes(const std::vector<double>& time, const std::vector<Vec3>& value, double t) {
-  if (time.empty()) return Vec3::Zero();
+Eigen::Vector3d smooth_keyframes(const std::vector<double>& time,
+                                 const std::vector<Eigen::Vector3d>& value, double t) {
+  if (time.empty()) return Eigen::Vector3d::Zero();
   if (t <= time.front()) return value.front();
   if (t >= time.back()) return value.back();
   const auto after = std::upper_bound(time.begin(), time.end(), t);
@@ -16,10 +17,9 @@ Vec3 smooth_keyframes(const std::vector<double>& time, const std::vector<Vec3>& 
 }
 
 double Gravity::scale() const {
-  constexpr double kEarth = 9.81;
   double strongest = 0.0;
-  for (const Vec3& a : acceleration) strongest = std::max(strongest, a.norm());
-  return strongest > 0.0 ? strongest : kEarth;
+  for (const Eigen::Vector3d& a : acceleration) strongest = std::max(strongest, a.norm());
+  return strongest;
 }
 
 double Drag::at(double t) const {

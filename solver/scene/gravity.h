@@ -4,31 +4,40 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace stiction {
+#include "solver/real.h"
 
-using Vec3 = Eigen::Vector3d;
+namespace stiction {
 
 /// 6s⁵ − 15s⁴ + 10s³: from 0 to 1 with two continuous derivatives, for s in [0, 1].
 inline double smooth_step(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
 
 /// Value at time t of keyframes joined by the C² smooth step 6s⁵ − 15s⁴ + 10s³, constant outside
 /// them; zero when there are none.
-Vec3 smooth_keyframes(const std::vector<double>& time, const std::vector<Vec3>& value, double t);
+Eigen::Vector3d smooth_keyframes(const std::vector<double>& time,
+                                 const std::vector<Eigen::Vector3d>& value, double t);
 
 /// Planned displacement from the initial place over time; none is at rest.
 struct Motion {
-  std::vector<double> time{};  ///< s, increasing
-  std::vector<Vec3> offset{};  ///< m, one a keyframe
-  Vec3 at(double t) const { return smooth_keyframes(time, offset, t); }
+  std::vector<double> time{};                          ///< s, increasing
+  std::vector<Eigen::Vector3d> offset{};               ///< m, one a keyframe
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s: steadily, on top of them
+  bool moves() const { return !time.empty() || !velocity.isZero(0.0); }
+  Eigen::Vector3d at(double t) const { return smooth_keyframes(time, offset, t) + t * velocity; }
+  /// From t on, over `dt` (s), m/s: a difference of places, but for the steady part.
+  Eigen::Vector3d mean_velocity(double t, double dt) const {
+    return (smooth_keyframes(time, offset, t + dt) - smooth_keyframes(time, offset, t)) / dt +
+           velocity;
+  }
 };
 
 /// Gravity over time: keyframes joined by the C² smooth step 6s⁵ − 15s⁴ + 10s³, constant outside
 /// them. One keyframe is constant gravity; none is weightlessness.
 struct Gravity {
-  std::vector<double> time;        ///< s, increasing
-  std::vector<Vec3> acceleration;  ///< m/s², one a keyframe
-  Vec3 at(double t) const { return smooth_keyframes(time, acceleration, t); }
-  /// The strongest of its keyframes, m/s²; that of the Earth when there is none.
+  std::vector<double> time;                   ///< s, increasing
+  std::vector<Eigen::Vector3d> acceleration;  ///< m/s², one a keyframe
+  Eigen::Vector3d at(double t) const { return smooth_keyframes(time, acceleration, t); }
+  /// The strongest of its keyframes, m/s²; 0 without any, for a weightless scene has no scale of its
+  /// own.
   double scale() const;
 };
 

@@ -12,9 +12,9 @@ namespace stiction {
 /// A vector over time: keyframes joined by the C² smooth step, constant outside them; without any
 /// it is zero.
 struct VectorOverTime {
-  std::vector<double> time{};  ///< s, increasing
-  std::vector<Vec3> value{};   ///< one a keyframe
-  Vec3 at(double t) const { return smooth_keyframes(time, value, t); }
+  std::vector<double> time{};            ///< s, increasing
+  std::vector<Eigen::Vector3d> value{};  ///< one a keyframe
+  Eigen::Vector3d at(double t) const { return smooth_keyframes(time, value, t); }
 };
 
 /// A force on a body, spread over it like its mass, and a couple, spread as if the body were rigid.
@@ -28,10 +28,10 @@ struct Load {
 /// force = stiffness · axis · (axis · (anchor + t · anchor_velocity − centre)), spread like the mass.
 struct Spring {
   std::size_t body = 0;
-  Vec3 anchor = Vec3::Zero();           ///< at t = 0, m
-  Vec3 anchor_velocity = Vec3::Zero();  ///< m/s
-  Vec3 axis = Vec3::UnitX();            ///< unit length
-  double stiffness = 0.0;               ///< N/m, ≥ 0
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();           ///< at t = 0, m
+  Eigen::Vector3d anchor_velocity = Eigen::Vector3d::Zero();  ///< m/s
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();            ///< unit length
+  double stiffness = 0.0;                                     ///< N/m, ≥ 0
 };
 
 }  // namespace stiction

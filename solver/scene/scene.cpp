@@ -28,16 +28,16 @@ Lame lame(const Material& material) {
 }
 
 // Columns x₁ − x₀, x₂ − x₀, x₃ − x₀.
-Mat3 edges(const TetMesh& mesh, Eigen::Index tetrahedron) {
+Eigen::Matrix3d edges(const TetMesh& mesh, Eigen::Index tetrahedron) {
   const auto corners = mesh.tetrahedra.col(tetrahedron);
-  Mat3 d;
+  Eigen::Matrix3d d;
   for (int k = 0; k < 3; ++k) {
     d.col(k) = mesh.vertices.col(corners[k + 1]) - mesh.vertices.col(corners[0]);
   }
   return d;
 }
 
-std::vector<double> lumped_masses(const BodyDescription& body) {
+std::vector<Real> lumped_masses(const BodyDescription& body) {
   std::vector<double> mass(static_cast<std::size_t>(body.mesh.vertices.cols()), 0.0);
   for (Eigen::Index e = 0; e < body.mesh.tetrahedra.cols(); ++e) {
     const double quarter = 0.25 * body.material.density * signed_volume(body.mesh, e);
@@ -48,13 +48,13 @@ std::vector<double> lumped_masses(const BodyDescription& body) {
   for (double& m : mass) {
     if (m == 0.0) m = body.point_mass;
   }
-  return mass;
+  return {mass.begin(), mass.end()};
 }
 
 Element element_of(const BodyDescription& body, Eigen::Index tetrahedron,
                    const std::vector<int>& scene_vertex) {
-  const Mat3 rest_edges = edges(body.mesh, tetrahedron);
-  const Mat3 inverse = rest_edges.inverse();
+  const Eigen::Matrix3d rest_edges = edges(body.mesh, tetrahedron);
+  const Eigen::Matrix3d inverse = rest_edges.inverse();
   const double volume = signed_volume(body.mesh, tetrahedron);
   const Lame parameters = lame(body.material);
   Element element;
@@ -62,17 +62,17 @@ Element element_of(const BodyDescription& body, Eigen::Index tetrahedron,
     const auto described = static_cast<std::size_t>(body.mesh.tetrahedra(k, tetrahedron));
     element.vertex[k] = scene_vertex[described];
   }
-  Eigen::Map<Mat3>(element.inverse_rest_edges) = inverse;
-  element.mu_volume = parameters.mu * volume;
-  element.lambda_volume = parameters.lambda * volume;
-  element.damping_time = body.material.damping_time;
+  Eigen::Map<Mat3>(element.inverse_rest_edges) = inverse.cast<Real>();
+  element.mu_volume = static_cast<Real>(parameters.mu * volume);
+  element.lambda_volume = static_cast<Real>(parameters.lambda * volume);
+  element.damping_time = static_cast<Real>(body.material.damping_time);
   return element;
 }
 
 // Whether every vertex from `first` on is pinned.
 bool is_fixed(const Scene& scene, int first) {
   return std::all_of(scene.inverse_mass.begin() + first, scene.inverse_mass.end(),
-                     [](double inverse_mass) { return inverse_mass == 0.0; });
+                     [](Real inverse_mass) { return inverse_mass == 0.0; });
 }
 
 // Two bodies of which at least one can move and one has tetrahedra, or one body with itself.
@@ -91,7 +91,7 @@ bool any_pair_possible(const std::vector<Body>& bodies) {
 }
 
 bool any_motion(const SceneDescription& description) {
-  const auto moves = [](const auto& thing) { return !thing.motion.time.empty(); };
+  const auto moves = [](const auto& thing) { return thing.motion.moves(); };
   return std::any_of(description.bodies.begin(), description.bodies.end(), moves) ||
          std::any_of(description.half_spaces.begin(), description.half_spaces.end(), moves);
 }
@@ -99,8 +99,8 @@ bool any_motion(const SceneDescription& description) {
 void add_body(const BodyDescription& body, Scene& scene) {
   const int first = scene.vertex_count();
   const auto count = body.mesh.vertices.cols();
-  const Numbering numbering = spatial_numbering(body.mesh);
-  const std::vector<double> mass = lumped_masses(body);
+  const Numbering numbering = spatial_numbering(body.mesh, body.axes);
+  const std::vector<Real> mass = lumped_masses(body);
 
   std::vector<int> scene_vertex(static_cast<std::size_t>(count));
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -114,21 +114,21 @@ void add_body(const BodyDescription& body, Scene& scene) {
   for (std::size_t k = 0; k < scene_vertex.size(); ++k) {
     const int place = scene_vertex[k];
     const auto source = static_cast<Eigen::Index>(k);
-    scene.rest_position.col(place) = body.mesh.vertices.col(source);
+    scene.rest_position.col(place) = body.mesh.vertices.col(source).cast<Real>();
     scene.initial_velocity.col(place) = Vec3::Zero();
     if (body.initial_velocity.cols() > 0) {
-      scene.initial_velocity.col(place) = body.initial_velocity.col(source);
+      scene.initial_velocity.col(place) = body.initial_velocity.col(source).cast<Real>();
     }
     scene.mass[static_cast<std::size_t>(place)] = mass[k];
   }
   scene.inverse_mass.resize(scene.mass.size());
   for (auto k = static_cast<std::size_t>(first); k < scene.mass.size(); ++k) {
-    scene.inverse_mass[k] = 1.0 / scene.mass[k];
+    scene.inverse_mass[k] = 1 / scene.mass[k];
   }
   for (const int described : body.pinned) {
     const int place = scene_vertex[static_cast<std::size_t>(described)];
     scene.inverse_mass[static_cast<std::size_t>(place)] = 0.0;
-    scene.initial_velocity.col(place).setZero();
+    scene.initial_velocity.col(place) = body.motion.velocity.cast<Real>();
   }
   for (int k = 0; k < numbering.surface_count; ++k) scene.surface_vertex.push_back(first + k);
 
@@ -166,11 +166,11 @@ double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
                                const Material& material) {
   // ω² of the lumped element: eigenvalues of (4/ρ) Lᵀ B Bᵀ L with D = L Lᵀ the elasticity matrix
   // (Voigt) and B the 6 × 12 strain matrix; the six zero modes drop out by working in strain space.
-  const Mat3 gradients = edges(mesh, tetrahedron).inverse();  // rows: ∇N₁, ∇N₂, ∇N₃
+  const Eigen::Matrix3d gradients = edges(mesh, tetrahedron).inverse();  // rows: ∇N₁, ∇N₂, ∇N₃
   Eigen::Matrix<double, 6, 12> b = Eigen::Matrix<double, 6, 12>::Zero();
   for (int k = 0; k < 4; ++k) {
-    const Vec3 g = k == 0 ? Vec3(-gradients.colwise().sum().transpose())
-                          : Vec3(gradients.row(k - 1).transpose());
+    const Eigen::Vector3d g = k == 0 ? Eigen::Vector3d(-gradients.colwise().sum().transpose())
+                                     : Eigen::Vector3d(gradients.row(k - 1).transpose());
     auto columns = b.middleCols<3>(3 * k);
     columns.diagonal() = g;
     columns(3, 0) = g.y();
@@ -191,7 +191,8 @@ double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
                                                                          Eigen::EigenvaluesOnly);
   const double omega2 = 4.0 / material.density * eigen.eigenvalues().maxCoeff();
   const double beta = material.damping_time;
-  return std::sqrt(beta * beta + 4.0 / omega2) - beta;
+  // √(β² + 4/ω²) − β, without the difference, which is 0 for β ω ≫ 1e8.
+  return 4.0 / omega2 / (std::sqrt(beta * beta + 4.0 / omega2) + beta);
 }
 
 std::uint64_t SceneSerial::next() {
@@ -213,7 +214,7 @@ Scene build_scene(const SceneDescription& description) {
   scene.anything_moves_by_plan = any_motion(description);
   scene.pairs_possible = any_pair_possible(scene.bodies);
   if (scene.pairs_possible) scene.topology = build_topology(scene);
-  check_start(scene);
+  check_start(scene, description.rounding);
   return scene;
 }
 

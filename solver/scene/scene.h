@@ -9,12 +9,11 @@
 
 #include "solver/mesh/mesh.h"
 #include "solver/mesh/topology.h"
+#include "solver/real.h"
 #include "solver/scene/gravity.h"
 #include "solver/scene/load.h"
 
 namespace stiction {
-
-using Mat3 = Eigen::Matrix3d;
 
 /// Isotropic linear elasticity (corotational) with strain-rate damping. SI units.
 struct Material {
@@ -34,6 +33,8 @@ struct BodyDescription {
   std::vector<int> pinned;            ///< vertices that never move, or follow `motion`
   Motion motion{};                    ///< of the pinned vertices
   bool self_collision = false;        ///< its vertices may touch its own tetrahedra
+  Eigen::Matrix3d axes =
+      Eigen::Matrix3d::Identity();  ///< its own, orthonormal: what they turn leaves its numbering
 };
 
 /// A fixed obstacle: the points x with (x − point)·normal < 0 are inside it.
@@ -41,7 +42,7 @@ struct HalfSpace {
   std::string name;
   Vec3 point = Vec3::Zero();    ///< any point of the plane, m
   Vec3 normal = Vec3::UnitZ();  ///< outward, unit length
-  double friction = 0.0;        ///< μ against every body, dimensionless, ≥ 0
+  Real friction = 0.0;          ///< μ against every body, dimensionless, ≥ 0
   Motion motion{};              ///< of the whole half-space
 };
 
@@ -51,27 +52,28 @@ struct SceneDescription {
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;
   Drag drag{};
-  double friction = 0.0;  ///< μ between bodies, dimensionless, ≥ 0
+  Real friction = 0.0;  ///< μ between bodies, dimensionless, ≥ 0
+  Real rounding = 0.0;  ///< of the places given, m: bodies may start so deep inside an obstacle
   std::vector<Load> loads{};
   std::vector<Spring> springs{};
 };
 
-/// One tetrahedron as the force kernel reads it: two cache lines.
+/// One tetrahedron as the force kernel reads it: two cache lines, one in single precision.
 struct alignas(64) Element {
-  std::int32_t vertex[4];        ///< scene vertices
-  double inverse_rest_edges[9];  ///< Dₘ⁻¹, column major, 1/m
-  double mu_volume;              ///< second Lamé parameter × rest volume, J
-  double lambda_volume;          ///< first Lamé parameter × rest volume, J
-  double damping_time;           ///< β, s
+  std::int32_t vertex[4];      ///< scene vertices
+  Real inverse_rest_edges[9];  ///< Dₘ⁻¹, column major, 1/m
+  Real mu_volume;              ///< second Lamé parameter × rest volume, J
+  Real lambda_volume;          ///< first Lamé parameter × rest volume, J
+  Real damping_time;           ///< β, s
 };
-static_assert(sizeof(Element) == 128);
+static_assert(sizeof(Element) == 16 * sizeof(Real));
 
 /// A body's place in the scene's arrays.
 struct Body {
   std::string name;
   int first_vertex = 0;  ///< its vertices are contiguous
   int vertex_count = 0;
-  double mass = 0.0;      ///< kg, pinned vertices included
+  double mass = 0.0;      ///< kg, the sum of its vertices', pinned ones included
   int first_element = 0;  ///< its elements are contiguous
   int element_count = 0;
   bool self_collision = false;
@@ -109,18 +111,18 @@ struct Scene {
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;
   Drag drag{};
-  double friction = 0.0;  ///< μ between bodies
+  Real friction = 0.0;  ///< μ between bodies
   std::vector<Load> loads{};
   std::vector<Spring> springs{};
   Topology topology;  ///< for two-sided contact; empty when no two bodies can touch
   bool pairs_possible = false;
   bool anything_moves_by_plan = false;  ///< a body or half-space has a motion
 
-  Eigen::Matrix3Xd rest_position;     ///< 3 × vertex count, m
-  Eigen::Matrix3Xd initial_velocity;  ///< 3 × vertex count, m/s
-  std::vector<double> mass;           ///< lumped, per vertex, kg
-  std::vector<double> inverse_mass;   ///< 1/kg, 0 where pinned
-  std::vector<int> surface_vertex;    ///< vertices that can touch something, increasing
+  Eigen::Matrix3X<Real> rest_position;     ///< 3 × vertex count, m
+  Eigen::Matrix3X<Real> initial_velocity;  ///< 3 × vertex count, m/s
+  std::vector<Real> mass;                  ///< lumped, per vertex, kg
+  std::vector<Real> inverse_mass;          ///< 1/kg, 0 where pinned
+  std::vector<int> surface_vertex;         ///< vertices that can touch something, increasing
   std::vector<Element> elements;
   std::vector<int> scene_vertex;  ///< scene vertex of the k-th described vertex (bodies in order)
 

@@ -66,7 +66,7 @@ void check_tetrahedra(const std::string& who, const TetMesh& mesh) {
 }
 
 void check_keyframes(const std::string& who, const char* values, const std::vector<double>& time,
-                     const std::vector<Vec3>& value) {
+                     const std::vector<Eigen::Vector3d>& value) {
   if (time.size() != value.size()) {
     refuse(who, ": ", time.size(), " times for ", value.size(), " ", values);
   }
@@ -78,6 +78,11 @@ void check_keyframes(const std::string& who, const char* values, const std::vect
       refuse(who, ": keyframe ", k, " at ", time[k], " s does not follow ", time[k - 1], " s");
     }
   }
+}
+
+void check_motion(const std::string& who, const Motion& motion) {
+  check_keyframes(who + ", its motion", "offsets", motion.time, motion.offset);
+  if (!motion.velocity.allFinite()) refuse(who, ", its motion: the velocity is not finite");
 }
 
 void check_body(const BodyDescription& body) {
@@ -96,7 +101,7 @@ void check_body(const BodyDescription& body) {
   if (!body.initial_velocity.allFinite()) {
     refuse(who, ": an initial velocity is not a finite number");
   }
-  check_keyframes(who + ", its motion", "offsets", body.motion.time, body.motion.offset);
+  check_motion(who, body.motion);
   if (mesh.tetrahedra.cols() > 0) check_material(who, body.material);
   check_tetrahedra(who, mesh);
   std::vector<bool> carried(static_cast<std::size_t>(mesh.vertices.cols()), false);
@@ -119,9 +124,9 @@ void check_body(const BodyDescription& body) {
 void check_obstacle(const HalfSpace& obstacle) {
   const std::string who = "obstacle '" + obstacle.name + "'";
   if (!obstacle.point.allFinite()) refuse(who, ": its point is not a finite number");
-  check_keyframes(who + ", its motion", "offsets", obstacle.motion.time, obstacle.motion.offset);
+  check_motion(who, obstacle.motion);
   // A normal whose length is off by more than round-off would scale every depth.
-  if (!(std::abs(obstacle.normal.norm() - 1.0) < 1e-12)) {
+  if (!(std::abs(obstacle.normal.norm() - 1) < by_precision(1e-12, 1e-6))) {
     refuse(who, ": its normal must have length 1, not ", obstacle.normal.norm());
   }
   if (!(obstacle.friction >= 0.0) || !std::isfinite(obstacle.friction)) {
@@ -175,17 +180,18 @@ void check_description(const SceneDescription& description) {
   check_loads(description);
 }
 
-void check_start(const Scene& scene) {
+void check_start(const Scene& scene, double rounding) {
   if (scene.vertex_count() == 0) return;
-  const double size = scene.rest_position.cwiseAbs().maxCoeff();
+  const Real size = scene.rest_position.cwiseAbs().maxCoeff();
   // Round-off of a placed mesh: a depth d starts a vertex at d/Δt, so 1e-13 of a metre-sized scene
-  // is below 1e-9 m/s at the usual steps; anything deeper was meant.
-  const double allowed = 1e-13 * std::max(size, 1.0);
+  // is below 1e-9 m/s at the usual steps; anything deeper was meant. In single precision
+  // round-off itself is a thousand times what the usual steps forgive.
+  const Real allowed = by_precision(1e-13, 1e-6) * std::max(size, Real(1)) + rounding;
   for (const Body& body : scene.bodies) {
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
       if (scene.inverse_mass[static_cast<std::size_t>(v)] == 0.0) continue;
       for (const HalfSpace& obstacle : scene.half_spaces) {
-        const double gap = obstacle.normal.dot(scene.rest_position.col(v) - obstacle.point);
+        const Real gap = obstacle.normal.dot(scene.rest_position.col(v) - obstacle.point);
         if (gap < -allowed) {
           refuse("body '", body.name, "': starts ", -gap, " m inside obstacle '", obstacle.name,
                  "'");

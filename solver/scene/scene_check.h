@@ -10,6 +10,6 @@ void check_description(const SceneDescription& description);
 
 /// Throws InputError when a vertex starts inside an obstacle: the contact force would close the
 /// whole depth within one step and shoot the body off.
-void check_start(const Scene& scene);
+void check_start(const Scene& scene, double rounding = 0.0);
 
 }  // namespace stiction

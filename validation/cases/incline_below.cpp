@@ -115,7 +115,8 @@ void check_order(CaseRun& run, const Stop& stop, double order, double tolerance,
        .kind = ReferenceKind::kAnalytic,
        .expected = 1.0,
        .tolerance = tolerance,
-       .reason = reason},
+       .reason = reason,
+       .derived = true},
       stop.symplectic_euler ? order : std::min(order, 1.0));
 }
 

@@ -14,6 +14,7 @@
 
 #include "reports/text/check_text.h"
 #include "reports/text/number.h"
+#include "reports/text/text.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/figures.h"
 
@@ -236,7 +237,8 @@ std::string comparison_summary(const std::vector<Record>& records, const Record&
       return one.contacts == placed.front().contacts;
     });
     if (!same) columns.emplace_back("contacts", &Placing::contacts);
-    const std::size_t texts = columns.size();
+    std::set<std::size_t> texts;
+    for (std::size_t k = 0; k < columns.size(); ++k) texts.insert(k);
     columns.emplace_back("figure", &Placing::figure);
     std::string words = same ? fmt::format("On {} contacts; ", placed.front().contacts) : "";
     words += "friction memory lost; medians; steps until the mean slip is 1e-9 m/s";

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "validation/stability/perturbed_case.h"
+
 namespace stiction {
 
 std::vector<Settings> variants_of(const Case& which, const EngineKind& engine, bool full) {
@@ -18,8 +20,10 @@ std::vector<Settings> variants_of(const Case& which, const EngineKind& engine, b
 
 std::vector<Case> cases_for(const EngineKind& engine) {
   std::vector<Case> all = case_catalog();
-  if (!engine.studies) return all;
-  for (Case& one : engine.studies()) all.push_back(std::move(one));
+  for (Case& one : perturbed_cases(all)) all.push_back(std::move(one));
+  if (engine.studies) {
+    for (Case& one : engine.studies()) all.push_back(std::move(one));
+  }
   std::stable_sort(all.begin(), all.end(),
                    [](const Case& a, const Case& b) { return a.name < b.name; });
   return all;

@@ -24,6 +24,8 @@ struct Case {
   std::string name{};   ///< path-like and unique: family/claim/parameter=value
   std::string title{};  ///< one line for people
   CaseSet set = CaseSet::kDefault;
+  /// Which of the suites it belongs to: "", what `./stiction validate` runs, or "stability".
+  std::string suite{};
   /// Settings that it runs with by default, of a study of one engine. Empty, as in every neutral
   /// case: the engine's own configurations.
   std::vector<Settings> variants{};

@@ -127,6 +127,10 @@ CaseRun CaseRun::part(const Settings& settings) const {
   return part;
 }
 
+CaseRun CaseRun::nested(const Case& which, EngineKind engine, Settings settings) const {
+  return CaseRun(which, std::move(engine), std::move(settings), tolerance_scale_);
+}
+
 void CaseRun::include(const Record& part, bool pays) {
   record_.notes.insert(record_.notes.end(), part.notes.begin(), part.notes.end());
   if (!part.error.empty()) passages_.push_back(part.error);
@@ -142,7 +146,12 @@ void CaseRun::TakeOver::operator()(Simulation* simulation) const {
 }
 
 void CaseRun::ended(Simulated outcome) {
-  passed(outcome.passages, outcome.passages_noted);
+  passed(outcome.passages, outcome.contrast);
+  const std::string words = "the engine's arithmetic did " + outcome.faults;
+  if (!outcome.faults.empty() && outcome.contrast) note(words);
+  if (!outcome.faults.empty() && !outcome.contrast) {
+    faults_.insert(words + ": what it gave is not to be trusted");
+  }
   bill(outcome.cost);
   hash_.add(&outcome.state_hash, sizeof outcome.state_hash);
   if (outcome.recording) recording_ = std::move(outcome.recording);
@@ -181,6 +190,9 @@ Record CaseRun::record() const {
   if (!passages_.empty()) {
     record.verdict = Verdict::kError;
     record.error = joined(passages_);
+  } else if (!faults_.empty()) {
+    record.verdict = Verdict::kError;
+    record.error = fmt::format("{}", fmt::join(faults_, "; "));
   }
   return record;
 }

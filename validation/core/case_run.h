@@ -70,6 +70,8 @@ class CaseRun {
 
   /// A run of the same engine with other settings, whose record can be included (shared_run.h).
   CaseRun part(const Settings& settings) const;
+  /// A run of another case, on this engine in disguise (stability/perturbed_engine.h).
+  CaseRun nested(const Case& which, EngineKind engine, Settings settings) const;
   /// Takes over the notes and passages of a part, its state hash, and its cost if this run `pays`.
   void include(const Record& part, bool pays);
 
@@ -103,7 +105,8 @@ class CaseRun {
   std::optional<Recording> recording_;
   Fnv1a hash_;
   std::vector<std::string> passages_;
-  double timed_contacts_ = 0.0;  // contact updates of engines that timed them
+  std::set<std::string> faults_;  // of arithmetic
+  double timed_contacts_ = 0.0;   // contact updates of engines that timed them
   double contact_seconds_ = 0.0;
 };
 

@@ -2,13 +2,10 @@
 #include "validation/core/program.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <cctype>
 #include <cstring>
 
-#include "reports/screen/screen.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -32,16 +29,6 @@ Settings parse_settings(const std::vector<std::string>& words) {
     settings[word.substr(0, equals)] = word.substr(equals + 1);
   }
   return settings;
-}
-
-TableStyle terminal_style() {
-  const Screen screen = screen_of(STDOUT_FILENO);
-  return {.width = screen.width, .colour = screen.colour};
-}
-
-std::size_t terminal_height() {
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_row : 0;
 }
 
 std::string file_stem(const std::string& case_name, std::size_t index) {

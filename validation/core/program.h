@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "reports/formats/terminal_text.h"
 #include "reports/record/record.h"
 #include "reports/text/exit_code.h"
 #include "validation/engine/engine.h"
@@ -20,12 +19,6 @@ ExitCode exit_code(const std::vector<Record>& records);
 
 /// "NAME=VALUE" words as settings; throws InputError for another word.
 Settings parse_settings(const std::vector<std::string>& words);
-
-/// Of stdout (reports/screen/screen.h).
-TableStyle terminal_style();
-
-/// Lines of the terminal; 0 where stdout is none.
-std::size_t terminal_height();
 
 /// "incline/restick/box", 12 → "012-incline_restick_box": a file name that every system takes.
 std::string file_stem(const std::string& case_name, std::size_t index);

@@ -14,6 +14,7 @@
 #include "reports/record/environment.h"
 #include "solver/demand.h"
 #include "validation/core/case_run.h"
+#include "validation/stability/perturbed_engine.h"
 
 namespace stiction {
 
@@ -24,7 +25,7 @@ bool matches(const std::string& glob, const std::string& name) {
 }
 
 bool chosen(const Case& one, const Selection& selection) {
-  if (selection.globs.empty()) return one.set <= selection.set;
+  if (selection.globs.empty()) return one.suite == selection.suite && one.set <= selection.set;
   return std::any_of(selection.globs.begin(), selection.globs.end(),
                      [&](const std::string& glob) { return matches(glob, one.name); });
 }
@@ -47,7 +48,12 @@ std::vector<Settings> chosen_variants(const Case& which, const EngineKind& engin
 }  // namespace
 
 std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& selection) {
-  const EngineKind engine = find_engine(selection.engine);
+  EngineKind engine = find_engine(selection.engine);
+  Settings over = selection.settings;
+  if (!selection.perturbation.empty()) {
+    engine = perturbed(engine, find_perturbation(selection.perturbation));
+    over[kPerturbedSetting] = selection.perturbation;
+  }
   for (const std::string& glob : selection.globs) {
     if (std::none_of(cases.begin(), cases.end(),
                      [&](const Case& one) { return matches(glob, one.name); })) {
@@ -59,13 +65,21 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
           (is_family ? "of that family they are '" + glob + "/*'" : "--list shows them all"));
     }
   }
+  const auto in_suite = [&](const Case& one) { return one.suite == selection.suite; };
+  if (!selection.suite.empty() && std::none_of(cases.begin(), cases.end(), in_suite)) {
+    std::set<std::string> suites;
+    for (const Case& one : cases) suites.insert(one.suite);
+    suites.erase("");
+    throw InputError(fmt::format("no case of a suite '{}'; there are: {}", selection.suite,
+                                 fmt::join(suites, "; ")));
+  }
   std::vector<Job> jobs;
   std::set<std::string> names;  // of configurations
   for (const Case& one : cases) {
     if (!chosen(one, selection)) continue;
     std::vector<Settings> seen;
     for (Settings settings : chosen_variants(one, engine, selection, names)) {
-      for (const auto& [name, value] : selection.settings) settings[name] = value;
+      for (const auto& [name, value] : over) settings[name] = value;
       if (std::find(seen.begin(), seen.end(), settings) != seen.end()) continue;
       const std::string name = called_configuration(engine, one.name, settings).name;
       if (!selection.configuration.empty() && name != selection.configuration) {

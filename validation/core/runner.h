@@ -27,14 +27,16 @@ struct Selection {
   std::vector<std::string>
       globs{};  ///< case names, * and ? as in a shell, * also across '/'; empty: all
   CaseSet set = CaseSet::kDefault;
+  std::string suite{};  ///< as in Case; a glob chooses from all
   std::string engine = "stiction";
   Settings settings{};          ///< over those of each variant
+  std::string perturbation{};   ///< by name (stability/perturbation.h); empty: none
   std::string configuration{};  ///< of the engine, by name; empty: all that it runs a case with
 };
 
 /// Jobs of the cases chosen, in the catalog's order; variants that the user's settings make equal
-/// run once. A case named by a glob runs whatever set it belongs to. Throws InputError when a glob
-/// matches no case, the engine is unknown, or no case chosen runs in the configuration.
+/// run once. A case named by a glob runs whatever set and suite it belongs to. Throws InputError when
+/// a glob matches no case, suite or engine are unknown, or no case chosen runs in the configuration.
 std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& selection);
 
 /// Runs one job. What goes wrong becomes the record's error; nothing is thrown for it. What the

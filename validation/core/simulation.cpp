@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "solver/demand.h"
+#include "validation/observe/arithmetic_watch.h"
 #include "validation/observe/passage_watch.h"
 
 namespace stiction {
@@ -27,8 +28,9 @@ Simulation::~Simulation() = default;
 
 Simulated Simulation::outcome() noexcept {
   Simulated outcome;
-  outcome.passages_noted = contrast_;
+  outcome.contrast = contrast_;
   try {
+    outcome.faults = faults_;
     outcome.cost = engine_->cost();
     if (engine_->steps_done() > 0) watch_->look(*engine_, true);
     outcome.passages = watch_->found();
@@ -53,7 +55,11 @@ void Simulation::advance_to(double time) {
 void Simulation::advance(std::uint64_t steps) {
   const std::uint64_t target = engine_->steps_done() + steps;
   const auto advance_until = [this](std::uint64_t step) {
-    if (step > engine_->steps_done()) engine_->advance(step - engine_->steps_done());
+    if (step > engine_->steps_done()) {
+      const ArithmeticWatch arithmetic;
+      engine_->advance(step - engine_->steps_done());
+      if (faults_.empty()) faults_ = arithmetic.found();
+    }
     if (engine_->cost().cpu_seconds > cpu_limit_) {
       throw InputError(fmt::format("gave up at t = {:.3g} s: its CPU time is used up", time()));
     }

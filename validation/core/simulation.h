@@ -22,7 +22,8 @@ struct Simulated {
   Cost cost{};                          ///< of all its steps
   std::uint64_t state_hash = 0;         ///< of its last state
   std::vector<std::string> passages{};  ///< bodies that passed through each other, a sentence each
-  bool passages_noted = false;          ///< they are a note in the record, not an error
+  bool contrast = false;                ///< known to break: what goes wrong is a note, not an error
+  std::string faults{};                 ///< of its arithmetic (arithmetic_watch.h); empty: none
   std::optional<Recording> recording{};
 };
 
@@ -51,7 +52,7 @@ class Simulation {
   void limit_cpu(double seconds) { cpu_limit_ = seconds; }
 
   /// This simulation stands for a method that is known to break: bodies that pass through each
-  /// other are a note in the record, not an error.
+  /// other, and arithmetic without an answer, are a note in the record, not an error.
   void shows_contrast() { contrast_ = true; }
 
   Engine& engine() { return *engine_; }
@@ -66,6 +67,7 @@ class Simulation {
   std::optional<Recorder> recorder_;  // where the run keeps frames
   std::unique_ptr<PassageWatch> watch_;
   bool* may_record_;
+  std::string faults_;
   bool contrast_;
   double cpu_limit_ = std::numeric_limits<double>::infinity();
 };

@@ -52,11 +52,13 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
     need(!body.angular_velocity.isZero(0.0), manifest.spin, "bodies that turn");
     need(body.must_deform, manifest.deformable, "bodies that deform");
     need(body.held.has_value(), manifest.held_parts, "held parts");
+    need(!body.motion.velocity.isZero(0.0), manifest.steady_motion, "steadily moving supports");
     need(body.self_collision, manifest.self_contact, "a body's contact with itself");
   }
   need(problem.bodies.size() > 1, manifest.body_contact, "contact between bodies");
   for (const Obstacle& obstacle : problem.obstacles) {
     need(!obstacle.motion.time.empty(), manifest.moving_obstacles, "moving obstacles");
+    need(!obstacle.motion.velocity.isZero(0.0), manifest.steady_motion, "steadily moving supports");
   }
   need(problem.drag.rate > 0.0, manifest.drag, "a medium that damps");
   need(!problem.loads.empty() || !problem.springs.empty(), manifest.loads, "loads on bodies");

@@ -31,6 +31,7 @@ struct Manifest {
   bool body_contact = false;   ///< bodies touch each other
   bool self_contact = false;   ///< … and themselves
   bool moving_obstacles = false;
+  bool steady_motion = false;    ///< of held parts and obstacles: Motion::velocity
   bool drag = false;             ///< a medium that damps all motion
   bool varying_gravity = false;  ///< over time
   bool loads = false;            ///< forces, couples and springs on bodies
@@ -41,17 +42,17 @@ struct Manifest {
 
 /// Centre-of-mass motion of one body.
 struct BodyMotion {
-  Vec3 position;  ///< m
-  Vec3 velocity;  ///< m/s
+  Eigen::Vector3d position;  ///< m
+  Eigen::Vector3d velocity;  ///< m/s
   /// Rotation from the initial pose that fits the body best (mass-weighted).
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   /// Of the rigid motion with the body's angular momentum about its centre, rad/s.
-  Vec3 angular_velocity = Vec3::Zero();
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
 };
 
 struct Momenta {
-  Vec3 linear;   ///< kg m/s
-  Vec3 angular;  ///< about the origin, kg m²/s
+  Eigen::Vector3d linear;   ///< kg m/s
+  Eigen::Vector3d angular;  ///< about the origin, kg m²/s
 };
 
 /// One contact point at the end of a step, as an outside evaluator sees it.
@@ -61,16 +62,16 @@ struct ContactSample {
   bool against_body = false;
   std::int64_t point = 0;   ///< the engine's stable number for the touching point
   std::int64_t facet = -1;  ///< and for the facet that it touches; −1: it has none, or won't tell
-  Vec3 normal;              ///< out of the obstacle, unit
+  Eigen::Vector3d normal;   ///< out of the obstacle, unit
   double gap = 0.0;         ///< m
-  double normal_force = 0.0;     ///< N, ≥ 0
-  Vec3 friction_force;           ///< on the body, N
-  Vec3 slip;                     ///< tangential velocity over the obstacle, m/s
-  bool sticks = false;           ///< the engine's own word
-  Vec3 position = Vec3::Zero();  ///< of the point, m
+  double normal_force = 0.0;       ///< N, ≥ 0
+  Eigen::Vector3d friction_force;  ///< on the body, N
+  Eigen::Vector3d slip;            ///< tangential velocity over the obstacle, m/s
+  bool sticks = false;             ///< the engine's own word
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the point, m
   /// From where the reaction acts to where the force does, at the start of the last step, m. Times
   /// the force it is what the contact adds to the angular momentum.
-  Vec3 arm = Vec3::Zero();
+  Eigen::Vector3d arm = Eigen::Vector3d::Zero();
 };
 
 struct Energies {
@@ -176,6 +177,9 @@ struct EngineKind {
   /// Settings, over a run's own, that leave something out; null or none: the engine can't.
   std::function<std::optional<Settings>(Without what)> without{};
   std::function<std::vector<Case>()> studies{};  ///< cases about this engine alone; null: none
+  /// Other builds of it, and the engines that they are: "single", of single precision, "fused", with
+  /// contraction.
+  std::map<std::string, std::string> builds{};
   /// Efforts from the usual to the most, each laid over a configuration: smaller steps, more
   /// iterations. A work-precision curve has a point at each. Empty: the usual alone.
   std::vector<Settings> ladder{};

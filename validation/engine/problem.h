@@ -15,11 +15,11 @@
 namespace stiction {
 
 // A problem is physics alone: shapes, masses, materials, loads, duration. How it is discretised is
-// an engine's affair. SI units throughout.
+// an engine's affair, and so is its precision: here all is double. SI units throughout.
 
 /// A box, centred at its body's pose.
 struct BoxShape {
-  Vec3 size = Vec3::Ones();  ///< edge lengths, m
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< edge lengths, m
 };
 
 /// A ball, centred at its body's pose. Which of its facets lie below, where an engine triangulates
@@ -39,6 +39,9 @@ struct PointShape {};
 
 using Shape = std::variant<BoxShape, PointShape, BallShape, MeshShape>;
 
+/// Of the box around it that its own axes span, m; 0 for a point.
+double longest_edge(const Shape& shape);
+
 /// Isotropic linear elasticity with strain-rate damping.
 struct Elasticity {
   double youngs_modulus = 5e5;  ///< Pa
@@ -49,8 +52,8 @@ struct Elasticity {
 /// A part of a body that is held: its points x (in the body's own frame) with (x − point)·normal ≤
 /// 0.
 struct HeldPart {
-  Vec3 point = Vec3::Zero();    ///< m
-  Vec3 normal = Vec3::UnitZ();  ///< any length but 0
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< m
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< any length but 0
 };
 
 struct ProblemBody {
@@ -58,23 +61,23 @@ struct ProblemBody {
   Shape shape;
   double mass = 1.0;  ///< kg, > 0, spread evenly
   Elasticity elasticity;
-  Vec3 position = Vec3::Zero();  ///< of the centre of mass, m
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the centre of mass, m
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  Vec3 velocity = Vec3::Zero();          ///< of the centre of mass, m/s
-  Vec3 angular_velocity = Vec3::Zero();  ///< about it, rad/s
-  std::optional<HeldPart> held{};        ///< fixed, or moved by `motion`
-  Motion motion{};                       ///< of the held part
-  bool self_collision = false;           ///< it may touch itself
-  bool must_deform = false;              ///< what is claimed of it is not true of a rigid body
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of the centre of mass, m/s
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< about it, rad/s
+  std::optional<HeldPart> held{};                              ///< fixed, or moved by `motion`
+  Motion motion{};                                             ///< of the held part
+  bool self_collision = false;                                 ///< it may touch itself
+  bool must_deform = false;  ///< what is claimed of it is not true of a rigid body
 };
 
 /// A fixed half-space: x with (x − point)·normal < 0 is inside.
 struct Obstacle {
   std::string name;
-  Vec3 point = Vec3::Zero();    ///< m
-  Vec3 normal = Vec3::UnitZ();  ///< outward, unit length
-  double friction = 0.0;        ///< μ of every pair with this obstacle, dimensionless
-  Motion motion{};              ///< of the whole half-space
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< m
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, unit length
+  double friction = 0.0;  ///< μ of every pair with this obstacle, dimensionless
+  Motion motion{};        ///< of the whole half-space
 };
 
 struct Problem {
@@ -88,6 +91,9 @@ struct Problem {
   double friction = 0.0;          ///< μ between bodies, dimensionless
   double duration = 1.0;          ///< s
 };
+
+/// Where the bodies are at the start, m, about as their size; empty without any.
+Eigen::AlignedBox3d bounds_of(const Problem& problem);
 
 /// How finely a case needs its problem resolved. An engine makes of it what it has: a mesh, a time
 /// step. What a user sets by hand goes before `fineness` and `time`, never before `finer`.

@@ -7,11 +7,11 @@
 
 namespace stiction {
 
-EnergyWatch::EnergyWatch(double begin, double end, double mass)
+EnergyWatch::EnergyWatch(double begin, double end, double mass, double rest_speed)
     : begin_(begin),
       middle_(0.5 * (begin + end)),
       end_(end),
-      floor_(0.5 * mass * kRestSpeed * kRestSpeed) {}
+      floor_(0.5 * mass * rest_speed * rest_speed) {}
 
 void EnergyWatch::add(double time, double kinetic) {
   if (time <= begin_ || time > end_ * (1.0 + 1e-12)) return;

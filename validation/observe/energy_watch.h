@@ -16,8 +16,9 @@ class EnergyWatch {
   /// allow. Round-off keeps a scene moving at less.
   static constexpr double kRestSpeed = 1e-12;
 
-  /// `begin` and `end` of the window, s; `mass` of all that moves, kg.
-  EnergyWatch(double begin, double end, double mass);
+  /// `begin` and `end` of the window, s; `mass` of all that moves, kg; `rest_speed`, m/s, where
+  /// coordinates that round keep a scene moving faster than kRestSpeed.
+  EnergyWatch(double begin, double end, double mass, double rest_speed = kRestSpeed);
 
   /// Kinetic energy (J) at a time (s); samples outside the window are left out.
   void add(double time, double kinetic);

@@ -31,7 +31,7 @@ class RestRun {
   RestRun(CaseRun& run, const RestScene& scene, double finer, double given_up)
       : scene_(scene), given_up_(given_up) {
     Accuracy accuracy = scene.accuracy;
-    accuracy.finer = finer;
+    accuracy.finer *= finer;
     simulation_ = run.simulate(scene.problem, accuracy);
     start_ = places();
   }
@@ -42,7 +42,7 @@ class RestRun {
 
   // Goes on to `end` (s) and says what happened since it was settled.
   RestOutcome watch(double end, const std::string& how) {
-    EnergyWatch energy(scene_.settled, end, mass_of(scene_.problem));
+    EnergyWatch energy(scene_.settled, end, mass_of(scene_.problem), rest_speed());
     for (const auto& [time, kinetic] : seen_) energy.add(time, kinetic);
     if (settled_.empty()) settled_ = places();
     RestOutcome outcome;
@@ -56,6 +56,10 @@ class RestRun {
     outcome.growth_allowed = EnergyWatch::allowance();
     outcome.kinetic = energy.second_half();
     outcome.broken = broken_;
+    outcome.contacts = contacts_if_told(simulation_->engine());
+    for (std::size_t b = 0; b < scene_.problem.bodies.size(); ++b) {
+      outcome.motion.push_back(simulation_->engine().body(b));
+    }
     if (!broken_.empty()) {
       outcome.drift = outcome.growth = outcome.fastest_slip =
           std::numeric_limits<double>::infinity();
@@ -70,6 +74,14 @@ class RestRun {
   }
 
  private:
+  // Coordinates round by half a unit in the last place of the scene's width, which a step turns into a
+  // speed.
+  double rest_speed() const {
+    const double width = bounds_of(scene_.problem).sizes().maxCoeff();
+    constexpr double kHalfUlp = 0.5 * std::numeric_limits<double>::epsilon();
+    return std::max(EnergyWatch::kRestSpeed, kHalfUlp * width / simulation_->engine().time_step());
+  }
+
   std::vector<Vec3> places() const {
     std::vector<Vec3> all;
     for (std::size_t b = 0; b < scene_.problem.bodies.size(); ++b) {

@@ -36,6 +36,8 @@ struct RestOutcome {
   double kinetic = 0.0;  ///< mean in the second half, J
   double moved = 0.0;    ///< of the centre that moved farthest since t = 0, m
   std::string broken;    ///< why it was given up before the end; empty if it wasn't
+  std::vector<ContactSample> contacts{};  ///< at the end
+  std::vector<BodyMotion> motion{};       ///< of each body, at the end
 };
 
 /// Simulates one scene once, twice with half the step; outcomes in the order base, twice the

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "reports/text/names.h"
+#include "reports/text/text.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -16,7 +17,8 @@ namespace {
 
 std::string sentence_at(const std::string& file, const toml::node& where,
                         const std::string& sentence) {
-  return fmt::format("{}:{}: {}", file, where.source().begin.line, sentence);
+  // Keys and texts that it quotes may hold anything.
+  return fmt::format("{}:{}: {}", file, where.source().begin.line, one_line(sentence));
 }
 
 }  // namespace

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 #include "reference/meshes/closed_surface.h"
 #include "reports/text/names.h"
+#include "reports/text/text.h"
 #include "solver/demand.h"
 #include "validation/user/toml_reader.h"
-#include "validation/user/user_run.h"
 
 namespace stiction {
 
@@ -33,6 +32,7 @@ std::size_t find_named(const std::vector<Named>& all, TomlTable& table, const st
 template <class Named>
 std::string new_name(const std::vector<Named>& all, TomlTable& table) {
   const std::string name = table.text("name");
+  if (name != one_line(name)) table.refuse("name", "a name must be one line of plain text");
   if (std::any_of(all.begin(), all.end(), [&](const Named& one) { return one.name == name; })) {
     table.refuse("name", "the name '" + name + "' is taken");
   }
@@ -120,12 +120,6 @@ MeshShape read_mesh(TomlTable& table) {
   }
   return shape;
 }
-
-// The mesher failed, not the file: costs this problem, not those beside it.
-class NotMeshed : public InputError {
- public:
-  using InputError::InputError;
-};
 
 // A closed surface from a file, found from the folder of the problem's own file.
 MeshShape read_surface(TomlTable& table) {
@@ -266,7 +260,7 @@ UserProblem read(const std::string& file, const toml::table& root) {
   TomlTable top(file, root, "the file");
   UserProblem user;
   user.title = top.text("title", "");
-  user.problem.name = user.title;
+  user.problem.name = one_line(user.title);
   user.problem.duration = top.number("duration");
   if (!(user.problem.duration > 0.0)) top.refuse("duration", "'duration' must be positive");
   user.problem.gravity = read_gravity(top);
@@ -286,31 +280,15 @@ UserProblem read(const std::string& file, const toml::table& root) {
 
 }  // namespace
 
-Case read_user_problem(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError("cannot read '" + file.string() + "'");
-  }
+UserProblem user_problem(std::istream& text, const std::filesystem::path& file) {
   toml::table root;
   try {
-    root = toml::parse(stream, file.string());
+    root = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
+    throw InputError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
+                                 one_line(error.description())));
   }
-  Case one;
-  one.name = "user/" + file.stem().string();
-  one.title = file.filename().string();
-  try {
-    UserProblem user = read(file.string(), root);
-    if (!user.title.empty()) one.title = user.title;
-    one.variants = {user.settings};
-    one.run = [user = std::move(user)](CaseRun& run) { run_user_problem(run, user); };
-  } catch (const NotMeshed& error) {
-    one.variants = {Settings{}};
-    one.run = [error](CaseRun&) { throw error; };
-  }
-  return one;
+  return read(file.string(), root);
 }
 
 }  // namespace stiction

@@ -6,7 +6,7 @@
 
 #include "solver/testing/test_refusal.h"
 #include "validation/user/test_user_problem.h"
-#include "validation/user/user_problem.h"
+#include "validation/user/user_case.h"
 
 namespace stiction {
 namespace {

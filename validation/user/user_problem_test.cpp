@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validation/user/user_problem.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 #include "reference/meshes/filled_surface.h"
 #include "solver/testing/test_refusal.h"
 #include "validation/user/test_user_problem.h"
+#include "validation/user/user_case.h"
 
 namespace stiction {
 namespace {

@@ -79,6 +79,7 @@ export function html_page({ data, bundles, recordings, limit_bytes }) {
     plots.length > 0 ? json_asset(`family/${i}`, plots) : "",
   );
   const comparison = data.comparison ? [json_asset("comparison", data.comparison)] : [];
+  const stability = data.stability ? [json_asset("stability", data.stability)] : [];
   const optional = [
     ...data.parts.map((part, i) => ({
       kind: "plots",
@@ -92,7 +93,7 @@ export function html_page({ data, bundles, recordings, limit_bytes }) {
     })),
   ].map((one) => ({ ...one, size: one.element.length }));
 
-  const needed = [...code, ...records, ...families, ...comparison];
+  const needed = [...code, ...records, ...families, ...stability, ...comparison];
   const frame = bundles.page.length + bundles.style.length + JSON.stringify(data.index).length / 4;
   const { kept, left_out } = fit(
     frame + needed.reduce((sum, one) => sum + one.length, 0),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs → what the page holds: an index that is read at once, and parts that are read when needed.
 import { compare, noise_of, same_reason } from "../model/compare.js";
+import { column_names } from "../model/column_name.js";
 import { configuration_of, ordered_configurations } from "../model/configuration.js";
 import {
   ENGINE_FINDINGS,
@@ -23,7 +24,8 @@ import { compared_of } from "./compared.mjs";
 import { engines_of, with_whole_questions } from "./engines.mjs";
 import { row_of, short_number, Texts } from "./index_row.mjs";
 import { run_heads } from "./run_heads.mjs";
-import { column_names, summary_of } from "./summary.mjs";
+import { stability_counts, stability_of } from "./stability.mjs";
+import { summary_of } from "./summary.mjs";
 
 const RECORDS_A_PART = 200;
 const MOST_CHANGES = 5000;
@@ -100,6 +102,11 @@ export function page_data({ runs, against, title, warnings }) {
   // Engines have a table of their own; what else there is, is judged as ever.
   const engines = engines_of(shown, heads);
   const current = shown.filter(({ record }) => !is_of_engines(record));
+  const name_of = column_names(current.map(({ record }) => record));
+  const several = new Set(current.map(({ run }) => run)).size > 1;
+  const series_of = ({ record, run }) =>
+    several ? `${name_of(record)} · ${heads[run].short}` : name_of(record);
+  const stability = stability_of(current, name_of, series_of);
   const by_family = [...group_by(by_case, ([name]) => family_name(name))];
   const families = by_family.map(([name, cases]) => ({
     name,
@@ -107,6 +114,7 @@ export function page_data({ runs, against, title, warnings }) {
       name,
       cases.flatMap(([, group]) => group),
       heads,
+      { name_of, series_of },
     ),
   }));
   const changes =
@@ -139,6 +147,7 @@ export function page_data({ runs, against, title, warnings }) {
         findings: findings.filter(({ of_engines }) => of_engines),
       },
       summary,
+      stability: stability && stability_counts(stability),
       configurations,
       families: families.map(({ name, plots }) => ({
         name,
@@ -156,6 +165,7 @@ export function page_data({ runs, against, title, warnings }) {
         part.map(([name, group]) => ({ case: name, plots: case_plots(name, group, heads) })),
     })),
     families,
+    stability,
     comparison: changes && {
       total: changes.length,
       counts: Object.fromEntries(

@@ -2,8 +2,8 @@
 // The answer in short: which configuration holds, where it falls short, how it creeps, how near to its
 // tolerances it comes and at what cost. A table configuration × family, and two pictures.
 import { margin } from "../model/check_text.js";
-import { configuration_of, ordered_configurations } from "../model/configuration.js";
-import { OURS } from "../model/engine.js";
+import { column_names } from "../model/column_name.js";
+import { ordered_configurations } from "../model/configuration.js";
 import { family_name, group_by } from "../model/family.js";
 import { to_number } from "../model/number.js";
 import { is_decided, is_expected, VERDICTS, worst_check } from "../model/verdict.js";
@@ -11,17 +11,6 @@ import { shared_cases_of, work_points } from "../model/work.js";
 import { slip_plot } from "../plots/slip_plot.js";
 import { work_precision_plot } from "../plots/work_precision_plot.js";
 import { short_number } from "./index_row.mjs";
-
-/** What a column is called: the configuration, with its engine where there are several. */
-export function column_names(records) {
-  const several = new Set(records.map(({ engine }) => engine)).size > 1;
-  return (record) => {
-    const name = configuration_of(record);
-    return several && record.engine !== OURS && name !== record.engine
-      ? `${record.engine} · ${name}`
-      : name;
-  };
-}
 
 const CREEP = /\b(creep|drift|contact slip|mean slip|slip (up|down)hill)\b/i;
 

@@ -78,6 +78,21 @@ const TERMS = [
     "How many digits of a value agree with what was expected: −log₁₀ of the error over the size of the quantity, at most 16. None where zero is expected and nothing tells of what size.",
   ],
   [
+    "perturbation",
+    ["perturbations", "perturbed"],
+    "Something done to a whole scene that must not change what is measured: it is turned, moved, mirrored, its bodies are renumbered, its units are others, its numbers are rounded otherwise.",
+  ],
+  [
+    "digits that survive",
+    [],
+    "−log₁₀ of the scatter σ of a figure under perturbations over its size, of the worst figure, at most 16; 0 is none.",
+  ],
+  [
+    "ladder",
+    ["rung"],
+    "A parameter swept over decades until something breaks; each of its values is a rung, a case of its own.",
+  ],
+  [
     "of tolerance",
     ["error ÷ tolerance", "worst ratio", "tolerance"],
     "Error ÷ tolerance. A check holds up to 1 (100 %). Every tolerance is derived, with its reason beside the check.",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands that run a case again.
 import { OURS } from "./engine.js";
+import { perturbed_of } from "./perturbation.js";
 
 /** A word of a shell's command line. */
 const quoted = (word) => `'${word.replace(/'/g, `'\\''`)}'`;
@@ -20,13 +21,29 @@ function command_of({ case: name, engine }, more = []) {
 /** The case with all its configurations, on the engine of a record. */
 export const case_command = (record) => command_of(record);
 
+// What chooses the record's configuration alone; none where nobody named it.
+const configuration_words = ({ configuration, differs = {} }) =>
+  configuration
+    ? [
+        `--configuration ${quoted(configuration)}`,
+        ...Object.entries(differs).map(([name, value]) =>
+          name === "perturbed"
+            ? `--perturb ${quoted(value)}`
+            : `--set ${quoted(`${name}=${value}`)}`,
+        ),
+      ]
+    : [];
+
 /** The same in the record's configuration alone; "" where nobody named it. */
 export const record_command = (record) =>
-  record.configuration
-    ? command_of(record, [
-        `--configuration ${quoted(record.configuration)}`,
-        ...Object.entries(record.differs ?? {}).map(
-          ([name, value]) => `--set ${quoted(`${name}=${value}`)}`,
-        ),
-      ])
-    : "";
+  record.configuration ? command_of(record, configuration_words(record)) : "";
+
+/** Exactly the record: its case, in its configuration where that has a name. */
+export const exact_command = (record) => command_of(record, configuration_words(record));
+
+/** One perturbation (model/perturbation.js) of the case that a record perturbed/… is about. */
+export const perturbed_command = (record, perturbation) =>
+  command_of({ ...record, case: perturbed_of(record.case) }, [
+    `--perturb ${quoted(perturbation)}`,
+    ...configuration_words(record),
+  ]);

@@ -14,6 +14,7 @@ import { show_plots } from "./views/plots_view.js";
 import { hash_of, parse_hash } from "./route.js";
 import { know_configurations } from "../plots/configuration_style.js";
 import { rows_of } from "./rows.js";
+import { show_stability } from "./views/stability_view.js";
 import { summary_view } from "./views/summary_view.js";
 import { start_terms } from "./widgets/term.js";
 import { start_theme } from "./widgets/theme.js";
@@ -32,6 +33,7 @@ async function start(app) {
     ["summary", "Summary"],
     ["cases", "Cases"],
     ["plots", "Plots"],
+    ...(index.stability ? [["stability", "Stability"]] : []),
     ...(comparison ? [["compare", "Compare"]] : []),
     ["about", "About"],
   ];
@@ -46,6 +48,7 @@ async function start(app) {
     case: show_case,
     family: show_family,
     plots: show_plots,
+    stability: index.stability && show_stability,
     compare: comparison && show_compare,
     about: show_about,
   };

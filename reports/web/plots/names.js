@@ -20,6 +20,12 @@ export function numbered(names) {
   };
 }
 
+/** An axis' ticks at some places, each with a text of its own. */
+export const labelled = (places, texts) => ({
+  values: places,
+  labelExpr: `[${texts.map(literal).join(",")}][indexof([${places.join(",")}], datum.value)]`,
+});
+
 /** A tooltip's entry; the colon keeps a name from being a key that objects have already. */
 export const tip = (field, name, type = "nominal") => ({ field, title: `${name}:`, type });
 export const tip_number = (field, name) => tip(field, name, "quantitative");

@@ -6,6 +6,7 @@ import { configuration_of } from "../model/configuration.js";
 import { compared_variants, is_answer, is_engine_case, record_labels } from "../model/engine.js";
 import { is_comparison } from "../model/figure.js";
 import { engine_work_plot } from "./engine_work_plot.js";
+import { ladder_plots } from "./ladder_plot.js";
 import { history_plots, is_history } from "./history_plot.js";
 import { parameter_plot } from "./parameter_plot.js";
 import { phase_plot } from "./phase_plot.js";
@@ -110,8 +111,16 @@ function run_plots(described) {
   return [times, digits].filter((group) => group.length > 0).map(run_plot);
 }
 
-/** The plots of one family, over all its cases. */
-export function family_plots(family, entries, runs) {
+/**
+ * The plots of one family, over all its cases. `name_of(record)` is what its configuration is called beside
+ * those of all families, `series_of(entry)` the same with its run.
+ */
+export function family_plots(
+  family,
+  entries,
+  runs,
+  { name_of = configuration_of, series_of = ({ record }) => name_of(record) } = {},
+) {
   const current = entries.filter(({ run }) => runs[run].role === "shown");
   const records = current.map(({ record }) => record);
   if (is_engine_case(family)) {
@@ -150,6 +159,7 @@ export function family_plots(family, entries, runs) {
   const work = records.some(is_answer) ? null : work_precision_plot(records);
   return with_id(
     [
+      ...ladder_plots(current, name_of, series_of),
       threshold && { kind: "threshold", ...threshold },
       prediction && { kind: "prediction", ...prediction },
       work && { kind: "work-precision", ...work },

@@ -22,6 +22,7 @@ const VIEWS = [
   ["summary", ""],
   ["case", "#case=paper/fig5-box-pyramid"],
   ["cases", "#cases"],
+  ["stability", "#stability"], // of a run of --suite stability
   ["about", "#about"],
 ];
 for (const [look, options] of [

@@ -39,19 +39,19 @@ const QUESTIONS = [
   },
   {
     question: "Why does the paper's method fall short here (the pushed box on the slab)?",
-    clicks: [link("push-and-retract/slab/40%")],
+    clicks: [on("main a", /^push-and-retract\/slab\/\d+%$/)],
     where: on("main", "What must hold"),
     answer: /Cause\s+the scalar ξ: it holds friction only against a slip that goes on/,
   },
   {
     question: "How do I rerun this?",
-    clicks: [link("push-and-retract/slab/40%")],
+    clicks: [on("main a", /^push-and-retract\/slab\/\d+%$/)],
     where: on(".command", "./stiction validate"),
-    answer: /\.\/stiction validate --case 'push-and-retract\/slab\/40%'/,
+    answer: /\.\/stiction validate --case 'push-and-retract\/slab\/\d+%'/,
   },
   {
     question: "What is the problem: which bodies, of which size, mass and friction?",
-    clicks: [link("slab/rest/one")],
+    clicks: [on("main a", /^slab\/rest\/(one|fixed|random)$/)],
     where: on("main", "The problem"),
     answer: /box\s+box 0\.1 × 0\.1 × 0\.1 m[\s\S]*μ = 0\.5/,
   },

@@ -29,19 +29,19 @@ struct AitkenVector {
         gain_(value_of(parameter::kGain, given)),
         keep_through_slip_(is_on(parameter::kMemory, given)) {}
 
-  void reset(double* memory) const {
+  void reset(Real* memory) const {
     std::fill_n(memory, kValues, 0.0);
     memory[6] = gain_;
   }
 
-  SlipSolution solve(const SlipProblem& problem, double* memory) const {
+  SlipSolution solve(const SlipProblem& problem, Real* memory) const {
     Eigen::Map<Vec3> bias(memory), before(memory + 3);
     if (problem.first_sweep) {
       bias -= problem.normal.dot(bias) * problem.normal;
       if (problem.was == ContactStatus::kStick) {
-        double& gain = memory[6];
+        Real& gain = memory[6];
         const Vec3 change = problem.start_slip - before;
-        const double size2 = change.squaredNorm();
+        const Real size2 = change.squaredNorm();
         // Before the first slip there is nothing to take a slope from.
         if (size2 > kRoundOff * kRoundOff && !before.isZero(0.0)) {
           gain = std::clamp(-gain * before.dot(change) / size2, kLeast, kMost);
@@ -56,11 +56,11 @@ struct AitkenVector {
   }
 
  private:
-  static constexpr double kRoundOff = 1e-14;  // m/s
-  static constexpr double kLeast = 0.1, kMost = 1.5;
+  static constexpr Real kRoundOff = by_precision(1e-14, 1e-8);  // m/s
+  static constexpr Real kLeast = 0.1, kMost = 1.5;
 
   BiasVector bias_;
-  double gain_;
+  Real gain_;
   bool keep_through_slip_;
 };
 

@@ -30,9 +30,9 @@ struct BiasVector {
       : gain_(value_of(parameter::kGain, given)),
         keep_through_slip_(is_on(parameter::kMemory, given)) {}
 
-  void reset(double* memory) const { memory[0] = memory[1] = memory[2] = 0.0; }
+  void reset(Real* memory) const { memory[0] = memory[1] = memory[2] = 0.0; }
 
-  SlipSolution solve(const SlipProblem& problem, double* memory) const {
+  SlipSolution solve(const SlipProblem& problem, Real* memory) const {
     Eigen::Map<Vec3> bias(memory);
     if (problem.first_sweep) {
       bias -= problem.normal.dot(bias) * problem.normal;
@@ -45,14 +45,14 @@ struct BiasVector {
   template <class Bias>
   SlipSolution project(const SlipProblem& problem, Bias&& bias) const {
     const Vec3 force = -(problem.free_slip + bias) / problem.inverse_mass;
-    const double size2 = force.squaredNorm();
+    const Real size2 = force.squaredNorm();
     if (size2 <= problem.bound * problem.bound) return {force, ContactStatus::kStick};
     if (!keep_through_slip_) bias.setZero();
     return {problem.bound / std::sqrt(size2) * force, ContactStatus::kSlip};
   }
 
  private:
-  double gain_;
+  Real gain_;
   bool keep_through_slip_;
 };
 

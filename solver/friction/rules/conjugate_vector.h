@@ -40,10 +40,10 @@ struct ConjugateVector : StoredVector {
       : StoredVector(given), slip_tolerance_(value_of(kSlipTolerance, given)) {}
 
   /// A sweep that takes away no more slip than this from any contact is the last, in gΔt.
-  double slip_tolerance() const { return slip_tolerance_; }
+  Real slip_tolerance() const { return slip_tolerance_; }
 
  private:
-  double slip_tolerance_;
+  Real slip_tolerance_;
 };
 
 }  // namespace stiction

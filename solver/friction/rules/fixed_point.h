@@ -21,7 +21,7 @@ namespace stiction {
 ///    `memory` is kept (the paper says nothing of either).
 /// 3. A clamped contact slips, and a slipping one does not learn, so the controller cannot wind up.
 /// 4. The slip u (start of the step) is projected on ũ/|ũ| of the present step. With |ũ| ≤ 1e-12
-///    m/s that direction is round-off: ξ is held, the closed form needs no direction.
+///    m/s (1e-8 in single precision) that direction is round-off: ξ is held, the closed form needs no direction.
 ///
 /// u → 0: ξ is constant. A fixed obstacle leaves u = 0, so ξ stays 1.
 struct FixedPoint {
@@ -30,7 +30,7 @@ struct FixedPoint {
                                   "below 2; blind to slip across ũ"};
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 1;
-  static constexpr double kDirectionLess = 1e-12;  ///< m/s
+  static constexpr Real kDirectionLess = by_precision(1e-12, 1e-8);  ///< m/s
 
   /// The paper's raw α [(16)–(18)]: ξ ← ξ − α u.
   static constexpr RuleParameter kAlpha{.name = "alpha",
@@ -45,13 +45,13 @@ struct FixedPoint {
         raw_alpha_(value_of(kAlpha, given)),
         keep_through_slip_(is_on(parameter::kMemory, given)) {}
 
-  void reset(double* memory) const { memory[0] = 1.0; }
+  void reset(Real* memory) const { memory[0] = 1.0; }
 
-  SlipSolution solve(const SlipProblem& problem, double* memory) const {
-    double& xi = memory[0];
-    const double free_slip = problem.free_slip.norm();
+  SlipSolution solve(const SlipProblem& problem, Real* memory) const {
+    Real& xi = memory[0];
+    const Real free_slip = problem.free_slip.norm();
     if (problem.first_sweep && problem.was == ContactStatus::kStick && free_slip > kDirectionLess) {
-      const double slip = problem.start_slip.dot(problem.free_slip) / free_slip;
+      const Real slip = problem.start_slip.dot(problem.free_slip) / free_slip;
       xi += raw_alpha_ != 0.0 ? -raw_alpha_ * slip : gain_ * slip / free_slip;
     }
     if (!can_stick(problem)) return slipped(problem, xi);
@@ -61,13 +61,13 @@ struct FixedPoint {
   }
 
  private:
-  SlipSolution slipped(const SlipProblem& problem, double& xi) const {
+  SlipSolution slipped(const SlipProblem& problem, Real& xi) const {
     if (!keep_through_slip_) xi = 1.0;
     return sliding(problem);
   }
 
-  double gain_;
-  double raw_alpha_;
+  Real gain_;
+  Real raw_alpha_;
   bool keep_through_slip_;
 };
 

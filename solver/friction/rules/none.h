@@ -19,9 +19,9 @@ struct None {
   static constexpr bool kWarmStart = false;
   static constexpr int kValues = 0;
   explicit None(const RuleSettings&) {}
-  void reset(double*) const {}
+  void reset(Real*) const {}
 
-  SlipSolution solve(const SlipProblem& problem, double*) const {
+  SlipSolution solve(const SlipProblem& problem, Real*) const {
     if (!can_stick(problem)) return sliding(problem);
     return {-problem.free_slip / problem.inverse_mass, ContactStatus::kStick};
   }

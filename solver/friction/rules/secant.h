@@ -42,14 +42,14 @@ struct Secant {
         keep_through_slip_(is_on(parameter::kMemory, given)),
         safeguard_(is_on(kSafeguard, given)) {}
 
-  void reset(double* memory) const {
+  void reset(Real* memory) const {
     memory[0] = 1.0;
     memory[1] = 1.0;
     memory[2] = std::nan("");
   }
 
-  SlipSolution solve(const SlipProblem& problem, double* memory) const {
-    const double free_slip = problem.free_slip.norm();
+  SlipSolution solve(const SlipProblem& problem, Real* memory) const {
+    const Real free_slip = problem.free_slip.norm();
     if (problem.first_sweep && problem.was == ContactStatus::kStick && free_slip > kDirectionLess) {
       update(problem.start_slip.dot(problem.free_slip) / (free_slip * free_slip), memory);
     }
@@ -62,21 +62,22 @@ struct Secant {
   }
 
  private:
-  static constexpr double kDirectionLess = 1e-12;  // m/s, as in the fixed point
-  static constexpr double kFlat = 1e-9;
-  static constexpr double kLargestStep = 0.5;
+  static constexpr Real kDirectionLess = by_precision(1e-12, 1e-8);  // m/s, as in the fixed point
+  static constexpr Real kFlat = by_precision(1e-9, 1e-5);
+  static constexpr Real kLargestStep = 0.5;
 
-  void update(double slip, double* memory) const {
-    const double xi = memory[0];
-    const double change_of_xi = xi - memory[1];
-    const double change_of_slip = slip - memory[2];  // NaN at first: compares false
-    double step = 0.0;
+  void update(Real slip, Real* memory) const {
+    const Real xi = memory[0];
+    const Real change_of_xi = xi - memory[1];
+    const bool first = std::isnan(memory[2]);
+    const Real change_of_slip = first ? 0 : slip - memory[2];
+    Real step = 0.0;
     if (std::abs(change_of_slip) > kFlat && change_of_xi != 0.0) {
       step = -slip * change_of_xi / change_of_slip;
       // More friction, less slip: the slope of u over ξ is negative, so ξ must follow the sign of
       // u.
       if (safeguard_ && step * slip < 0.0) step = gain_ * slip;
-    } else if (safeguard_ || std::isnan(memory[2])) {
+    } else if (safeguard_ || first) {
       step = gain_ * slip;
     }
     if (safeguard_) step = std::clamp(step, -kLargestStep, kLargestStep);
@@ -85,7 +86,7 @@ struct Secant {
     memory[0] = xi + step;
   }
 
-  double gain_;
+  Real gain_;
   bool keep_through_slip_;
   bool safeguard_;
 };

@@ -37,15 +37,15 @@ struct StoredVector {
 
   explicit StoredVector(const RuleSettings& given) : relaxation_(value_of(kRelaxation, given)) {}
 
-  void reset(double* memory) const { memory[0] = memory[1] = memory[2] = 0.0; }
+  void reset(Real* memory) const { memory[0] = memory[1] = memory[2] = 0.0; }
 
-  Vec3 start(const double* memory) const { return {memory[0], memory[1], memory[2]}; }
+  Vec3 start(const Real* memory) const { return {memory[0], memory[1], memory[2]}; }
 
-  SlipSolution solve(const SlipProblem& problem, double* memory) const {
+  SlipSolution solve(const SlipProblem& problem, Real* memory) const {
     const Vec3 slip = problem.free_slip + problem.inverse_mass * problem.force;
     SlipSolution solution{problem.force - relaxation_ / problem.inverse_mass * slip,
                           ContactStatus::kStick};
-    const double size2 = solution.force.squaredNorm();
+    const Real size2 = solution.force.squaredNorm();
     if (size2 > problem.bound * problem.bound) {
       solution = {problem.bound / std::sqrt(size2) * solution.force, ContactStatus::kSlip};
     }
@@ -56,7 +56,7 @@ struct StoredVector {
   }
 
  private:
-  double relaxation_;
+  Real relaxation_;
 };
 
 }  // namespace stiction

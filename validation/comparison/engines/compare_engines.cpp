@@ -14,6 +14,7 @@
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
 #include "reports/text/names.h"
+#include "reports/text/number.h"
 #include "solver/demand.h"
 #include "validation/comparison/engines/engine_matrix.h"
 #include "validation/comparison/engines/engine_summary.h"

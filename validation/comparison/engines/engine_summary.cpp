@@ -92,7 +92,7 @@ std::string holding_text(const EngineAnswers& answers, const Screen& screen) {
                     fmt::format("{} of {}", closest(answers, row), all),
                     fmt::format("{}", broken(answers, row))});
   }
-  if (rows.size() > 1) text += plain_table(rows, 1, screen.width);
+  if (rows.size() > 1) text += plain_table(rows, {0}, screen.width);
   if (!others.empty()) {
     text += bullet("Not (creep, m/s; gives off, °): " + listed_names(others), screen.width, "  ");
   }

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
+#include "reports/text/text.h"
 #include "solver/demand.h"
 
 namespace stiction {
@@ -30,14 +32,19 @@ std::string named(const std::vector<std::string>& words) {
 
 Dialogue::Dialogue(const std::vector<std::string>& words, const ProgramLimits& limits)
     : name_(named(words)),
-      conversation_(words, {.reply_seconds = limits.reply_seconds,
-                            .memory_bytes = bytes(limits.memory_gib)}) {}
+      conversation_(std::make_unique<reference::Conversation>(
+          words, reference::ConversationLimits{.reply_seconds = limits.reply_seconds,
+                                               .memory_bytes = bytes(limits.memory_gib)})),
+      answers_([this](const std::string& line) { return conversation_->ask(line); }) {}
+
+Dialogue::Dialogue(const std::vector<std::string>& words, Answers answers)
+    : name_(named(words)), answers_(std::move(answers)) {}
 
 nlohmann::json Dialogue::ask(const char* verb, nlohmann::json request) {
   request["do"] = verb;
   std::string line;
   try {
-    line = conversation_.ask(request.dump());
+    line = answers_(request.dump());
   } catch (const reference::ChildError& what) {
     throw InputError(fmt::format("the engine '{}', asked to {}, {}", name_, verb, what.what()));
   }
@@ -47,12 +54,14 @@ nlohmann::json Dialogue::ask(const char* verb, nlohmann::json request) {
     const bool more = line.size() > kQuoted;
     throw InputError(
         fmt::format("the engine '{}', asked to {}, answered what is no JSON object: '{}{}'", name_,
-                    verb, line.substr(0, kQuoted), more ? "…" : ""));
+                    verb, one_line(line.substr(0, kQuoted)), more ? "…" : ""));
   }
-  if (answer.contains("lacks")) throw NotApplicable(fields(answer, verb)["lacks"].text());
+  if (answer.contains("lacks")) {
+    throw NotApplicable(one_line(fields(answer, verb)["lacks"].text()));
+  }
   if (answer.contains("error")) {
     throw InputError(fmt::format("the engine '{}', asked to {}, says: {}", name_, verb,
-                                 fields(answer, verb)["error"].text()));
+                                 one_line(fields(answer, verb)["error"].text())));
   }
   return answer;
 }

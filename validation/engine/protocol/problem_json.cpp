@@ -65,6 +65,11 @@ json over_time(const std::string& who, const char* what, const std::vector<doubl
   return {{"time", time}, {"value", values}};
 }
 
+json motion_json(const std::string& who, const Motion& motion) {
+  if (!motion.velocity.isZero(0.0)) refuse(who, "the protocol has no steady motion");
+  return over_time(who, "motion", motion.time, motion.offset);
+}
+
 struct ShapeWriter {
   const std::string& who;
   json operator()(const BoxShape& box) const {
@@ -104,7 +109,7 @@ json body_json(const ProblemBody& body) {
       {"rotation", {q.w(), q.x(), q.y(), q.z()}},
       {"velocity", vector(who, "velocity", body.velocity)},
       {"angular_velocity", vector(who, "angular velocity", body.angular_velocity)},
-      {"motion", over_time(who, "motion", body.motion.time, body.motion.offset)},
+      {"motion", motion_json(who, body.motion)},
       {"self_collision", body.self_collision},
       {"must_deform", body.must_deform}};
   if (body.held) {
@@ -120,7 +125,7 @@ json obstacle_json(const Obstacle& obstacle) {
           {"point", vector(who, "point", obstacle.point)},
           {"normal", unit(who, "normal", obstacle.normal)},
           {"friction", not_negative(who, "friction", obstacle.friction)},
-          {"motion", over_time(who, "motion", obstacle.motion.time, obstacle.motion.offset)}};
+          {"motion", motion_json(who, obstacle.motion)}};
 }
 
 json load_json(const Load& load) {

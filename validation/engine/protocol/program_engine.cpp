@@ -21,6 +21,7 @@ using nlohmann::json;
 
 constexpr double kClockDrift = 1e-6;  // relative: what sums of Δt in single precision lose
 constexpr double kTelling = 2e-3;     // s of CPU time: a hundred times what an observation takes
+constexpr std::uint64_t kMostVertices = 1000000000;
 constexpr double kUnit = 1e-3;  // of a quaternion's length: an engine may let it drift a little
 
 // A saved state is the program's own affair: it can be taken back by the same process alone.
@@ -45,7 +46,7 @@ class ProgramEngine final : public Engine {
     problem_ = problem;
     const json described = problem_json(problem);
     for (const ProblemBody& body : problem.bodies) rigid_.emplace_back(body);
-    dialogue_ = std::make_unique<Dialogue>(traits_.words, traits_.limits);
+    dialogue_ = start(traits_);
     const json answer = dialogue_->ask(
         "load",
         {{"problem", described}, {"accuracy", accuracy_json(accuracy)}, {"settings", given_}});
@@ -91,11 +92,7 @@ class ProgramEngine final : public Engine {
 
   Eigen::Matrix3Xd vertices(std::size_t index) const override {
     if (surfaces_.empty()) return rigid_.at(index).vertices(body(index));
-    const json answer = observe("vertices");
-    const std::vector<double> all =
-        kit::read_array(answer.at("vertices").at(index), "'vertices' of a body");
-    return Eigen::Map<const Eigen::Matrix3Xd>(all.data(), 3,
-                                              static_cast<Eigen::Index>(all.size() / 3));
+    return see_vertices(index);
   }
 
   Settings settings() const override { return resolved_; }
@@ -142,6 +139,7 @@ class ProgramEngine final : public Engine {
  private:
   void see_bodies() const;
   void see_surfaces();
+  Eigen::Matrix3Xd see_vertices(std::size_t index) const;
   void demand_clock(const JsonField& fields) const;
   json observe(const char* what) const {
     const double before = dialogue_->cpu_seconds();
@@ -170,20 +168,25 @@ class ProgramEngine final : public Engine {
   mutable std::vector<BodyMotion> bodies_;
 };
 
-std::vector<double> array_of(const JsonField& fields, const json& answer, const char* name,
-                             std::size_t count) {
-  const JsonField field = fields[name];
+std::vector<double> finite_array(const JsonField& field, const json& value, const char* name) {
   std::vector<double> all;
   try {
-    all = kit::read_array(answer.at(name), std::string("'") + name + "'");
+    all = kit::read_array(value, std::string("'") + name + "'");
   } catch (const std::runtime_error& what) {
     field.fail(what.what());
   }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!std::isfinite(all[k])) field.fail(fmt::format("its number {} is not finite", k));
+  }
+  return all;
+}
+
+std::vector<double> array_of(const JsonField& fields, const json& answer, const char* name,
+                             std::size_t count) {
+  const JsonField field = fields[name];
+  const std::vector<double> all = finite_array(field, answer.at(name), name);
   if (all.size() != count) {
     field.fail(fmt::format("has {} numbers where {} belong", all.size(), count));
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!std::isfinite(all[k])) field.fail(fmt::format("its number {} is not finite", k));
   }
   return all;
 }
@@ -216,7 +219,12 @@ void ProgramEngine::see_surfaces() {
   const json answer = observe("surface");
   const auto bodies =
       dialogue_->fields(answer, "observe")["surface"].list([](const JsonField& body) {
-        return body.list([](const JsonField& k) { return k.count(); });
+        auto corners = body.list([](const JsonField& k) {
+          if (k.count() > kMostVertices) k.fail("is no vertex");
+          return k.count();
+        });
+        if (corners.size() % 3 != 0) body.fail("has not three corners a triangle");
+        return corners;
       });
   for (const std::vector<std::uint64_t>& corners : bodies) {
     Eigen::Matrix3Xi triangles(3, static_cast<Eigen::Index>(corners.size() / 3));
@@ -228,6 +236,23 @@ void ProgramEngine::see_surfaces() {
   if (surfaces_.size() != problem_.bodies.size()) {
     dialogue_->fields(answer, "observe")["surface"].fail("is not one list a body");
   }
+}
+
+Eigen::Matrix3Xd ProgramEngine::see_vertices(std::size_t index) const {
+  const json answer = observe("vertices");
+  const JsonField field = dialogue_->fields(answer, "observe")["vertices"];
+  const json& told = answer.at("vertices");
+  if (!told.is_array() || told.size() != surfaces_.size()) field.fail("is not one list a body");
+  const std::vector<double> all = finite_array(field, told.at(index), "vertices");
+  const Eigen::Map<const Eigen::Matrix3Xd> vertices(all.data(), 3,
+                                                    static_cast<Eigen::Index>(all.size() / 3));
+  const Eigen::Matrix3Xi& triangles = surfaces_.at(index);
+  if (all.size() % 3 != 0 || (triangles.size() > 0 && triangles.maxCoeff() >= vertices.cols())) {
+    field.fail(
+        fmt::format("has {} numbers for body {}: not three for each vertex that its triangles name",
+                    all.size(), index));
+  }
+  return vertices;
 }
 
 void ProgramEngine::demand_clock(const JsonField& fields) const {
@@ -299,6 +324,11 @@ Momenta ProgramEngine::momenta() const {
 }
 
 }  // namespace
+
+std::unique_ptr<Dialogue> start(const ProgramTraits& traits) {
+  return traits.answers ? std::make_unique<Dialogue>(traits.words, traits.answers)
+                        : std::make_unique<Dialogue>(traits.words, traits.limits);
+}
 
 std::unique_ptr<Engine> make_program_engine(const ProgramTraits& traits, const Settings& settings) {
   return std::make_unique<ProgramEngine>(traits, settings);

@@ -19,7 +19,11 @@ struct ProgramTraits {
   bool tells_momenta = false;
   bool tells_surface = false;  ///< else a body's own shape is drawn
   bool symplectic_euler = false;
+  Answers answers{};  ///< stands in for the program, in tests
 };
+
+/// The program, started.
+std::unique_ptr<Dialogue> start(const ProgramTraits& traits);
 
 /// An engine that is a program (protocol/README.md): a process for each simulation. Its functions
 /// throw InputError, one sentence, for whatever the program does but answer.

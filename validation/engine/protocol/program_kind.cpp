@@ -8,10 +8,10 @@
 #include <map>
 #include <utility>
 
-#include "reference/process/child.h"
 #include "reports/text/names.h"
 #include "solver/demand.h"
 #include "validation/engine/kit/stiction_engine.h"
+#include "validation/engine/protocol/manifest_words.h"
 #include "validation/engine/protocol/program_engine.h"
 
 namespace stiction {
@@ -25,26 +25,11 @@ ProgramLimits& limits_of_all() {
 
 // Words of `can`, each with what it stands for.
 std::map<std::string, bool*> words_of(ProgramTraits& traits) {
-  Manifest& has = traits.manifest;
-  return {{"points", &has.point_masses},
-          {"boxes", &has.boxes},
-          {"balls", &has.balls},
-          {"meshes", &has.meshes},
-          {"convex_meshes", &has.convex_meshes},
-          {"deformable", &has.deformable},
-          {"held_parts", &has.held_parts},
-          {"body_contact", &has.body_contact},
-          {"self_contact", &has.self_contact},
-          {"moving_obstacles", &has.moving_obstacles},
-          {"drag", &has.drag},
-          {"varying_gravity", &has.varying_gravity},
-          {"loads", &has.loads},
-          {"spin", &has.spin},
-          {"contacts", &has.contacts},
-          {"snapshots", &has.snapshots},
-          {"energies", &traits.tells_energies},
-          {"momenta", &traits.tells_momenta},
-          {"surface", &traits.tells_surface}};
+  std::map<std::string, bool*> words{{"energies", &traits.tells_energies},
+                                     {"momenta", &traits.tells_momenta},
+                                     {"surface", &traits.tells_surface}};
+  for (const ManifestWord& one : kManifestWords) words[one.word] = &(traits.manifest.*one.has);
+  return words;
 }
 
 Settings settings_of(const JsonField& field) {
@@ -67,40 +52,13 @@ void refuse_unknown(const EngineKind& kind, const Settings& settings) {
   }
 }
 
-}  // namespace
-
-std::vector<std::string> command_words(const std::string& command) {
-  std::vector<std::string> words;
-  char quote = 0;
-  bool inside = false;
-  for (const char sign : command) {
-    const bool begins = quote == 0 && (sign == '\'' || sign == '"');
-    if (quote != 0 && sign == quote) {
-      quote = 0;
-    } else if (begins || (sign != ' ' && sign != '\t') || quote != 0) {
-      if (!inside) words.emplace_back();
-      inside = true;
-      if (begins) {
-        quote = sign;
-      } else {
-        words.back() += sign;
-      }
-    } else {
-      inside = false;
-    }
-  }
-  if (quote != 0) throw InputError(fmt::format("a quote does not end in: {}", command));
-  return words;
-}
-
-EngineKind program_kind(const std::vector<std::string>& words, const ProgramLimits& limits) {
-  ProgramTraits traits{.words = words, .limits = limits, .manifest = {}};
+EngineKind kind_of(ProgramTraits traits) {
   EngineKind kind;
   std::vector<Configuration> configurations;
   try {
-    Dialogue dialogue(words, limits);
-    const nlohmann::json answer = dialogue.ask("hello", {{"protocol", STICTION_PROTOCOL}});
-    const JsonField told = dialogue.fields(answer, "hello");
+    const std::unique_ptr<Dialogue> dialogue = start(traits);
+    const nlohmann::json answer = dialogue->ask("hello", {{"protocol", STICTION_PROTOCOL}});
+    const JsonField told = dialogue->fields(answer, "hello");
     if (told["protocol"].count() != STICTION_PROTOCOL) {
       told["protocol"].fail(fmt::format("this suite speaks version {}", int{STICTION_PROTOCOL}));
     }
@@ -136,7 +94,8 @@ EngineKind program_kind(const std::vector<std::string>& words, const ProgramLimi
   for (const Configuration& one : configurations) refuse_unknown(kind, one.settings);
   for (const Settings& one : kind.ladder) refuse_unknown(kind, one);
   kind.manifest = traits.manifest;
-  for (const std::string& word : words) kind.program += (kind.program.empty() ? "" : " ") + word;
+  for (const std::string& word : traits.words)
+    kind.program += (kind.program.empty() ? "" : " ") + word;
   kind.make = [traits, kind](const Settings& settings) {
     refuse_unknown(kind, settings);
     return make_program_engine(traits, settings);
@@ -147,20 +106,14 @@ EngineKind program_kind(const std::vector<std::string>& words, const ProgramLimi
   return kind;
 }
 
-std::vector<std::string> program_words(const std::string& words) {
-  const std::vector<EngineProgram> ours = engine_programs();
-  const auto found = std::find_if(ours.begin(), ours.end(),
-                                  [&](const EngineProgram& one) { return one.name == words; });
-  if (found != ours.end()) {
-    const auto program =
-        reference::find_program("engine_" + words, {reference::folder_of_this_program()});
-    if (!program.empty()) return {program.string()};
-    throw InputError(
-        fmt::format("the engine '{}' is not built; './stiction validate --engine {}' "
-                    "does that, from Debian's {}",
-                    words, words, found->packages));
-  }
-  return command_words(words);
+}  // namespace
+
+EngineKind program_kind(const std::vector<std::string>& words, const ProgramLimits& limits) {
+  return kind_of({.words = words, .limits = limits, .manifest = {}});
+}
+
+EngineKind program_kind(const std::vector<std::string>& words, const Answers& answers) {
+  return kind_of({.words = words, .limits = {}, .manifest = {}, .answers = answers});
 }
 
 void set_program_limits(const ProgramLimits& limits) {

@@ -6,29 +6,15 @@
 
 #include "validation/engine/engine.h"
 #include "validation/engine/protocol/dialogue.h"
+#include "validation/engine/protocol/program_words.h"
 
 namespace stiction {
-
-/// "python3 'my engine.py' --fast" as words: split at spaces but within single or double quotes.
-/// Throws InputError for a quote that does not end.
-std::vector<std::string> command_words(const std::string& command);
 
 /// Starts the program, asks what it is and can, and ends it. Throws InputError in one sentence when
 /// it cannot be started, or says what the protocol does not know.
 EngineKind program_kind(const std::vector<std::string>& words, const ProgramLimits& limits);
-
-/// An engine that comes with this project as a program, and what it is built from.
-struct EngineProgram {
-  std::string name;      ///< engine_<name> is the program
-  std::string packages;  ///< Debian's, with spaces between
-};
-
-/// Written by the build from validation/engines/.
-std::vector<EngineProgram> engine_programs();
-
-/// What the words on a command line name: one of this project's programs if it is built, or a
-/// command. Throws InputError.
-std::vector<std::string> program_words(const std::string& words);
+/// The same of what answers in its place, in tests.
+EngineKind program_kind(const std::vector<std::string>& words, const Answers& answers);
 
 /// For all programs that are started from now on.
 void set_program_limits(const ProgramLimits& limits);

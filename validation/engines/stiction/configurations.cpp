@@ -133,6 +133,14 @@ std::vector<Configuration> configurations_of(const std::string& case_name) {
 
 const std::vector<Settings>& compared_methods() { return kMethods; }
 
+std::vector<Configuration> method_configurations() {
+  std::vector<Configuration> all;
+  for (const Settings& settings : {kQuiet, kPaper, kSecant, kOld}) {
+    all.push_back(configuration_of(settings));
+  }
+  return all;
+}
+
 std::optional<Settings> settings_without(Without what) {
   switch (what) {
     case Without::kFrictionMemory:

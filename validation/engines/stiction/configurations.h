@@ -22,6 +22,9 @@ Configuration configuration_of(const Settings& settings);
 /// Those that most comparisons run: old, paper with either iteration, quiet.
 const std::vector<Settings>& compared_methods();
 
+/// The same, quiet first, for every case alike: what the solver tells as a program of its own.
+std::vector<Configuration> method_configurations();
+
 std::optional<Settings> settings_without(Without what);
 
 }  // namespace stiction

@@ -19,10 +19,14 @@ namespace {
 ContactSample sample_of(const Scene& scene, const State& state, double time_step,
                         const PairContact& contact) {
   const auto i = static_cast<std::size_t>(contact.vertex);
-  Vec3 arm = state.position[i].x - time_step * state.velocity[i].v;
+  // In double, so that what is told does not add to the solver's round-off.
+  const auto before = [&](std::size_t v) -> Eigen::Vector3d {
+    return state.position[v].x.cast<double>() - time_step * state.velocity[v].v.cast<double>();
+  };
+  Eigen::Vector3d arm = before(i);
   for (int k = 0; k < 4; ++k) {
     const auto j = static_cast<std::size_t>(contact.partner[k]);
-    arm -= contact.weight[k] * (state.position[j].x - time_step * state.velocity[j].v);
+    arm -= contact.weight[k] * before(j);
   }
   return {.body = body_of(scene, contact.vertex),
           .obstacle = static_cast<std::size_t>(
@@ -30,26 +34,27 @@ ContactSample sample_of(const Scene& scene, const State& state, double time_step
           .against_body = true,
           .point = contact.vertex,
           .facet = contact.triangle,
-          .normal = contact.normal,
+          .normal = contact.normal.cast<double>(),
           .gap = -(contact.depth + contact.excess),
           .normal_force = contact.normal_force,
-          .friction_force = contact.friction_force,
-          .slip = slip_of(contact, state.velocity),
+          .friction_force = contact.friction_force.cast<double>(),
+          .slip = slip_of(contact, state.velocity).cast<double>(),
           .sticks = contact.status == ContactStatus::kStick,
-          .position = state.position[i].x,
+          .position = state.position[i].x.cast<double>(),
           .arm = arm};
 }
 
 ContactSample sample_of(const Scene& scene, const State& state, double time_step,
                         const EdgeContact& contact) {
-  Vec3 position = Vec3::Zero(), arm = Vec3::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(), arm = Eigen::Vector3d::Zero();
   const auto add = [&](double weight, std::int32_t vertex) {
     const auto v = static_cast<std::size_t>(vertex);
-    arm += weight * (state.position[v].x - time_step * state.velocity[v].v);
+    arm += weight *
+           (state.position[v].x.cast<double>() - time_step * state.velocity[v].v.cast<double>());
   };
   for (int k = 0; k < 2; ++k) {
-    position +=
-        contact.own_weight[k] * state.position[static_cast<std::size_t>(contact.vertex[k])].x;
+    position += contact.own_weight[k] *
+                state.position[static_cast<std::size_t>(contact.vertex[k])].x.cast<double>();
     add(contact.own_weight[k], contact.vertex[k]);
   }
   for (int k = 0; k < 4; ++k) add(-contact.weight[k], contact.partner[k]);
@@ -62,11 +67,11 @@ ContactSample sample_of(const Scene& scene, const State& state, double time_step
           .against_body = true,
           .point = scene.vertex_count() + edge_a,
           .facet = static_cast<std::int64_t>(scene.topology.triangle.size()) + edge_b,
-          .normal = contact.normal,
+          .normal = contact.normal.cast<double>(),
           .gap = -contact.depth,
           .normal_force = contact.normal_force,
-          .friction_force = contact.friction_force,
-          .slip = slip_of(contact, state.velocity),
+          .friction_force = contact.friction_force.cast<double>(),
+          .slip = slip_of(contact, state.velocity).cast<double>(),
           .sticks = contact.status == ContactStatus::kStick,
           .position = position,
           .arm = arm};
@@ -88,14 +93,15 @@ std::vector<ContactSample> contact_samples(const Scene& scene, const State& stat
                        .obstacle = o,
                        .against_body = false,
                        .point = contacts.vertex[c],
-                       .normal = obstacle.normal,
-                       .gap = obstacle.normal.dot(state.position[v].x - obstacle.point -
-                                                  obstacle.motion.at(time)),
+                       .normal = obstacle.normal.cast<double>(),
+                       .gap = obstacle.normal.cast<double>().dot(
+                           state.position[v].x.cast<double>() - obstacle.point.cast<double>() -
+                           obstacle.motion.at(time)),
                        .normal_force = contacts.normal_force[c],
-                       .friction_force = contacts.friction_force[c],
-                       .slip = velocity - obstacle.normal.dot(velocity) * obstacle.normal,
+                       .friction_force = contacts.friction_force[c].cast<double>(),
+                       .slip = tangential(velocity, obstacle.normal).cast<double>(),
                        .sticks = contacts.status[c] == ContactStatus::kStick,
-                       .position = state.position[v].x});
+                       .position = state.position[v].x.cast<double>()});
   }
   for (const PairContact& contact : workspace.pairs)
     samples.push_back(sample_of(scene, state, time_step, contact));

@@ -15,15 +15,10 @@ namespace stiction {
 
 namespace {
 
-Eigen::Vector3i cells_of(const Vec3& size, int along_longest) {
-  const double cell = size.maxCoeff() / along_longest;
-  return (size / cell).array().round().cast<int>().max(1);
-}
-
 struct MeshMaker {
   const Discretisation& how;
   TetMesh operator()(const BoxShape& box) const {
-    return reference::box_mesh(box.size, cells_of(box.size, how.cells));
+    return reference::box_mesh(box.size, reference::box_cells(box.size, how.cells));
   }
   TetMesh operator()(const BallShape& ball) const {
     return reference::ball_mesh({.radius = ball.radius, .frequency = how.ball});
@@ -84,6 +79,7 @@ BodyDescription describe(const ProblemBody& body, const Discretisation& how) {
   if (body.held) description.pinned = held_vertices(body, vertices);
   description.motion = body.motion;
   description.self_collision = body.self_collision;
+  description.axes = body.rotation.toRotationMatrix();
   vertices = (body.rotation.toRotationMatrix() * vertices).colwise() + body.position;
   description.initial_velocity = body.velocity.replicate(1, vertices.cols());
   if (!body.angular_velocity.isZero(0.0)) {
@@ -107,15 +103,35 @@ SceneDescription scene_description(const Problem& problem, const Discretisation&
   SceneDescription description;
   for (const ProblemBody& body : problem.bodies) description.bodies.push_back(describe(body, how));
   for (const Obstacle& obstacle : problem.obstacles) {
-    description.half_spaces.push_back(
-        {obstacle.name, obstacle.point, obstacle.normal, obstacle.friction, obstacle.motion});
+    description.half_spaces.push_back({obstacle.name, obstacle.point.cast<Real>(),
+                                       obstacle.normal.cast<Real>(),
+                                       static_cast<Real>(obstacle.friction), obstacle.motion});
   }
-  description.friction = problem.friction;
+  description.friction = static_cast<Real>(problem.friction);
   description.gravity = problem.gravity;
   description.drag = problem.drag;
   description.loads = problem.loads;
   description.springs = problem.springs;
   return description;
+}
+
+Eigen::Vector3d own_origin(const Problem& problem) {
+  constexpr double kFar = 8.0;  // three bits of a coordinate
+  if (problem.bodies.empty()) return Eigen::Vector3d::Zero();
+  const Eigen::AlignedBox3d bounds = bounds_of(problem);
+  const Eigen::Vector3d middle = bounds.center();
+  const double width = std::max(bounds.diagonal().norm(), 1.0);  // a point has none
+  // What is not finite is refused where it is checked.
+  return middle.allFinite() && middle.norm() > kFar * width
+             ? middle
+             : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+Problem seen_from(const Eigen::Vector3d& origin, Problem problem) {
+  for (ProblemBody& body : problem.bodies) body.position -= origin;
+  for (Obstacle& obstacle : problem.obstacles) obstacle.point -= origin;
+  for (Spring& spring : problem.springs) spring.anchor -= origin;
+  return problem;
 }
 
 std::vector<Mesh> distinct_meshes(const SceneDescription& scene) {

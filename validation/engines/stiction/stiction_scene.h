@@ -20,6 +20,13 @@ struct Discretisation {
 /// not positive and finite, and for a held part that holds no vertex.
 SceneDescription scene_description(const Problem& problem, const Discretisation& how);
 
+/// Where the solver's coordinates count from, m: the middle of a scene that is farther from the origin
+/// than it is wide, by more than a few times, so that its coordinates keep their digits; else zero.
+Eigen::Vector3d own_origin(const Problem& problem);
+
+/// The scene as it is seen from there.
+Problem seen_from(const Eigen::Vector3d& origin, Problem problem);
+
 /// The meshes of the bodies, one entry for all bodies that share one; point masses have none.
 std::vector<Mesh> distinct_meshes(const SceneDescription& scene);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The head of a case's page: where it stands among others, its name, what it comes to.
 import { is_answer, is_engine_case } from "../../model/engine.js";
+import { rung_of } from "../../model/ladder.js";
+import { is_perturbed } from "../../model/perturbation.js";
 import { is_bad } from "../../model/verdict.js";
 import { compared_mark } from "./comparison_part.js";
 import { breakable, h } from "../dom.js";
@@ -22,6 +24,14 @@ function neighbours(name, names) {
   );
 }
 
+// A perturbed case and a rung stand in a view of their own beside their like.
+function stability_crumb(name) {
+  const rung = rung_of(name);
+  if (!rung && !is_perturbed(name)) return null;
+  const place = rung ? `${rung.ladder}/${rung.parameter}` : "";
+  return [" / ", h("a", { href: hash_of("stability", place) }, "Stability")];
+}
+
 function case_mark(records, worst, compared) {
   if (is_engine_case(records[0].case)) return answers_mark(records);
   if (records.every(is_answer)) return judged_mark(records);
@@ -29,7 +39,7 @@ function case_mark(records, worst, compared) {
 }
 
 /** `order`: the names of the cases among which previous and next are meant; `worst`: verdict. */
-export const case_head = ({ name, family, records, worst, compared, order }) =>
+export const case_head = ({ name, family, records, worst, compared, order, stability }) =>
   h(
     "div",
     { class: "case-head" },
@@ -42,6 +52,7 @@ export const case_head = ({ name, family, records, worst, compared, order }) =>
             h("a", { href: hash_of("cases") }, "Cases"),
             " / ",
             h("a", { href: hash_of("family", family) }, family),
+            stability && stability_crumb(name),
           ],
     ),
     neighbours(name, order),

@@ -95,9 +95,15 @@ function plots_beside(entries, notes, with_player) {
 
 /**
  * Fills `element` with the case; `list` are the rows among which previous and next are meant, `of` is the
- * label of the variant that was asked for.
+ * label of the variant and `check` the quantity of the check that was asked for.
  */
-export async function show_case(element, name, { index, rows }, list, { of: chosen = "" } = {}) {
+export async function show_case(
+  element,
+  name,
+  { index, rows },
+  list,
+  { of: chosen = "", check = "" } = {},
+) {
   const all = await records_of_case(name, rows);
   const shown = all.filter((record) => index.runs[record.run].role === "shown");
   const of_engines = is_engine_case(name);
@@ -162,7 +168,7 @@ export async function show_case(element, name, { index, rows }, list, { of: chos
 
   replace(
     element,
-    case_head({ name, family, records, worst, compared, order }),
+    case_head({ name, family, records, worst, compared, order, stability: index.stability }),
     of_engines && engine_case_part(entries, figures, new Set(rows.map((row) => row.case)), chosen),
     compared && !of_engines && comparison_part(entries, figures),
     !compared &&
@@ -183,7 +189,7 @@ export async function show_case(element, name, { index, rows }, list, { of: chos
           problem_part(records, surfaces),
           h("h2", {}, "What must hold"),
           entries.some(({ record }) => record.checks.length > 0)
-            ? checks_section(entries)
+            ? checks_section(entries, check)
             : h("p", {}, "Nothing was checked."),
           notes.length > 0 &&
             h(
@@ -217,4 +223,6 @@ export async function show_case(element, name, { index, rows }, list, { of: chos
     meshes_of(records),
     environment_of(records, index.runs),
   );
+  if (check)
+    setTimeout(() => element.querySelector(".claim.chosen")?.scrollIntoView({ block: "center" }));
 }

@@ -32,14 +32,14 @@ function folded(text) {
   );
 }
 
-function claim_section(group) {
+function claim_section(group, chosen) {
   const [{ check }] = group;
   const verdict = worst_verdict(group);
   const places = told(group, "worst");
   const { causes, bands } = causes_of(group);
   return h(
     "article",
-    { class: `claim verdict-${verdict}` },
+    { class: `claim verdict-${verdict}${check.quantity === chosen ? " chosen" : ""}` },
     h(
       "h3",
       {},
@@ -62,8 +62,9 @@ function claim_section(group) {
   );
 }
 
-/** `entries`: [{record, label}]. */
-export const checks_section = (entries) => claims_of(entries).map(claim_section);
+/** `entries`: [{record, label}]; `chosen`: the quantity of a check that stands out. */
+export const checks_section = (entries, chosen = "") =>
+  claims_of(entries).map((group) => claim_section(group, chosen));
 
 /** About how tall that is in half a page's width, px. */
 export function checks_height(entries) {

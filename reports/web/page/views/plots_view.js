@@ -8,6 +8,7 @@ import { hash_of } from "../route.js";
 const KINDS = {
   scores: "Rules by case",
   "work-precision": "Work and precision",
+  ladder: "Ladders",
   threshold: "Thresholds",
   prediction: "Measured against expected",
   trend: "History",

@@ -12,6 +12,7 @@ import { matrix } from "./matrix.js";
 import { glyph } from "../widgets/glyph.js";
 import { style_mark } from "../widgets/style_mark.js";
 import { plot_figure } from "../widgets/plot_figure.js";
+import { stability_sentences } from "./stability_words.js";
 import { case_hash, hash_of } from "../route.js";
 import { tally_of } from "../tally.js";
 
@@ -165,7 +166,17 @@ const overview_part = ({ summary }) =>
     ),
   );
 
+const stability_line = ({ stability }) =>
+  stability &&
+  h(
+    "p",
+    { class: "play-line stability-line" },
+    h("a", { href: hash_of("stability") }, "Stability"),
+    `: ${stability_sentences(stability).join("; ")}.`,
+  );
+
 const more_part = (shown, tally, index) => [
+  stability_line(index),
   play_line(shown, index),
   Object.values(index.check_counts).some((count) => count > 0) && facts(tally, index),
 ];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which rows are shown, in which order: pure functions of the route's options.
+import { suite_of } from "../../model/suite.js";
 import { rank } from "../../model/verdict.js";
 
 const words_of = (query) => query.toLowerCase().split(/\s+/).filter(Boolean);
@@ -16,7 +17,8 @@ function lower(text) {
 const OWN = Symbol("what only this row is found by");
 
 function own_text(row) {
-  row[OWN] ??= `${row.case} ${row.title} ${row.frames ? "recorded" : ""}`.toLowerCase();
+  row[OWN] ??=
+    `${row.case} ${row.title} ${row.frames ? "recorded" : ""} ${suite_of(row.case)}`.toLowerCase();
   return row[OWN];
 }
 

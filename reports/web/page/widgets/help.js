@@ -4,7 +4,7 @@ import { h } from "../dom.js";
 
 const KEYS = [
   ["/", "search"],
-  ["1 … 5", "summary, cases, plots, compare, about"],
+  ["1  2  …", "the views in the bar, from the left"],
   ["j  k  or  ↓  ↑", "next, previous row of the table"],
   ["Enter", "open the row"],
   ["n  p", "next, previous case"],

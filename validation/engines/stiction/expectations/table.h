@@ -30,7 +30,12 @@ inline constexpr const char* kNotSufficient = "limit analysis bounds, it does no
 inline constexpr const char* kFacetsRoll = "balls are polyhedra, and go edge to edge";
 inline constexpr const char* kUnboundedGain = "the paper's normal gain has no bound";
 inline constexpr const char* kTwiceSaid = "two contacts that say the same pass slip on";
+inline constexpr const char* kFreeTurn = "contacts at one point leave a couple";
 inline constexpr const char* kSwing = "only strain damps what swings";
+inline constexpr const char* kOutlastsShort = "elastic vibration outlasts the friction iteration";
+inline constexpr const char* kSwept = "the order of sweeps";
+inline constexpr const char* kRounds = "single precision rounds so";
+inline constexpr const char* kRefused = "refused in words";
 inline constexpr const char* kStale = "a lost contact's force counts again";
 
 inline constexpr Words kFactorThree{
@@ -38,6 +43,11 @@ inline constexpr Words kFactorThree{
     "a factor of three about what was measured at the case's time step, 0.9 and 0.95 of it, for "
     "what "
     "is left are limit cycles, of which a run's last step is one sample"};
+inline constexpr Words kNoise{
+    "kNoise",
+    "a factor of three about what was measured of the scene as it is and with each of its numbers "
+    "a unit in the last place off (--perturb ulp/1 to ulp/5): what is left are limit cycles, of "
+    "which a run's last step is one sample"};
 inline constexpr Words kFactorTwo{
     "kFactorTwo",
     "a factor of two about what was measured at the case's time step and 0.9 of it: a loss that is "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reports/formats/terminal_text.h"
+#include "reports/formats/verdict_word.h"
 
 #include "reports/text/text.h"
 
@@ -45,23 +45,10 @@ std::string_view verdict_word(Verdict verdict) {
   return "?";
 }
 
-std::string verdict_cell(Verdict verdict, const TableStyle& style) {
+std::string verdict_cell(Verdict verdict, const Screen& screen) {
   const std::string cell = padded_right(verdict_word(verdict), kVerdictWidth);
-  if (!style.colour) return cell;
+  if (!screen.colour) return cell;
   return std::string(colour_code(verdict)) + cell + "\033[0m";
-}
-
-std::string block(std::string_view label, std::string_view text, std::size_t indent,
-                  const TableStyle& style) {
-  const std::size_t start = indent + display_width(label);
-  const std::size_t room = style.width > start + 20 ? style.width - start : 20;
-  std::string result;
-  for (const std::string& line : wrapped(one_line(text), room)) {
-    result +=
-        result.empty() ? std::string(indent, ' ') + std::string(label) : std::string(start, ' ');
-    result += line + "\n";
-  }
-  return result;
 }
 
 }  // namespace stiction

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/engines/stiction/solver_engine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "solver/demand.h"
+#include "solver/elasticity/corotational.h"
+#include "solver/observables.h"
+#include "solver/step.h"
+#include "validation/engine/cpu_time.h"
+#include "validation/engine/engine.h"
+#include "validation/engine/settings.h"
+#include "validation/engines/stiction/configurations.h"
+#include "validation/engines/stiction/contact_samples.h"
+#include "validation/engines/stiction/solver_view.h"
+#include "validation/engines/stiction/step_cost.h"
+#include "validation/engines/stiction/stiction_method.h"
+#include "validation/engines/stiction/stiction_scene.h"
+
+namespace stiction {
+
+namespace {
+
+// How often a run looks whether it still consists of numbers, in steps.
+constexpr std::uint64_t kFiniteEvery = 256;
+
+// Largest of 1, 2, 5 × 10ⁿ not above `limit`.
+double round_down_125(double limit) {
+  const double decade = std::pow(10.0, std::floor(std::log10(limit)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * decade <= limit) return factor * decade;
+  }
+  return decade;
+}
+
+// Least n with 10 n² + 2 surface vertices or more.
+int ball_frequency(int vertices) {
+  int n = 1;
+  while (10 * n * n + 2 < vertices) ++n;
+  return n;
+}
+
+class StictionEngine final : public Engine {
+ public:
+  explicit StictionEngine(const Settings& given) {
+    SettingsReader reader(given);
+    read_method(reader, options_);
+    chosen_cells_ = reader.has("cells");
+    how_.cells = reader.count("cells", how_.cells);
+    chosen_ball_ = reader.has("ball");
+    how_.ball = reader.count("ball", how_.ball);
+    chosen_time_step_ = reader.has("dt");
+    options_.time_step = reader.number("dt", options_.time_step);
+    reader.refuse_unknown("stiction");
+    check_options(options_);
+  }
+
+  void load(const Problem& problem, const Accuracy& accuracy) override {
+    if (accuracy.fineness > 0 && !chosen_cells_) how_.cells = accuracy.fineness;
+    if (accuracy.roundness > 0 && !chosen_ball_) how_.ball = ball_frequency(accuracy.roundness);
+    origin_ = own_origin(problem);
+    SceneDescription description = scene_description(seen_from(origin_, problem), how_);
+    // Of a place far away.
+    constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+    description.rounding = static_cast<Real>(kRounding * origin_.norm());
+    scene_ = build_scene(description);
+    meshes_ = distinct_meshes(description);
+    if (!chosen_time_step_) {
+      const double own = 0.8 * scene_.stable_time_step;
+      const bool asked = accuracy.time > 0.0 && accuracy.time <= scene_.stable_time_step;
+      options_.time_step =
+          asked ? accuracy.time : std::min(options_.time_step, round_down_125(own));
+    }
+    options_.time_step /= accuracy.finer;
+    check_options(options_, scene_);
+    state_ = initial_state(scene_);
+    workspace_ = Workspace{};
+  }
+
+  double time_step() const override { return options_.time_step; }
+  std::uint64_t steps_done() const override { return state_.step; }
+  // To round-off means that of double precision.
+  bool symplectic_euler() const override {
+    return std::is_same_v<Real, double> && options_.integrator == Integrator::kSymplecticEuler;
+  }
+
+  void advance(std::uint64_t steps) override {
+    const double before = thread_cpu_seconds();
+    for (std::uint64_t k = 0; k < steps; ++k) {
+      workspace_.phase_seconds = cost_.phases_of(state_.step);
+      step(scene_, options_, state_, workspace_);
+      cost_.add_step(workspace_);
+      if (workspace_.search.outrun.travel > 0.0) refuse_outrun();
+      if (workspace_.search.too_deep.depth > 0.0) refuse_passage();
+      if (cost_.steps() % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
+    }
+    cost_.add_cpu(thread_cpu_seconds() - before);
+  }
+
+  BodyMotion body(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    return {origin_ + centre_of_mass(scene_, state_, body), centre_velocity(scene_, state_, body),
+            Eigen::Quaterniond(fitted_rotation(scene_, state_, body)),
+            angular_velocity(scene_, state_, body)};
+  }
+
+  std::vector<ContactSample> contacts() const override {
+    std::vector<ContactSample> samples =
+        contact_samples(scene_, state_, workspace_, options_.time_step);
+    for (ContactSample& one : samples) one.position += origin_;
+    return samples;
+  }
+
+  Eigen::Matrix3Xi surface(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    Eigen::Matrix4Xi tetrahedra(4, body.element_count);
+    for (int e = 0; e < body.element_count; ++e) {
+      const Element& element = scene_.elements[static_cast<std::size_t>(body.first_element + e)];
+      for (int k = 0; k < 4; ++k) tetrahedra(k, e) = element.vertex[k] - body.first_vertex;
+    }
+    return surface_triangles(tetrahedra);
+  }
+
+  Eigen::Matrix3Xd vertices(std::size_t index) const override {
+    const Body& body = scene_.bodies.at(index);
+    Eigen::Matrix3Xd positions(3, body.vertex_count);
+    for (int v = 0; v < body.vertex_count; ++v) {
+      positions.col(v) =
+          origin_ +
+          state_.position[static_cast<std::size_t>(body.first_vertex + v)].x.cast<double>();
+    }
+    return positions;
+  }
+
+  Energies energies() const override {
+    const double time = static_cast<double>(state_.step) * options_.time_step;
+    // About the world's origin, so that its zero stays where it is while gravity grows.
+    double mass = 0.0;
+    for (const Body& body : scene_.bodies) mass += body.mass;
+    const double of_origin = -mass * scene_.gravity.at(time).dot(origin_);
+    return {kinetic_energy(scene_, state_), gravity_energy(scene_, state_, time) + of_origin,
+            elastic_energy(scene_.elements, state_.position)};
+  }
+
+  Momenta momenta() const override {
+    const Eigen::Vector3d linear = linear_momentum(scene_, state_);
+    return {linear, angular_momentum(scene_, state_) + origin_.cross(linear)};
+  }
+
+  std::vector<Mesh> meshes() const override { return meshes_; }
+
+  int fineness() const override { return how_.cells; }
+
+  Settings settings() const override {
+    Settings all = method_settings(options_, scene_.pairs_possible);
+    all["dt"] = fmt::format("{}", options_.time_step);
+    all["cells"] = fmt::format("{}", how_.cells);
+    return all;
+  }
+
+  Cost cost() const override { return cost_.total(workspace_.contact_updates); }
+
+  std::uint64_t state_hash() const override { return hash_of(state_); }
+  Snapshot save() const override { return std::make_shared<const State>(state_); }
+  void restore(const Snapshot& snapshot) override {
+    state_ = *static_cast<const State*>(snapshot.get());
+    // Those of the step after the snapshot; there are none until the next step.
+    workspace_.contacts.clear();
+    workspace_.pairs.clear();
+    workspace_.edges.clear();
+  }
+
+  SolverView view() const { return {scene_, options_, workspace_}; }
+
+ private:
+  [[noreturn]] void refuse_outrun() const {
+    const PairSearch::Outrun& outrun = workspace_.search.outrun;
+    const auto name = [&](std::int32_t b) -> const std::string& {
+      return scene_.bodies[static_cast<std::size_t>(b)].name;
+    };
+    throw InputError(fmt::format(
+        "'{}' and '{}' come at each other by {:.3g} mm in a step, more than an element of the "
+        "thinner one is wide ({:.3g} mm), so that they could pass through each other unseen: the "
+        "time step must be below {:.2g} s",
+        name(outrun.body), name(outrun.other), 1e3 * outrun.travel, 1e3 * outrun.width,
+        options_.time_step * outrun.width / outrun.travel));
+  }
+
+  [[noreturn]] void refuse_passage() const {
+    const PairSearch::TooDeep& deep = workspace_.search.too_deep;
+    throw InputError(fmt::format(
+        "'{}' has sunk {:.3g} mm into '{}', {:.2g} of the width of its least element ({:.3g} mm), "
+        "at "
+        "t = {:.4g} s: it is passing through; a smaller time step or stiffer bodies may hold",
+        scene_.bodies[body_of(scene_, deep.vertex)].name, 1e3 * deep.depth,
+        scene_.bodies[static_cast<std::size_t>(deep.body)].name, deep.depth / deep.width,
+        1e3 * deep.width, static_cast<double>(state_.step) * options_.time_step));
+  }
+
+  void demand_finite() const {
+    if (is_finite(state_)) return;
+    throw InputError(fmt::format("the simulation diverged before t = {:.4g} s (step {})",
+                                 static_cast<double>(state_.step) * options_.time_step,
+                                 state_.step));
+  }
+
+  Options options_;
+  Discretisation how_;
+  // What a user set goes before what a case asks for.
+  bool chosen_cells_ = false, chosen_ball_ = false, chosen_time_step_ = false;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of the solver's coordinates
+  Scene scene_;
+  std::vector<Mesh> meshes_;
+  State state_;
+  Workspace workspace_;
+  StepCost cost_;
+};
+
+std::unique_ptr<Engine> make(const Settings& settings) {
+  return std::make_unique<StictionEngine>(settings);
+}
+
+std::map<std::string, std::string> settings_help() {
+  std::map<std::string, std::string> help = method_settings_help();
+  const auto add = [&help](const char* name, const char* words) {
+    demand(help.emplace(name, words).second, "a rule's parameter has the name of another setting");
+  };
+  add("dt", "time step, s (default 2e-4, or less where stability asks for it)");
+  add("cells", "cells along a box's longest edge (default 2)");
+  add("ball", "frequency n of a ball's triangulation, 10 n² + 2 surface vertices (default 8)");
+  return help;
+}
+
+}  // namespace
+
+SolverView solver_view(const Engine& engine) {
+  const auto* const own = dynamic_cast<const StictionEngine*>(&engine);
+  demand(own != nullptr, "a study of the solver runs on the engine 'stiction'");
+  return own->view();
+}
+
+EngineKind solver_engine() {
+  return {
+      .name = "stiction",
+      .description = "this project's solver: tetrahedra, penalty contact, coherent static friction",
+      .manifest = {.point_masses = true,
+                   .boxes = true,
+                   .balls = true,
+                   .meshes = true,
+                   .deformable = true,
+                   .held_parts = true,
+                   .body_contact = true,
+                   .self_contact = true,
+                   .moving_obstacles = true,
+                   .steady_motion = true,
+                   .drag = true,
+                   .varying_gravity = true,
+                   .loads = true,
+                   .spin = true,
+                   .contacts = true,
+                   .snapshots = true},
+      .settings_help = settings_help(),
+      .make = make,
+      .configurations = configurations_of,
+      .configuration = configuration_of,
+      .idle = idle_settings,
+      .without = settings_without,
+      .builds = {{"single", "stiction_single"}, {"fused", "stiction_fused"}}};
+}
+
+}  // namespace stiction
