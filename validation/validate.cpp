@@ -13,25 +13,21 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <numeric>
-#include <optional>
 #include <set>
 #include <thread>
 
 #include "reports/formats/csv.h"
-#include "reports/formats/failure_block.h"
 #include "reports/formats/junit.h"
 #include "reports/formats/markdown.h"
 #include "reports/formats/summary.h"
-#include "reports/formats/table.h"
 #include "reports/formats/vtk.h"
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
 #include "reports/screen/help_page.h"
-#include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
 #include "reports/text/configuration_text.h"
 #include "solver/demand.h"
+#include "validation/core/console.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/core/runner.h"
@@ -208,98 +204,6 @@ void list_cases(const std::vector<Case>& cases, const Selection& selection) {
   }
 }
 
-// What an earlier run took for these jobs, CPU s; jobs that it hasn't got take what they do on average.
-std::vector<double> weights_of(const std::vector<Job>& jobs, const std::filesystem::path& earlier) {
-  std::map<std::string, double> seconds;  // by case and engine, a variant's on average
-  std::map<std::string, int> counts;
-  double sum = 0.0;
-  std::size_t records = 0;
-  try {
-    for (const Record& record : read_records(earlier).records) {
-      const std::string key = record.case_name + "\n" + record.engine;
-      seconds[key] += record.cost.cpu_seconds;
-      ++counts[key];
-      sum += record.cost.cpu_seconds;
-      ++records;
-    }
-  } catch (const std::exception&) {
-    seconds.clear();  // none, or not readable: that is no fault of this run
-  }
-  constexpr double kLeast = 0.02;  // s: starting a case takes that
-  const double usual = seconds.empty() ? 1.0 : sum / static_cast<double>(records) + kLeast;
-  std::vector<double> weights;
-  for (const Job& job : jobs) {
-    const std::string key = job.which.name + "\n" + job.engine.name;
-    const auto found = seconds.find(key);
-    weights.push_back(found == seconds.end() ? usual : found->second / counts[key] + kLeast);
-  }
-  return weights;
-}
-
-// What is seen while jobs run: a line of progress, what fails as soon as it is known, and with
-// --verbose all records, in the order of their jobs.
-class Console {
- public:
-  Console(const std::vector<Job>& jobs, const Screen& screen, const Arguments& arguments)
-      : arguments_(arguments),
-        screen_(screen),
-        jobs_(jobs),
-        weights_(weights_of(jobs, earlier_records(arguments.out))),
-        total_(std::accumulate(weights_.begin(), weights_.end(), 0.0)),
-        waiting_(jobs.size()),
-        progress_(jobs.size()) {
-    if (arguments_.verbose) fmt::print("{}", table_header(screen_));
-    std::fflush(stdout);
-    show_progress();
-  }
-
-  void finished(std::size_t index, const Record& record) {
-    work_done_ += weights_[index];
-    ++count_done_;
-    progress_.clear();
-    if (record.verdict == Verdict::kError) {
-      fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
-    }
-    // What an engine cannot take stands in a few lines at the end.
-    waiting_[index] = arguments_.verbose && record.verdict != Verdict::kNotApplicable
-                          ? table_rows(record, screen_)
-                          : std::string();
-    *waiting_[index] += failure_block(
-        record, screen_,
-        rerun_command(record, arguments_.problems, arguments_.selection.engine) + scaled());
-    while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
-    std::fflush(stdout);
-    show_progress();
-  }
-
- private:
-  std::string scaled() const {
-    const double scale = arguments_.tolerance_scale;
-    return scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale);
-  }
-
-  static std::filesystem::path earlier_records(const std::string& out) {
-    return screen_of(STDERR_FILENO).moving ? std::filesystem::path(out) / "latest" / "records.jsonl"
-                                           : std::filesystem::path();
-  }
-
-  void show_progress() {
-    if (count_done_ == jobs_.size()) return;
-    progress_.show(count_done_, jobs_[next_].which.name, work_done_ / total_);
-  }
-
-  const Arguments& arguments_;
-  Screen screen_;
-  const std::vector<Job>& jobs_;
-  std::vector<double> weights_;  // of the jobs, and their sum
-  double total_;
-  double work_done_ = 0.0;
-  std::size_t count_done_ = 0;
-  std::vector<std::optional<std::string>> waiting_;
-  std::size_t next_ = 0;
-  ProgressLine progress_;
-};
-
 // Refuses, before anything runs, settings that are unknown or out of range, and those that no job
 // uses.
 void refuse_settings(const std::vector<Job>& jobs) {
@@ -317,6 +221,16 @@ void refuse_settings(const std::vector<Job>& jobs) {
   for (const auto& [name, sentence] : idle) {
     if (used.count(name) == 0) throw InputError(sentence);
   }
+}
+
+std::string rerun(const Record& record, const Arguments& arguments) {
+  const double scale = arguments.tolerance_scale;
+  return rerun_command(record, arguments.problems, arguments.selection.engine) +
+         (scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale));
+}
+
+std::filesystem::path earlier_records(const std::string& out) {
+  return std::filesystem::path(out) / "latest" / "records.jsonl";
 }
 
 int validate(Arguments& arguments) {
@@ -347,7 +261,10 @@ int validate(Arguments& arguments) {
   RecordStore store = RecordStore::create(arguments.out);
   const Screen screen = screen_of(STDOUT_FILENO);
   std::vector<Record> records(jobs.size());
-  Console console(jobs, screen, arguments);
+  Console console(jobs, screen,
+                  {.verbose = arguments.verbose,
+                   .earlier = earlier_records(arguments.out),
+                   .rerun = [&](const Record& record) { return rerun(record, arguments); }});
   const auto start = std::chrono::steady_clock::now();
   const auto finished = [&](std::size_t index, Record record) {
     store.append(record);

@@ -108,6 +108,7 @@ FigureStyle read_style(Reader& reader) {
   reader.read("digits", style.digits);
   reader.read("places", style.places);
   reader.read("times", style.times);
+  reader.read("decades", style.decades);
   reader.read("sign", style.sign);
   reader.read("unit", style.unit);
   reader.read("range", style.range);
@@ -143,6 +144,7 @@ void read_figure(Reader& reader, const std::string& name, const toml::node& node
   reader.read("at", rule.at);
   reader.read("within", rule.within);
   reader.read("over", rule.over);
+  reader.read("may-lack", rule.may_lack);
   reader.read("factor", rule.factor);
   reader.read("floor", rule.floor);
   rule.settings = reader.settings("settings");

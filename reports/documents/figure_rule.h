@@ -24,6 +24,7 @@ struct FigureStyle {
   int digits = 1;              ///< significant ones
   int places = -1;             ///< behind the point; −1: by `digits`
   double times = 1.0;          ///< multiplied by before it is shown, e.g. 100 for per cent
+  bool decades = false;        ///< shown as −log₁₀: digits of what scatters so; of 0 "exact"
   bool sign = false;           ///< a + before positive ones
   std::string unit{};          ///< behind it, e.g. " %"
   std::string range = " to ";  ///< between the ends of a range
@@ -45,6 +46,7 @@ struct FigureRule {
   double at = 0.0;
   Taken within = Taken::kOnly;  ///< of the records and checks of one case
   Taken over = Taken::kOnly;    ///< of the cases
+  bool may_lack = false;        ///< a case without the quantity is left out
   /// A fresh run agrees while it is within a factor of `factor` (10: the same order of magnitude),
   /// or both are below `floor` in size, where rounding decides.
   double factor = 10.0;

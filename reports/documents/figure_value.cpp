@@ -17,10 +17,17 @@ namespace {
 
 using Settings = std::map<std::string, std::string>;
 
+// A comparison has engine and configuration among its settings; of a case they are the record's own.
+std::string setting_of(const Record& record, const std::string& name) {
+  const auto found = record.settings.find(name);
+  if (found != record.settings.end()) return found->second;
+  if (name == "engine") return record.engine;
+  return name == "configuration" ? record.configuration : std::string();
+}
+
 bool has(const Record& record, const Settings& settings) {
   return std::all_of(settings.begin(), settings.end(), [&](const auto& wanted) {
-    const auto found = record.settings.find(wanted.first);
-    return found == record.settings.end() ? wanted.second.empty() : found->second == wanted.second;
+    return setting_of(record, wanted.first) == wanted.second;
   });
 }
 
@@ -118,7 +125,8 @@ std::string number_text(double value, const FigureStyle& style) {
     if (value > word->first) return word->second;
   }
   if (std::isinf(value)) return style.never;
-  const double shown = style.times * value;
+  if (style.decades && value == 0.0) return "exact";
+  const double shown = style.decades ? -std::log10(value) : style.times * value;
   std::string text;
   if (style.places >= 0) {
     text = fmt::format("{:.{}f}", shown, style.places);
@@ -166,12 +174,17 @@ bool is_of(const FigureRule& rule, const Record& record) {
 FigureValue value_of(const FigureRule& rule, const std::vector<Record>& records) {
   std::vector<std::pair<std::string, std::vector<FigureValue>>> cases;
   bool is_case_there = false;
-  const Record* without = nullptr;  // a record of the case that lacks the quantity
+  const Record* without = nullptr;  // a record of the case that lacks the quantity, and must not
+  bool lacks = false;
   for (const Record& record : records) {
     if (!is_of(rule, record)) continue;
     is_case_there = true;
     if (!has(record, rule.settings)) continue;
     const std::vector<FigureValue> values = values_in(rule, record);
+    if (rule.may_lack && (values.empty() || record.verdict == Verdict::kNotApplicable)) {
+      lacks = true;
+      continue;
+    }
     if (values.empty()) {
       without = &record;
       continue;
@@ -193,6 +206,9 @@ FigureValue value_of(const FigureRule& rule, const std::vector<Record>& records)
             ? fmt::format("the record of '{}' is an error: {}", without->case_name, without->error)
             : fmt::format("the record of '{}' has no quantity '{}'", without->case_name,
                           rule.quantity));
+  }
+  if (cases.empty() && lacks) {
+    return {.low = std::nan(""), .high = std::nan(""), .verdict = Verdict::kNotApplicable};
   }
   if (cases.empty()) {
     refuse(rule, fmt::format("no record of '{}'{}", rule.case_glob, settings_words(rule.settings)));

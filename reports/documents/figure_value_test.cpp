@@ -118,6 +118,35 @@ TEST(FigureValue, OfWhatBrokeOrLacksWhatTheCaseNeedsIsAWord) {
   EXPECT_THROW(value_of(rule, {compared}), std::runtime_error);
 }
 
+TEST(FigureValue, MayLeaveOutCasesThatLackIt) {
+  FigureRule rule = drift_of("slab/*");
+  rule.over = Taken::kMost;
+  Record lacking = record("slab/a", "quiet", 3.0);
+  lacking.checks.clear();
+  EXPECT_THROW(value_of(rule, {lacking, record("slab/b", "quiet", 2.0)}), std::runtime_error);
+  rule.may_lack = true;
+  EXPECT_EQ(value_of(rule, {lacking, record("slab/b", "quiet", 2.0)}).low, 2.0);
+  const FigureValue none = value_of(rule, {lacking});
+  EXPECT_EQ(none.verdict, Verdict::kNotApplicable);
+  EXPECT_EQ(text_of(none, {}), "–");
+}
+
+TEST(FigureValue, KnowsEngineAndConfigurationOfTheRecordItself) {
+  FigureRule rule = drift_of("slab/rest");
+  rule.settings = {{"engine", "ode"}, {"configuration", "best"}};
+  Record ours = record("slab/rest", "quiet", 3.0), other = record("slab/rest", "quiet", 2.0);
+  other.engine = "ode";
+  other.configuration = "best";
+  EXPECT_EQ(value_of(rule, {ours, other}).low, 2.0);
+}
+
+TEST(FigureText, IsInDecadesWhereDigitsAreCounted) {
+  const FigureStyle style{.places = 1, .decades = true, .above = {{1.0, "none"}}};
+  EXPECT_EQ(text_of({1e-12, 1e-12}, style), "12.0");
+  EXPECT_EQ(text_of({0.0, 0.0}, style), "exact");
+  EXPECT_EQ(text_of({kInf, kInf}, style), "none");
+}
+
 TEST(FigureValue, DoesNotChooseAmongSeveral) {
   const std::vector<Record> two = {record("slab/rest", "old", 1.0),
                                    record("slab/rest", "quiet", 2.0)};

@@ -65,6 +65,10 @@ struct Environment {
   std::string date{};       ///< UTC, ISO 8601
 };
 
+/// Among a record's settings, how the case was perturbed, which is none of its engine: "turned/1"
+/// (validation/stability/).
+inline constexpr const char* kPerturbedSetting = "perturbed";
+
 /// One record: case × engine × settings. Written as one line of JSON (reports/record/schema.json).
 struct Record {
   static constexpr int kSchemaVersion = 4;

@@ -53,8 +53,8 @@ std::string rerun_command(const Record& record, const std::vector<std::string>& 
   }
   for (const auto& [name, value] : record.differs) {
     // How a case was perturbed is no setting of the engine (validation/stability/).
-    command += name == "perturbed" ? " --perturb " + quoted(value)
-                                   : " --set " + quoted(name + "=" + value);
+    command += name == kPerturbedSetting ? " --perturb " + quoted(value)
+                                         : " --set " + quoted(name + "=" + value);
   }
   return command;
 }

@@ -40,7 +40,11 @@ void find_ends(Climb& climb) {
 
 }  // namespace
 
-bool Rung::holds() const { return record->verdict == Verdict::kPass; }
+bool Rung::holds() const {
+  if (record->verdict != Verdict::kForInformation) return record->verdict == Verdict::kPass;
+  const auto within = [](const Judgement& check) { return check.of_tolerance <= 1.0; };
+  return std::all_of(record->checks.begin(), record->checks.end(), within);
+}
 
 std::optional<Rung> rung_of(const Record& record) {
   constexpr std::string_view kFamily = "ladder/";

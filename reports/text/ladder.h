@@ -15,7 +15,8 @@ struct Rung {
   std::string parameter;
   double value = 0.0;
   const Record* record = nullptr;
-  bool holds() const;  ///< it passes
+  /// It passes; of what is for information: each check is within its tolerance.
+  bool holds() const;
 };
 
 /// Nothing for a record of another kind, or one that is not applicable.

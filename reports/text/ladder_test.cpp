@@ -55,6 +55,19 @@ TEST(Climb, EndsAtTheFirstRungsThatBreakAboutTheTamest) {
   EXPECT_THAT(text, HasSubstr("10000"));
 }
 
+TEST(Climb, OfWhatIsForInformationHoldsWithinItsTolerances) {
+  Record within = rung("ladder/x/y=1", true), beyond = rung("ladder/x/y=10", false);
+  for (Record* const record : {&within, &beyond}) {
+    record->verdict = Verdict::kForInformation;
+    for (Judgement& check : record->checks) check.verdict = Verdict::kForInformation;
+  }
+  const std::vector<Record> records = {within, beyond};
+  const std::vector<Climb> climbs = climbs_of(records);
+  ASSERT_NE(climbs[0].highest, nullptr);
+  EXPECT_EQ(climbs[0].highest->value, 1.0);
+  EXPECT_EQ(climbs[0].above->value, 10.0);
+}
+
 TEST(Climb, MayHoldOnEveryRungOrNowhere) {
   const std::vector<Record> whole = {rung("ladder/x/y=0", true), rung("ladder/x/y=1", true)};
   EXPECT_EQ(climbs_of(whole)[0].lowest->value, 0.0);

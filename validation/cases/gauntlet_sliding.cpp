@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "validation/core/case_run.h"
+#include "validation/core/check_worst.h"
 #include "validation/problems/gauntlet/slider_problem.h"
 #include "validation/problems/slopes/incline_problem.h"
 
@@ -57,15 +57,6 @@ Slide slide(CaseRun& run, const SliderSetup& setup, double finer) {
       "turned {:.2e}, hop {:.2e} m/s",
       found.words, found.speed, found.distance, found.sideways, found.turned, found.hop));
   return found;
-}
-
-template <class Value>
-void check_worst(CaseRun& run, const std::vector<Slide>& all, Claim claim, Value value) {
-  const Slide* worst = &all.front();
-  for (const Slide& one : all) {
-    if (!(value(one) <= value(*worst))) worst = &one;
-  }
-  run.check(std::move(claim), value(*worst), worst->words);
 }
 
 void run_slides(CaseRun& run, Slider slider) {

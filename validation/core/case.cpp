@@ -18,6 +18,14 @@ std::vector<Settings> variants_of(const Case& which, const EngineKind& engine, b
   return all;
 }
 
+bool for_contrast(const Case& which, const EngineKind& engine, const Settings& settings) {
+  if (!which.variants.empty() || !engine.configurations) return false;
+  const std::vector<Configuration> all = engine.configurations(which.name);
+  return std::any_of(all.begin(), all.end(), [&](const Configuration& one) {
+    return one.contrast && one.settings == settings;
+  });
+}
+
 std::vector<Case> cases_for(const EngineKind& engine) {
   std::vector<Case> all = case_catalog();
   for (Case& one : perturbed_cases(all)) all.push_back(std::move(one));

@@ -36,6 +36,9 @@ struct Case {
 /// run among them if `full`.
 std::vector<Settings> variants_of(const Case& which, const EngineKind& engine, bool full);
 
+/// Whether the engine runs the case with these settings for contrast (Configuration::contrast).
+bool for_contrast(const Case& which, const EngineKind& engine, const Settings& settings);
+
 /// All neutral cases of the build, sorted by name. Written by the build from validation/cases/.
 std::vector<Case> case_catalog();
 

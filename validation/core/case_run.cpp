@@ -48,6 +48,7 @@ CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double
   record_.differs = called.differs;
   const std::vector<Settings> variants = variants_of(which, engine_, true);
   if (std::find(variants.begin(), variants.end(), settings_) == variants.end()) return;
+  configuration_.contrast = configuration_.contrast || for_contrast(which, engine_, settings_);
   record_.variant = variant_text(settings_);
   if (tolerance_scale_ != 1.0) return;
   expectations_ = expectations_of(engine_.expectations, which.name, record_.variant);
@@ -64,6 +65,7 @@ CaseRun::Running CaseRun::simulate_with(const Settings& over, const Problem& pro
   Running running(new Simulation(engine_, merged(settings_, over), problem, accuracy,
                                  keeps_frames_ ? &may_record_ : nullptr),
                   {this});
+  if (configuration_.contrast) running->shows_contrast();
   running->limit_cpu(cpu_limit_ - record_.cost.cpu_seconds);
   started(running->engine());
   if (record_.problem.empty()) record_.problem = problem_summary(problem);
@@ -147,10 +149,13 @@ void CaseRun::TakeOver::operator()(Simulation* simulation) const {
 
 void CaseRun::ended(Simulated outcome) {
   passed(outcome.passages, outcome.contrast);
-  const std::string words = "the engine's arithmetic did " + outcome.faults;
-  if (!outcome.faults.empty() && outcome.contrast) note(words);
-  if (!outcome.faults.empty() && !outcome.contrast) {
-    faults_.insert(words + ": what it gave is not to be trusted");
+  if (!outcome.faults.empty()) {
+    const std::string words = "the engine's arithmetic did " + outcome.faults;
+    if (outcome.contrast) {
+      note(words);
+    } else {
+      faults_.insert(words + ": what it gave is not to be trusted");
+    }
   }
   bill(outcome.cost);
   hash_.add(&outcome.state_hash, sizeof outcome.state_hash);

@@ -78,9 +78,11 @@ std::vector<Observation> observations_of(const Record& record, const PerturbedTr
       };
       add_vector(all, name("position"), "m", end.bodies[b].position, end.length);
       add_vector(all, name("velocity"), "m/s", end.bodies[b].velocity, end.speed);
+      // A turn is a difference of places across the body, and has no more digits than they.
+      const double turned = end.sizes[b] > 0.0 ? std::max(1.0, end.length / end.sizes[b]) : 1.0;
       const Eigen::Matrix3d turn = end.bodies[b].rotation.toRotationMatrix();
-      add_vector(all, name("own x-axis"), "1", turn.col(0), 1.0);
-      add_vector(all, name("own y-axis"), "1", turn.col(1), 1.0);  // two tell the third
+      add_vector(all, name("own x-axis"), "1", turn.col(0), turned);
+      add_vector(all, name("own y-axis"), "1", turn.col(1), turned);  // two tell the third
     }
   }
   return all;

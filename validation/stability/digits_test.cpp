@@ -55,7 +55,7 @@ TEST(Deviation, SeesATurnAboutAnyAxis) {
       BodyMotion body{Vec3::Zero(), Vec3::Zero()};
       body.rotation = Eigen::AngleAxisd(angle, axis);
       PerturbedTrace trace;
-      trace.ends.push_back({.bodies = {body}});
+      trace.ends.push_back({.bodies = {body}, .sizes = {1.0}});
       return observations_of({}, trace);
     };
     EXPECT_NEAR(deviation({turned(0.0), turned(1e-3)}, {"", "so"}).relative, 1e-3 / std::sqrt(2.0),
@@ -74,12 +74,14 @@ TEST(Observations, AreFiguresWithAScaleAndEndsOfFewSimulations) {
   check.claim = {.quantity = "order", .unit = "1", .expected = 1.0, .derived = true};
   record.checks.push_back(check);
   PerturbedTrace trace;
-  trace.ends.push_back({.bodies = {BodyMotion{Vec3(1, 2, 3), Vec3::Zero()}}, .length = 0.5});
+  const BodyMotion body{Vec3(1, 2, 3), Vec3::Zero()};
+  trace.ends.push_back({.bodies = {body}, .sizes = {0.1}, .length = 0.5});
   const std::vector<Observation> all = observations_of(record, trace);
   ASSERT_EQ(all.size(), 1u + 3 + 3 + 6);
   EXPECT_EQ(all[0].name, "way");
   EXPECT_EQ(all[0].scale, 0.5) << "a short way is a difference of places";
   EXPECT_EQ(all[1].value, 1.0);
+  EXPECT_EQ(all[7].scale, 5.0) << "a turn is a difference of places across a fifth of the width";
   trace.ends.resize(6, trace.ends[0]);
   EXPECT_EQ(observations_of(record, trace).size(), 1u) << "a search";
 }

@@ -208,13 +208,10 @@ std::vector<Perturbation> all_perturbations() {
        .group = "moving frame",
        .words = "everything at 10 m/s more along (2, −3, 6)",
        .frame = passing});
-  using Rounding = Perturbation::Rounding;
-  for (const auto& [way, words] : {std::pair{Rounding::kUpward, "upward"},
-                                   {Rounding::kDownward, "downward"},
-                                   {Rounding::kTowardZero, "toward-zero"}}) {
-    add({.name = fmt::format("rounding/{}", words),
+  for (const char* const way : {"upward", "downward", "toward-zero"}) {
+    add({.name = fmt::format("rounding/{}", way),
          .group = "rounding modes",
-         .words = fmt::format("the engine's arithmetic rounds {}", words),
+         .words = fmt::format("the engine's arithmetic rounds {}", way),
          .rounding = way});
   }
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -245,8 +242,7 @@ const std::vector<PerturbationGroup>& perturbation_groups() {
   static const std::string kSame = "the same operations in the same order: nothing is rounded anew";
   static const std::string kBias =
       "each operation rounds by 1e-16 more, always the same way: twelve digits of what rests, ten "
-      "of "
-      "what moves, over whose ten thousand steps that adds up";
+      "of what moves, over whose ten thousand steps that adds up";
   static const std::string kOutcome = "the mechanics are the same";
   static const std::vector<PerturbationGroup> all = {
       {"rerun", "", 0.0, 0.0, kSame, "the same run gives the same bits"},

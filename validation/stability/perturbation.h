@@ -14,8 +14,6 @@ namespace stiction {
 /// Something that must not change what is measured, done to a whole scene and its engine. It knows
 /// no case, and cases know nothing of it.
 struct Perturbation {
-  enum class Rounding { kNearest, kUpward, kDownward, kTowardZero };
-
   std::string name{};   ///< as on the command line: "turned/1"
   std::string group{};  ///< a row of a table of digits: "turned"
   std::string words;    ///< "turned by 40° about (1, 2, 3)"
@@ -24,7 +22,7 @@ struct Perturbation {
   std::optional<std::uint64_t> bodies{};    ///< bodies and obstacles in another order, of a seed
   std::optional<std::uint64_t> vertices{};  ///< vertices and tetrahedra of meshes likewise
   std::optional<std::uint64_t> ulp{};       ///< each number a unit in the last place off, or not
-  Rounding rounding = Rounding::kNearest;   ///< of the engine's arithmetic
+  std::string rounding = "nearest";         ///< of the engine's arithmetic (kit/rounding.h)
   bool rewinds = false;                     ///< each step is taken, taken back and taken again
   std::string build{};                      ///< another build of the engine (EngineKind::builds)
 };
@@ -57,8 +55,9 @@ struct PerturbedProblem {
   Order order;
 };
 
-/// The problem as the engine gets it. Boxes and balls become meshes, of `fineness` cells along the longest edge
-/// where it is asked for. Throws NotApplicable where the scene has nothing to perturb.
+/// The problem as the engine gets it. Where it is asked for, boxes and balls become meshes, of
+/// `fineness` cells along the longest edge. Throws NotApplicable where the scene has nothing to
+/// perturb.
 PerturbedProblem perturbed(const Problem& problem, const Perturbation& how, int fineness);
 
 }  // namespace stiction

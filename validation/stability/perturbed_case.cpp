@@ -83,6 +83,9 @@ class Perturbed {
   void check_all() {
     const Outcome& plain = outcome_of("");
     if (!plain.lacking.empty()) throw NotApplicable(plain.lacking);
+    if (!plain.broken.empty() && run_.configuration().contrast) {
+      throw NotApplicable("it breaks off as it is: " + plain.broken);
+    }
     if (!plain.broken.empty()) throw InputError(plain.broken);
     for (const PerturbationGroup& group : perturbation_groups()) check(group);
   }

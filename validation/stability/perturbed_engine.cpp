@@ -1,49 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/stability/perturbed_engine.h"
 
-#include <cfenv>
 #include <cmath>
 #include <utility>
 
 #include "solver/demand.h"
+#include "validation/engine/kit/rounding.h"
 
 namespace stiction {
 
 namespace {
 
-int mode_of(Perturbation::Rounding rounding) {
-  switch (rounding) {
-    case Perturbation::Rounding::kNearest:
-      return FE_TONEAREST;
-    case Perturbation::Rounding::kUpward:
-      return FE_UPWARD;
-    case Perturbation::Rounding::kDownward:
-      return FE_DOWNWARD;
-    case Perturbation::Rounding::kTowardZero:
-      return FE_TOWARDZERO;
-  }
-  return FE_TONEAREST;
-}
-
-// While it lives, this thread rounds so.
-class Rounds {
- public:
-  explicit Rounds(Perturbation::Rounding rounding) : before_(std::fegetround()) {
-    std::fesetround(mode_of(rounding));
-  }
-  ~Rounds() { std::fesetround(before_); }
-  Rounds(const Rounds&) = delete;
-  Rounds& operator=(const Rounds&) = delete;
-
- private:
-  int before_;
-};
-
 class PerturbedEngine final : public Engine {
  public:
   PerturbedEngine(const EngineKind& kind, Settings settings, const Perturbation& how,
                   std::shared_ptr<PerturbedTrace> trace)
-      : kind_(kind), settings_(std::move(settings)), how_(how), trace_(std::move(trace)) {
+      : kind_(kind),
+        settings_(std::move(settings)),
+        how_(how),
+        mode_(kit::rounding_mode(kind.program.empty() ? how.rounding : kit::kNearest)),
+        trace_(std::move(trace)) {
     const auto dt = settings_.find("dt");
     if (dt != settings_.end() && how_.frame.time != 1.0) {
       throw NotApplicable("the time step is set by hand, so that it does not follow other units");
@@ -55,7 +31,10 @@ class PerturbedEngine final : public Engine {
     if (!trace_ || !loaded_) return;
     try {
       PerturbedTrace::End end;
-      for (std::size_t b = 0; b < here_.bodies.size(); ++b) end.bodies.push_back(body(b));
+      for (std::size_t b = 0; b < here_.bodies.size(); ++b) {
+        end.bodies.push_back(body(b));
+        end.sizes.push_back(longest_edge(here_.bodies[b].shape));
+      }
       end.length = length_;
       end.speed = speed_;
       end.steps = steps_done();
@@ -88,7 +67,7 @@ class PerturbedEngine final : public Engine {
     const std::string lacking = missing(kind_.manifest, there.problem);
     if (!lacking.empty()) throw NotApplicable("the engine has no " + lacking);
     {
-      const Rounds rounds(how_.rounding);
+      const kit::Rounds rounds(mode_);
       inner_->load(there.problem, asked);
     }
     if (how_.frame.time != 1.0 && std::abs(inner_->time_step() / asked.time - 1.0) > 1e-9) {
@@ -103,7 +82,7 @@ class PerturbedEngine final : public Engine {
   bool symplectic_euler() const override { return inner_->symplectic_euler(); }
 
   void advance(std::uint64_t steps) override {
-    const Rounds rounds(how_.rounding);
+    const kit::Rounds rounds(mode_);
     if (!how_.rewinds) return inner_->advance(steps);
     for (std::uint64_t k = 0; k < steps; ++k) {
       const Snapshot before = inner_->save();
@@ -230,6 +209,7 @@ class PerturbedEngine final : public Engine {
   EngineKind kind_;
   Settings settings_;
   Perturbation how_;
+  int mode_;  // in which this thread rounds while the engine is at work
   std::shared_ptr<PerturbedTrace> trace_;
   std::unique_ptr<Engine> inner_;
   Problem here_;
@@ -258,15 +238,18 @@ EngineKind perturbed(const EngineKind& kind, const Perturbation& how,
     }
   }
   if (how.rewinds && !inner.manifest.snapshots) throw NotApplicable("the engine has no snapshots");
-  if (how.rounding != Perturbation::Rounding::kNearest && !inner.program.empty()) {
-    throw NotApplicable("how the engine's program rounds is not to be told from outside");
+  const bool rounds_itself = how.rounding != kit::kNearest && !inner.program.empty();
+  if (rounds_itself && inner.settings_help.count(kit::kRounding) == 0) {
+    throw NotApplicable("the engine's program has no setting 'rounding'");
   }
   EngineKind outer = kind;
   outer.manifest = inner.manifest;
   outer.expectations.clear();
   outer.studies = nullptr;
   outer.make = [=](const Settings& settings) -> std::unique_ptr<Engine> {
-    return std::make_unique<PerturbedEngine>(inner, without_name(settings), how, trace);
+    Settings given = without_name(settings);
+    if (rounds_itself) given[kit::kRounding] = how.rounding;
+    return std::make_unique<PerturbedEngine>(inner, std::move(given), how, trace);
   };
   if (kind.idle) {
     outer.idle = [idle = kind.idle](const Settings& settings) {

@@ -14,6 +14,7 @@ namespace stiction {
 struct PerturbedTrace {
   struct End {
     std::vector<BodyMotion> bodies{};
+    std::vector<double> sizes{};  ///< longest edge of each body, m; of a point 0
     double length = 1.0;  ///< of the scene, m
     double speed = 1.0;   ///< of the fastest body at the start, or of a fall over that length, m/s
     std::uint64_t steps = 0;
@@ -22,9 +23,6 @@ struct PerturbedTrace {
   std::uint64_t rewound = 0;  ///< steps that were taken twice
   std::uint64_t unlike = 0;   ///< of them, those of which the second differs from the first
 };
-
-/// The setting by which a run says that it is perturbed.
-inline constexpr const char* kPerturbedSetting = "perturbed";
 
 /// An engine that simulates each problem perturbed and tells what it sees of it unperturbed: nobody
 /// outside can tell but by digits. The settings with which it is made may name the perturbation

@@ -6,6 +6,7 @@
 
 #include <cfenv>
 
+#include "reference/process/child.h"
 #include "solver/demand.h"
 #include "validation/problems/free_boxes.h"
 #include "validation/problems/slopes/incline_problem.h"
@@ -106,6 +107,34 @@ TEST(PerturbedEngine, LeavesTheThreadsRoundingAsItWas) {
   const auto engine = after("rounding/downward", 3);
   EXPECT_EQ(std::fegetround(), before);
   EXPECT_NE(engine->state_hash(), after("", 3)->state_hash()) << "it did round otherwise";
+}
+
+// As what is of this build rounds, to the last bit.
+TEST(PerturbedEngine, TellsAProgramOfTheKitHowToRound) {
+  const auto program = reference::folder_of_this_program() / "hosted_engine";
+  const auto after = [](const std::string& engine, const std::string& perturbation) {
+    const auto made = perturbed(find_engine(engine), find_perturbation(perturbation)).make({});
+    made->load(incline_problem({}), {});
+    made->advance(50);
+    return made->body(0);
+  };
+  for (const char* const how : {"rounding/upward", "rounding/downward", "rounding/toward-zero"}) {
+    const BodyMotion there = after(program.string(), how), here = after("stiction", how);
+    EXPECT_EQ(there.position, here.position) << how;
+    EXPECT_EQ(there.velocity, here.velocity) << how;
+    EXPECT_NE(there.position, after(program.string(), "rerun").position) << how;
+  }
+}
+
+TEST(PerturbedEngine, RefusesToRoundAProgramThatCannotBeToldSo) {
+  EngineKind program = find_engine("stiction");
+  program.program = "python3 my_engine.py";
+  try {
+    perturbed(program, find_perturbation("rounding/upward"));
+    FAIL();
+  } catch (const NotApplicable& reason) {
+    EXPECT_THAT(reason.what(), HasSubstr("no setting 'rounding'"));
+  }
 }
 
 TEST(PerturbedEngine, TakesEachStepBackAndAgain) {

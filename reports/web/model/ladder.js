@@ -16,9 +16,10 @@ export function rung_of(case_name) {
   return { ladder, parameter, text, value };
 }
 
-/** Whether a record holds: true, false, or null where nothing was decided. */
-export function holds({ verdict }) {
+/** Whether a record holds: true, false, or null where nothing can be said. Of one for information: each check does. */
+export function holds({ verdict, checks }) {
   if (verdict === "pass") return true;
+  if (verdict === "for-information") return checks.every((check) => margin(check) <= 1);
   return is_bad(verdict) || is_expected(verdict) ? false : null;
 }
 

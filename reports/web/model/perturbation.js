@@ -3,6 +3,8 @@
 // checks is a group of perturbations and tells how many digits survive them.
 
 const FOLDER = "perturbed/";
+/** The setting by which a record says that it is perturbed itself (kPerturbedSetting in reports/record/record.h). */
+export const PERTURBED = "perturbed";
 const LACKING = ": not applicable: ";
 
 export const is_perturbed = (case_name) => case_name.startsWith(FOLDER);

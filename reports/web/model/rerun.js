@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands that run a case again.
 import { OURS } from "./engine.js";
-import { perturbed_of } from "./perturbation.js";
+import { PERTURBED, perturbed_of } from "./perturbation.js";
 
 /** A word of a shell's command line. */
 const quoted = (word) => `'${word.replace(/'/g, `'\\''`)}'`;
@@ -27,7 +27,7 @@ const configuration_words = ({ configuration, differs = {} }) =>
     ? [
         `--configuration ${quoted(configuration)}`,
         ...Object.entries(differs).map(([name, value]) =>
-          name === "perturbed"
+          name === PERTURBED
             ? `--perturb ${quoted(value)}`
             : `--set ${quoted(`${name}=${value}`)}`,
         ),

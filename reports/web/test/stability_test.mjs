@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { rung_of, span_of } from "../model/ladder.js";
+import { holds, rung_of, span_of } from "../model/ladder.js";
 import {
   groups_of,
   lacking_of,
@@ -16,7 +16,7 @@ import { digits_text } from "../page/views/digits_table.js";
 import { parameter_places, ratio_places } from "../plots/ladder_axes.js";
 import { ladder_plots } from "../plots/ladder_plot.js";
 import { record } from "./records.mjs";
-import { perturbed, stability_records, survived } from "./stability_records.mjs";
+import { perturbed, rung, stability_records, survived } from "./stability_records.mjs";
 
 // "1+ 10+ 100-": rungs that hold, fail and (?) decide nothing.
 const rungs = (text) =>
@@ -44,6 +44,12 @@ test("a ladder holds without a break around the rung nearest to 1", () => {
     "1?": [null, null, null, null, 0],
   };
   for (const [text, ends] of Object.entries(expected)) assert.deepEqual(span(text), ends, text);
+});
+
+test("a rung for information holds where each of its checks is within its tolerance", () => {
+  const verdict = "for-information";
+  for (const [ratio, expected] of [[0.5, true], [1, true], [7, false], ["inf", false]])
+    assert.equal(holds(rung("mass/top=10", ratio, { verdict })), expected, String(ratio));
 });
 
 test("a rung is read from its case's name", () => {

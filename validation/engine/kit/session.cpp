@@ -10,6 +10,7 @@
 
 #include "validation/engine/kit/array_json.h"
 #include "validation/engine/kit/problem_reader.h"
+#include "validation/engine/kit/rounding.h"
 #include "validation/engine/kit/run_settings.h"
 
 namespace stiction::kit {
@@ -76,6 +77,7 @@ class Session::Dealings {
     if (engine_.momenta) can.push_back("momenta");
     if (engine_.surface && engine_.vertices) can.push_back("surface");
     json settings = json::object(), configurations = json::array(), ladder = json::array();
+    settings[kRounding] = kRoundingHelp;  // an engine's own of that name goes before it
     for (const stiction_setting* one = engine_.settings; one && one->name; ++one) {
       settings[one->name] = text_or(one->help, "");
     }
@@ -102,16 +104,23 @@ class Session::Dealings {
     drop();
     told() = {};
     const json settings = request.value("settings", json::object());
+    rounding_ = rounding_mode(kNearest);
     for (const auto& [name, value] : settings.items()) {
-      bool known = false;
-      for (const stiction_setting* one = engine_.settings; one && one->name; ++one) {
-        known = known || name == one->name;
+      const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+      if (has_setting(name)) {
+        told().given[name] = text;
+      } else if (name == kRounding) {
+        rounding_ = rounding_mode(text);
+        told().resolved.insert_or_assign(name, text);
+      } else {
+        throw std::runtime_error("there is no setting '" + name + "'");
       }
-      if (!known) throw std::runtime_error("there is no setting '" + name + "'");
-      told().given[name] = value.is_string() ? value.get<std::string>() : value.dump();
     }
     problem_ = read_problem(request);
-    self_ = engine_.load(&problem_->problem());
+    {
+      const Rounds rounds(rounding_);
+      self_ = engine_.load(&problem_->problem());
+    }
     if (!self_) throw std::runtime_error("the engine could not take the problem");
     loaded_ = true;
     steps_ = 0;
@@ -120,10 +129,20 @@ class Session::Dealings {
     return {{"time_step", engine_.time_step(self_)}, {"settings", told().resolved}};
   }
 
+  bool has_setting(const std::string& name) const {
+    for (const stiction_setting* one = engine_.settings; one && one->name; ++one) {
+      if (name == one->name) return true;
+    }
+    return false;
+  }
+
   json advance(const json& request) {
     const auto steps = request.at("steps").get<std::uint64_t>();
     const double before = cpu_seconds();
-    if (steps > 0) engine_.advance(self_, steps);
+    if (steps > 0) {
+      const Rounds rounds(rounding_);
+      engine_.advance(self_, steps);
+    }
     cpu_ += cpu_seconds() - before;
     steps_ += steps;
     return {{"steps", steps_}, {"time", time()}, {"cpu", cpu_}};
@@ -261,6 +280,7 @@ class Session::Dealings {
   bool loaded_ = false;
   std::uint64_t steps_ = 0;
   double cpu_ = 0.0;
+  int rounding_ = 0;  // mode of what the engine computes, as fesetround has it
   std::vector<Saved> saved_;
 };
 
