@@ -34,3 +34,8 @@ refuses() {
   grep -qF -- "$sentence" err || failed "$what" "stderr lacks: $sentence"
   passed "$what: $(cut -c1-110 err)"
 }
+
+state_hashes() { # state_hashes FOLDER: case, settings, hash of each record of its last run
+  sed -E 's/.*"case":"([^"]*)".*"settings":(\{[^}]*\}).*"state_hash":"([0-9a-f]{16})".*/\1 \2 \3/' \
+    "$1/latest/records.jsonl" | sort
+}

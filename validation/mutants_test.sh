@@ -13,6 +13,9 @@ cd "$work" || exit 1
 
 # shellcheck source=validation/end_to_end.sh
 source "$checks"
+# Without --set, because bands of what is expected to fall short hold for a case's own variants only.
+# shellcheck source=validation/mutants.sh
+source "$(dirname "$checks")/mutants.sh"
 
 boxes=paper/appendix-a-momentum/two-boxes
 bars=paper/appendix-a-momentum/crossed-bars
@@ -20,48 +23,6 @@ rest=slab/rest/one
 kappa=slab/kappa
 again=slab/convergence/half-step
 drift=slab/rest/drift
-
-# Without --set, because bands of what is expected to fall short hold for a case's own variants only.
-run() { # run PROGRAM FOLDER CASE …: one JSON a record in FOLDER.jsonl
-  local program=$1 folder=$2 arguments=()
-  shift 2
-  for name in "$@"; do arguments+=(--case "$name"); done
-  "$build/$program" "${arguments[@]}" --no-page --out "$folder" >out 2>err
-  cp "$folder/latest/records.jsonl" "$folder.jsonl" 2>>err ||
-    failed "$program on $*" "it wrote no records"
-}
-
-# The verdict of a check: the record of the case and variant, cut at its quantities.
-verdict() { # verdict FOLDER CASE VARIANT QUANTITY
-  if [ "$4" = error ]; then
-    grep -F "\"case\":\"$2\"" "$1.jsonl" | grep -F "\"variant\":\"$3\"" |
-      sed -nE 's/.*"verdict":"([a-z-]+)","error":.*/\1/p'
-    return
-  fi
-  grep -F "\"case\":\"$2\"" "$1.jsonl" | grep -F "\"variant\":\"$3\"" |
-    sed 's/{"quantity":/\n&/g' | grep -F "{\"quantity\":\"$4\"" |
-    sed -nE 's/.*"verdict":"([a-z-]+)".*/\1/p'
-}
-
-mutated=
-mutant() { # mutant FAULT CASE …: runs these cases with the fault
-  mutated=$1
-  run "validate_$1" "$@"
-}
-
-bites() { # bites CASE METHOD QUANTITY: the last mutant's check is red, the correct program's is not
-  local correct mutant
-  correct=$(verdict correct "$1" "method=$2" "$3")
-  mutant=$(verdict "$mutated" "$1" "method=$2" "$3")
-  case $correct in
-    pass | expected-shortfall | refuted) ;;
-    *) failed "$mutated" "$3 of $1, $2, is '$correct' without it" ;;
-  esac
-  case $mutant in
-    fail | error) passed "$mutated turns $1, method=$2, red: $3" ;;
-    *) failed "$mutated" "$3 of $1, $2, is '$mutant' with it" ;;
-  esac
-}
 
 run validate correct "$boxes" "$bars" "$rest" "$kappa" "$again" "$drift"
 
@@ -114,9 +75,6 @@ bites "$bars" quiet 'linear momentum, largest change'
 
 # ---- no fault of the build is left out ----------------------------------------------------------
 here=$(dirname "$checks")
-[ "$(wc -l <"$build/planted_faults")" -ge 15 ] || failed "planted faults" "the build's list is not read rightly"
-while IFS=: read -r fault words; do # grep -q would break the pipe
-  sed 's/#.*//' "$here/mutants_test.sh" "$here/validate_test.sh" | grep -w -e "$fault" -e "validate_$fault" >/dev/null ||
-    failed "$fault" "nothing tries it:$words"
-done <"$build/planted_faults"
+rest=$(untried "$here/mutants_test.sh" "$here/validate_test.sh")
+[ -z "$rest" ] || failed "planted faults" "nothing tries: $rest"
 passed "every planted fault of the build is tried, here or in validate_test.sh"

@@ -248,14 +248,10 @@ exits 0 "a case by itself" "$validate" --case half-space/free-fall --out unrecor
 passed "a case that asks is recorded, with --vtk for ParaView too"
 
 # ---- determinism ------------------------------------------------------------------------------
-hashes() { # case, settings, hash of each record
-  sed -E 's/.*"case":"([^"]*)".*"settings":(\{[^}]*\}).*"state_hash":"([0-9a-f]{16})".*/\1 \2 \3/' \
-    "$1/latest/records.jsonl" | sort
-}
 exits 0 "one job at a time" "$validate" --quick --jobs 1 --out jobs1
 exits 0 "two jobs at a time" "$validate" --quick --jobs 2 --out jobs2
-hashes jobs1 >out
-hashes jobs2 >err
+state_hashes jobs1 >out
+state_hashes jobs2 >err
 grep -qvE ' [0-9a-f]{16}$' out && failed "state hashes" "a record has none"
 [ "$(wc -l <out)" -ge 8 ] || failed "state hashes" "too few records to tell"
 cmp -s out err || failed "state hashes" "--jobs 1 and --jobs 2 differ"

@@ -87,11 +87,13 @@ std::vector<Case> cases_ladder_cone() {
                .parameter = "mu",
                .words = "a box on a slope of 0.2 slides or stays with such a friction",
                .rungs = {0, 1e-6, 1e-3, 0.1, 0.199, 0.201, 1, 1e3, 1e6},
+               .quick = {0.1, 0.201},
                .run = run_friction});
   append(all, {.name = "cone",
                .parameter = "load",
                .words = "a box rests on a slab under such a share of the load that slides it",
                .rungs = {0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999},
+               .quick = {0.9},
                .run = run_load});
   return all;
 }

@@ -186,6 +186,7 @@ std::vector<Case> cases_ladder_touch() {
                .parameter = "share",
                .words = "boxes that start inside each other by such a share of their width part",
                .rungs = {1e-6, 1e-4, 1e-2, 0.05, 0.1, 0.2, 0.4},
+               .quick = {1e-2},
                .run = run_overlap});
   append(all, {.name = "regained",
                .parameter = "hops",

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "solver/demand.h"
 #include "validation/observe/rest_watch.h"
 #include "validation/problems/ladder_problem.h"
@@ -34,16 +36,26 @@ void climb(CaseRun& run, const std::function<void(CaseRun&, double)>& rung, doub
             1.0, refusal);
 }
 
+bool among(const std::vector<double>& values, double value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
 }  // namespace
 
 std::vector<Case> rungs_of(const Ladder& ladder) {
+  for (const double value : ladder.quick) {
+    demand(among(ladder.rungs, value), "a ladder's quick rung is none of its rungs");
+  }
   std::vector<Case> all;
   for (std::size_t k = 0; k < ladder.rungs.size(); ++k) {
     const double value = ladder.rungs[k];
     const bool long_one = k + ladder.only_full >= ladder.rungs.size();
+    const bool short_one = among(ladder.quick, value);
     all.push_back({.name = fmt::format("ladder/{}/{}={:g}", ladder.name, ladder.parameter, value),
                    .title = fmt::format("{}: {} = {:g}", ladder.words, ladder.parameter, value),
-                   .set = long_one ? CaseSet::kFull : CaseSet::kDefault,
+                   .set = short_one  ? CaseSet::kQuick
+                          : long_one ? CaseSet::kFull
+                                     : CaseSet::kDefault,
                    .suite = "stability",
                    .run = [run = ladder.run, value](CaseRun& given) { climb(given, run, value); }});
   }

@@ -16,6 +16,8 @@ struct Ladder {
   std::string parameter;  ///< "top"
   std::string words;  ///< what holds on each rung: "a box rests under one so many times as heavy"
   std::vector<double> rungs;
+  /// Those that run with --quick.
+  std::vector<double> quick{};
   /// The last rungs, which take long: with --full alone.
   std::size_t only_full = 0;
   std::function<void(CaseRun&, double)> run;
