@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -87,6 +88,9 @@ class Perturbed {
       throw NotApplicable("it breaks off as it is: " + plain.broken);
     }
     if (!plain.broken.empty()) throw InputError(plain.broken);
+    for (const Observation& one : plain.observations) {
+      if (std::isnan(one.value)) throw NotApplicable(one.name + " is no number as it is");
+    }
     for (const PerturbationGroup& group : perturbation_groups()) check(group);
   }
 
