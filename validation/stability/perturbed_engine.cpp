@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/demand.h"
+#include "validation/engine/own_process.h"
 
 namespace stiction {
 
@@ -39,7 +40,7 @@ class Rounds {
   int before_;
 };
 
-class PerturbedEngine final : public Engine {
+class PerturbedEngine final : public Engine, public OwnProcess {
  public:
   PerturbedEngine(const EngineKind& kind, Settings settings, const Perturbation& how,
                   std::shared_ptr<PerturbedTrace> trace)
@@ -196,6 +197,10 @@ class PerturbedEngine final : public Engine {
     return all;
   }
   Cost cost() const override { return inner_->cost(); }
+  std::optional<std::int64_t> resident_memory() const override {
+    const auto* const process = dynamic_cast<const OwnProcess*>(inner_.get());
+    return process ? process->resident_memory() : std::nullopt;
+  }
   std::uint64_t state_hash() const override { return inner_->state_hash(); }
   Snapshot save() const override { return inner_->save(); }
   void restore(const Snapshot& snapshot) override { inner_->restore(snapshot); }
