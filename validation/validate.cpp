@@ -32,6 +32,7 @@
 #include "validation/core/program.h"
 #include "validation/core/runner.h"
 #include "validation/engine/conformance/conformance.h"
+#include "validation/heap_counter.h"
 #include "validation/judge/show_expectations.h"
 #include "validation/user/user_case.h"
 
@@ -235,6 +236,7 @@ std::filesystem::path earlier_records(const std::string& out) {
 
 int validate(Arguments& arguments) {
   set_program_limits(arguments.limits);
+  set_heap_count(heap_counter());
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
   if (!arguments.show_expectations.empty()) {
     const RecordFile file = read_records(std::filesystem::path(arguments.show_expectations));

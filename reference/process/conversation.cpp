@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <fstream>
 #include <thread>
 #include <utility>
 
@@ -234,6 +235,14 @@ double Conversation::cpu_seconds() const {
     return 0.0;
   }
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::optional<std::int64_t> Conversation::resident_memory() const {
+  if (child_ < 0) return std::nullopt;
+  std::ifstream told(fmt::format("/proc/{}/statm", child_));
+  std::int64_t size = 0, resident = 0;  // pages
+  if (!(told >> size >> resident)) return std::nullopt;
+  return resident * sysconf(_SC_PAGESIZE);
 }
 
 }  // namespace stiction::reference

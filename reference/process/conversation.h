@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ class Conversation {
   /// User and system time of the process so far, all its threads, not its children, s, by the
   /// operating system; 0 once it has ended.
   double cpu_seconds() const;
+
+  /// Its resident set, bytes, by the operating system; none once it has ended.
+  std::optional<std::int64_t> resident_memory() const;
 
   pid_t process() const { return child_; }
 

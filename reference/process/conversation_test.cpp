@@ -111,6 +111,21 @@ TEST(Conversation, ReadsTheCpuTimeOffTheSystem) {
   EXPECT_LT(spent, 0.35);
 }
 
+TEST(Conversation, ReadsTheResidentSetOffTheSystem) {
+  Conversation child({"python3", "-c",
+                      "input(); print('empty', flush=True); input()\n"
+                      "held = b'1' * (64 << 20); print('full', flush=True); input()"});
+  child.ask("begin");
+  const auto before = child.resident_memory();
+  ASSERT_TRUE(before);
+  EXPECT_GT(*before, 1 << 20);
+  EXPECT_EQ(child.ask("take"), "full");
+  const auto after = child.resident_memory();
+  ASSERT_TRUE(after);
+  EXPECT_GE(*after - *before, 64 << 20);
+  EXPECT_LT(*after - *before, 66 << 20);
+}
+
 TEST(Conversation, EndsWithTheObject) {
   pid_t process = 0;
   {

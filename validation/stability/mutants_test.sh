@@ -23,8 +23,9 @@ cliff=gauntlet/cliff/stays
 cone=ladder/cone/load=0.9
 overlap=ladder/overlap/share=0.01
 bars=perturbed/paper/appendix-a-momentum/crossed-bars
+steps=ladder/steps/count=1e+06
 
-run validate correct "$spikes" "$wedges" "$sliding" "$cliff" "$cone" "$overlap" "$bars"
+run validate correct "$spikes" "$wedges" "$sliding" "$cliff" "$cone" "$overlap" "$bars" "$steps"
 
 mutant friction_scaled "$sliding"
 bites "$sliding" quiet 'speed lost, error'
@@ -69,6 +70,19 @@ bites "$cone" quiet 'drift at rest'
 
 mutant lost_contact "$cone"
 bites "$cone" quiet 'fastest contact slip'
+
+mutant history_kept "$steps"
+bites "$steps" quiet 'memory gained'
+
+# … and of an engine that is a process of its own, whose resident set is read.
+hosted() { # hosted FAULT
+  "$build/validate" --engine "$build/hosted_engine" --set fault="$1" --case "$steps" --no-page --out hosted
+}
+holds 0 "a million steps of an engine that is a process take no memory" hosted none
+grep -q '"quantity":"memory gained"' hosted/latest/records.jsonl || failed "memory" "it was not looked at"
+exits 1 "hoards" hosted hoards
+grep -q '^  FAIL .*memory gained' out || failed "hoards" "another check fails"
+passed "a process that keeps a number of each step fails"
 
 # The ½ is of the paper's normal gain, with which the suite runs by --set alone.
 options=(--set method=paper)

@@ -6,12 +6,13 @@
 
 #include "solver/demand.h"
 #include "validation/engine/kit/rounding.h"
+#include "validation/engine/own_process.h"
 
 namespace stiction {
 
 namespace {
 
-class PerturbedEngine final : public Engine {
+class PerturbedEngine final : public Engine, public OwnProcess {
  public:
   PerturbedEngine(const EngineKind& kind, Settings settings, const Perturbation& how,
                   std::shared_ptr<PerturbedTrace> trace)
@@ -175,6 +176,10 @@ class PerturbedEngine final : public Engine {
     return all;
   }
   Cost cost() const override { return inner_->cost(); }
+  std::optional<std::int64_t> resident_memory() const override {
+    const auto* const process = dynamic_cast<const OwnProcess*>(inner_.get());
+    return process ? process->resident_memory() : std::nullopt;
+  }
   std::uint64_t state_hash() const override { return inner_->state_hash(); }
   Snapshot save() const override { return inner_->save(); }
   void restore(const Snapshot& snapshot) override { inner_->restore(snapshot); }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ class Dialogue {
   JsonField fields(const nlohmann::json& answer, const char* verb) const;
 
   double cpu_seconds() const { return conversation_ ? conversation_->cpu_seconds() : 0.0; }
+  std::optional<std::int64_t> resident_memory() const {
+    return conversation_ ? conversation_->resident_memory() : std::nullopt;
+  }
 
  private:
   std::string name_;                                       // of the program, as it was called

@@ -10,6 +10,7 @@
 #include "solver/demand.h"
 #include "solver/hash.h"
 #include "validation/engine/kit/array_json.h"
+#include "validation/engine/own_process.h"
 #include "validation/engine/protocol/problem_json.h"
 #include "validation/engine/protocol/rigid_body.h"
 
@@ -37,7 +38,7 @@ Vec3 vec3(const JsonField& field) {
   return {all[0], all[1], all[2]};
 }
 
-class ProgramEngine final : public Engine {
+class ProgramEngine final : public Engine, public OwnProcess {
  public:
   ProgramEngine(const ProgramTraits& traits, Settings settings)
       : traits_(traits), given_(std::move(settings)) {}
@@ -103,6 +104,10 @@ class ProgramEngine final : public Engine {
     cost.told_cpu_seconds = told_cpu_;
     cost.steps = counted_;
     return cost;
+  }
+
+  std::optional<std::int64_t> resident_memory() const override {
+    return dialogue_->resident_memory();
   }
 
   std::uint64_t state_hash() const override {

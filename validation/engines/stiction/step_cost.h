@@ -27,14 +27,18 @@ class StepCost {
 
  private:
   void note_contact_time(std::size_t contacts);
+  void thin_out();
 
   double overhead_;  // what an empty PhaseTimer adds, s
   PhaseSeconds phase_seconds_{};
   double cpu_seconds_ = 0.0;
   std::uint64_t steps_ = 0;
   std::uint64_t timed_steps_ = 0;
-  double contact_seconds_ = 0.0;             // of the timed steps so far
-  std::vector<double> seconds_per_contact_;  // of each timed step: its median shrugs off interrupts
+  double contact_seconds_ = 0.0;  // of the timed steps so far
+  // Of timed steps, one of every `stride_` and kMostTimes at most: the median shrugs off interrupts.
+  std::vector<double> seconds_per_contact_;
+  std::uint64_t stride_ = 1;
+  std::uint64_t with_contacts_ = 0;  // timed steps that had some
 };
 
 }  // namespace stiction

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view kFaults[] = {"none",  "sign",   "degrees",  "gravity-twice", "swapped",
                                         "clock", "forget", "friction", "half-step",     "nan",
-                                        "exit",  "finer",  "stands"};
+                                        "exit",  "finer",  "stands",   "hoards"};
 
 // An engine whose adapter has one fault.
 class FaultyEngine final : public Engine {
@@ -56,6 +56,7 @@ class FaultyEngine final : public Engine {
     if (fault_ == "exit" && engine_->steps_done() > 100) std::exit(0);
     if (fault_ == "half-step") steps = (steps + 1) / 2;
     engine_->advance(steps);
+    if (fault_ == "hoards") hoard_.insert(hoard_.end(), steps, 1.0);
   }
 
   BodyMotion body(std::size_t index) const override {
@@ -104,7 +105,8 @@ class FaultyEngine final : public Engine {
   std::unique_ptr<Engine> engine_;
   std::string fault_;
   Problem problem_{};
-  bool forgotten_ = false;  // velocities are told as 0 until the next step
+  std::vector<double> hoard_{};  // a number a step
+  bool forgotten_ = false;       // velocities are told as 0 until the next step
 };
 
 EngineKind hosted_kind() {
