@@ -40,10 +40,19 @@ std::string way_of(const Record& record) {
 
 std::string value_words(double value) { return fmt::format("{:g}", value); }
 
+// Of what is for information, which nothing decides.
+const Judgement* farthest(const std::vector<Judgement>& checks) {
+  const auto found = std::max_element(
+      checks.begin(), checks.end(),
+      [](const Judgement& a, const Judgement& b) { return a.of_tolerance < b.of_tolerance; });
+  return found == checks.end() ? nullptr : &*found;
+}
+
 std::string why_it_breaks(const Rung& rung) {
   const Record& record = *rung.record;
   if (!record.error.empty()) return record.error;
-  const Judgement* const check = worst_check(record.checks);
+  const Judgement* check = worst_check(record.checks);
+  if (check == nullptr) check = farthest(record.checks);
   if (check == nullptr) return "";
   return check->because.empty() ? check->claim.quantity
                                 : check->claim.quantity + ": " + check->because;

@@ -66,6 +66,8 @@ TEST(Climb, OfWhatIsForInformationHoldsWithinItsTolerances) {
   ASSERT_NE(climbs[0].highest, nullptr);
   EXPECT_EQ(climbs[0].highest->value, 1.0);
   EXPECT_EQ(climbs[0].above->value, 10.0);
+  EXPECT_THAT(ladder_ends(records, 8, {.width = 100}),
+              HasSubstr(beyond.checks.front().claim.quantity));
 }
 
 TEST(Climb, MayHoldOnEveryRungOrNowhere) {
