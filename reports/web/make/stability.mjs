@@ -4,12 +4,11 @@
 import { margin, margin_text } from "../model/check_text.js";
 import { ordered_configurations } from "../model/configuration.js";
 import { family_name, group_by } from "../model/family.js";
-import { holds, is_ladder, rung_of, span_of, worse_of } from "../model/ladder.js";
+import { deciding_check, holds, is_ladder, rung_of, span_of, worse_of } from "../model/ladder.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
 import { groups_of, is_perturbed, lacking_of, perturbation_of } from "../model/perturbation.js";
 import { exact_command, perturbed_command } from "../model/rerun.js";
-import { worst_check } from "../model/verdict.js";
 import { short_number } from "./index_row.mjs";
 
 const number = (value) => short_number(to_number(value));
@@ -45,7 +44,7 @@ function row_of(record, groups) {
 // Why a rung does not hold, in words.
 function failure_of(record) {
   if (record.verdict === "error") return `broke off: ${record.error}`;
-  const check = worst_check(record.checks, margin);
+  const check = deciding_check(record);
   if (!check) return "";
   const words = `${check.quantity}: ${margin_text(margin(check))}`;
   return check.worst ? `${words}; ${check.worst}` : words;

@@ -23,9 +23,15 @@ export function holds({ verdict, checks }) {
   return is_bad(verdict) || is_expected(verdict) ? false : null;
 }
 
+/** The check that decides; of a record for information the one that is farthest off its tolerance. */
+export function deciding_check({ verdict, checks }) {
+  if (verdict !== "for-information") return worst_check(checks, margin);
+  return checks.reduce((a, b) => (a && margin(a) >= margin(b) ? a : b), undefined);
+}
+
 /** Error ÷ tolerance of the check that decides; infinite where the run broke off, NaN without such a check. */
 export function ratio_of(record) {
-  const check = worst_check(record.checks, margin);
+  const check = deciding_check(record);
   if (record.verdict === "error") return Infinity;
   return check ? margin(check) : NaN;
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { holds, rung_of, span_of } from "../model/ladder.js";
+import { holds, ratio_of, rung_of, span_of } from "../model/ladder.js";
 import {
   groups_of,
   lacking_of,
@@ -50,6 +50,9 @@ test("a rung for information holds where each of its checks is within its tolera
   const verdict = "for-information";
   for (const [ratio, expected] of [[0.5, true], [1, true], [7, false], ["inf", false]])
     assert.equal(holds(rung("mass/top=10", ratio, { verdict })), expected, String(ratio));
+  const one = rung("mass/top=10", 7, { verdict });
+  for (const check of one.checks) check.verdict = verdict;
+  assert.equal(ratio_of(one), 7, "the farthest decides");
 });
 
 test("a rung is read from its case's name", () => {
