@@ -12,7 +12,8 @@ namespace stiction {
 Figures::Figures(const std::vector<Record>& records) : records_(records) {}
 
 RuleOnContacts who_of(const Record& record) {
-  return {rule_words(record.settings), contacts_words(record.settings)};
+  return {rule_words(record.settings), contacts_words(record.settings),
+          build_words(record.settings)};
 }
 
 const Record* Figures::find(const std::string& case_name, const RuleOnContacts& who) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/demand.h"
+#include "validation/engine/build_of.h"
 
 namespace stiction {
 
@@ -247,16 +248,7 @@ Settings without_name(Settings settings) {
 
 EngineKind perturbed(const EngineKind& kind, const Perturbation& how,
                      std::shared_ptr<PerturbedTrace> trace) {
-  EngineKind inner = kind;
-  if (!how.build.empty()) {
-    const auto found = kind.builds.find(how.build);
-    if (found == kind.builds.end()) throw NotApplicable("the engine has no such build");
-    try {
-      inner = find_engine(found->second);
-    } catch (const InputError& error) {
-      throw NotApplicable(error.what());  // not built, mostly
-    }
-  }
+  const EngineKind inner = how.build.empty() ? kind : build_of(kind, how.build);
   if (how.rewinds && !inner.manifest.snapshots) throw NotApplicable("the engine has no snapshots");
   if (how.rounding != Perturbation::Rounding::kNearest && !inner.program.empty()) {
     throw NotApplicable("how the engine's program rounds is not to be told from outside");
