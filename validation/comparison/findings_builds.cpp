@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "reports/text/text.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/findings.h"
 
@@ -21,10 +22,10 @@ struct Largest {
 };
 
 struct Beside {
-  std::vector<double> speeds;   // CPU time over that of the build
-  std::vector<double> shares;   // slipped ÷ free slide, of the build over that of the engine
-  std::vector<double> fastest;  // creep, m/s: of the build alone
-  Largest slower;               // CPU time of the build over that of the engine
+  std::vector<double> speeds;  // CPU time over that of the build
+  std::vector<double> shares;  // slipped ÷ free slide, of the build over that of the engine
+  std::vector<double> creeps;  // m/s, of the build alone
+  Largest slower;              // CPU time of the build over that of the engine
   std::size_t failures = 0, own_failures = 0;
 };
 
@@ -50,7 +51,7 @@ Sentences builds_beside(const Figures& figures) {
       beside.speeds.push_back(own_seconds / seconds);
       beside.shares.push_back(figures.of(name, who, kSlippedShare) /
                               figures.of(name, own, kSlippedShare));
-      beside.fastest.push_back(figures.of(name, who, kCreep));
+      beside.creeps.push_back(figures.of(name, who, kCreep));
       if (seconds / own_seconds <= beside.slower.value) continue;
       beside.slower = {seconds / own_seconds, fmt::format("{} at {}", own.words(), name)};
     }
@@ -58,12 +59,14 @@ Sentences builds_beside(const Figures& figures) {
   Sentences sentences;
   for (const auto& [build, beside] : builds) {
     if (beside.speeds.empty()) continue;
+    const Spread creep = spread_of(beside.creeps);
     sentences.push_back(fmt::format(
-        "Work in {} beside the same rule, scene and steps as ever ({} pairs): speed × {}, slowest "
-        "with {}; way slipped × {}; final creep {:.2g} to {:.2g} m/s. {} failed in it, {} as ever.",
-        build, beside.speeds.size(), range_words(spread_of(beside.speeds)), beside.slower.words,
-        range_words(spread_of(beside.shares)), spread_of(beside.fastest).least,
-        spread_of(beside.fastest).most, beside.failures, beside.own_failures));
+        "Work in {} beside the same rule, scene and steps in the engine as it is ({}): speed × {}, "
+        "least with {}; way slipped × {}; final creep {:.2g} to {:.2g} m/s. Failed: {}, and {} in "
+        "the engine as it is.",
+        build, counted(beside.speeds.size(), "pair"), range_words(spread_of(beside.speeds)),
+        beside.slower.words, range_words(spread_of(beside.shares)), creep.least, creep.most,
+        beside.failures, beside.own_failures));
   }
   return sentences;
 }

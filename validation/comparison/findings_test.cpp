@@ -123,10 +123,10 @@ Record work(const std::string& build, double seconds, double share) {
 
 TEST(Findings, SetSinglePrecisionBesideDouble) {
   const Record found = findings({work("", 0.3, 1e-6), work("single", 0.2, 4e-6)});
-  EXPECT_THAT(found.notes,
-              Contains(testing::AllOf(HasSubstr("Work in single precision beside the same rule"),
-                                      HasSubstr("(1 pairs): speed × 1.5 "),
-                                      HasSubstr("way slipped × 4 "))));
+  EXPECT_THAT(
+      found.notes,
+      Contains(testing::AllOf(HasSubstr("Work in single precision beside the same rule"),
+                              HasSubstr("(1 pair): speed × 1.5 "), HasSubstr("way slipped × 4 "))));
   // Each is a point of its own in the front.
   EXPECT_THAT(found.notes,
               Contains(HasSubstr("fixed-point on quiet contacts in single precision")));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reports/text/number.h"
 #include "reports/text/text.h"
@@ -65,8 +66,9 @@ void add_curve(const EngineAnswers& answers, std::size_t q, BuildPairs& pairs) {
   }
 }
 
-double judged(const std::optional<double>& error) {
-  return error && !std::isnan(*error) ? *error : std::numeric_limits<double>::infinity();
+// What never came to what is asked for is off by any amount.
+double judged(double error) {
+  return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
 bool is_worse(double error, double than) { return error > kWorse * std::max(than, kSame); }
@@ -75,7 +77,7 @@ bool is_worse(double error, double than) { return error > kWorse * std::max(than
 struct Tally {
   Spread speed;
   std::size_t timed = 0;
-  std::size_t usual = 0, worse = 0, better = 0, broke = 0, own_broke = 0;
+  std::size_t worse = 0, better = 0, broke = 0, own_broke = 0;
   const AnswerPair* worst = nullptr;  // the largest loss
   double loss = 1.0;
 };
@@ -85,11 +87,10 @@ Tally tally_of(const BuildPairs& pairs) {
   std::vector<double> speeds;
   for (const AnswerPair& one : pairs.answers) {
     if (!std::isnan(one.speed())) speeds.push_back(one.speed());
-    if (one.effort > 0) continue;
-    ++tally.usual;
     tally.broke += !one.build_error;
     tally.own_broke += !one.error;
-    const double own = judged(one.error), build = judged(one.build_error);
+    if (!one.error || !one.build_error) continue;
+    const double own = judged(*one.error), build = judged(*one.build_error);
     tally.worse += is_worse(build, own);
     tally.better += is_worse(own, build);
     const double loss = build / std::max(own, kSame);
@@ -127,22 +128,22 @@ std::vector<std::string> cells_of(const Question& question, const AnswerPair& on
 std::string sentence_of(const EngineAnswers& answers, const BuildPairs& pairs) {
   const Tally tally = tally_of(pairs);
   std::string text;
-  if (!std::isnan(tally.speed.median)) {
-    text += fmt::format("speed × {:.2f} in the median of {} ({:.2f} to {:.2f})", tally.speed.median,
-                        counted(tally.timed, "answer"), tally.speed.least, tally.speed.most);
+  if (tally.timed > 0) {
+    text =
+        fmt::format("speed × {:.2f} in the median of {} ({:.2f} to {:.2f}); ", tally.speed.median,
+                    counted(tally.timed, "answer"), tally.speed.least, tally.speed.most);
   }
-  text += fmt::format("{}error more than twice as large in {} of {}, less than half in {}",
-                      text.empty() ? "" : "; ", tally.worse, counted(tally.usual, "question"),
-                      tally.better);
+  text += fmt::format("error more than twice as large in {} of {}, less than half in {}",
+                      tally.worse, counted(pairs.answers.size(), "answer"), tally.better);
   if (tally.worst) {
-    const Question& question = answers.questions()[tally.worst->question];
-    text += fmt::format(", most in {} ({} for {})", question.id,
-                        error_text(question, tally.worst->build_error),
-                        error_text(question, tally.worst->error));
+    const AnswerPair& worst = *tally.worst;
+    const Question& question = answers.questions()[worst.question];
+    text += fmt::format(", most in {}{} ({} for {})", question.id,
+                        worst.effort > 0 ? fmt::format(", effort {}", worst.effort) : "",
+                        error_text(question, worst.build_error), error_text(question, worst.error));
   }
-  if (tally.broke > 0) {
-    text += fmt::format("; broke in {}, where {} broke in {}", tally.broke, pairs.own.engine,
-                        tally.own_broke);
+  if (tally.broke + tally.own_broke > 0) {
+    text += fmt::format("; broke in {}, {} in {}", tally.broke, pairs.own.engine, tally.own_broke);
   }
   return text + ".";
 }
