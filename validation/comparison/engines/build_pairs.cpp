@@ -111,7 +111,9 @@ std::string error_text(const Question& question, const std::optional<double>& er
 }
 
 std::string ms_text(const std::optional<double>& error, double seconds) {
-  return error ? fmt::format("{:.3g}", 1e3 * seconds) : "–";
+  if (!error) return "–";
+  return seconds < 1.0 ? fmt::format("{:.3g}", 1e3 * seconds)
+                       : fmt::format("{:.0f}", 1e3 * seconds);
 }
 
 std::string speed_text(double speed) {
@@ -197,7 +199,7 @@ std::string builds_tables(const EngineAnswers& answers) {
   std::string text;
   for (const BuildPairs& pairs : build_pairs(answers)) {
     std::vector<std::vector<std::string>> table = {
-        {"question", "effort", "|error|, " + pairs.own.engine, pairs.build.engine,
+        {"question", "effort", "error, " + pairs.own.engine, pairs.build.engine,
          "CPU ms, " + pairs.own.engine, pairs.build.engine, "speed"}};
     for (const AnswerPair& one : pairs.answers) {
       const Question& question = answers.questions()[one.question];

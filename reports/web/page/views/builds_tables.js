@@ -13,7 +13,8 @@ const error_words = ({ kind, error }, unit) =>
 
 const engine_of = (name) => name.split(" · ")[0];
 
-const ms = ({ seconds }) => (seconds === null ? "–" : general(1e3 * seconds, 3));
+const ms = ({ seconds }) =>
+  seconds === null ? "–" : seconds < 1 ? general(1e3 * seconds, 3) : String(Math.round(1e3 * seconds));
 
 const median = (values) => {
   const sorted = [...values].sort((a, b) => a - b);
