@@ -8,6 +8,7 @@
 
 #include "reports/text/check_text.h"
 #include "validation/comparison/comparison.h"
+#include "validation/comparison/figures.h"
 
 namespace stiction {
 
@@ -80,9 +81,8 @@ std::string comparison_table(const std::vector<const Record*>& records) {
   std::vector<Row> rows{head};
   std::string failures;
   for (const Record* record : records) {
-    const std::string build = build_words(record->settings);
-    Row row{rule_words(record->settings) + (build.empty() ? "" : ", " + build),
-            contacts_words(record->settings)};
+    const RuleOnContacts who = who_of(*record);
+    Row row{who.rule + (who.build.empty() ? "" : ", " + who.build), who.contacts};
     for (const Figure& figure : record->figures) row.push_back(number(figure.value));
     row.resize(head.size() - 1, "–");
     const double nanoseconds = friction_nanoseconds(*record);

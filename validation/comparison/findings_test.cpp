@@ -132,6 +132,15 @@ TEST(Findings, SetSinglePrecisionBesideDouble) {
               Contains(HasSubstr("fixed-point on quiet contacts in single precision")));
 }
 
+// Its own default of a parameter is no reading of the rule.
+TEST(Findings, KnowARuleInABuildWithOtherDefaults) {
+  std::vector<Record> both{work("", 0.3, 1e-6), work("single", 0.2, 4e-6)};
+  for (Record& one : both) one.settings["rule"] = "conjugate-vector";
+  both[0].settings["slip-tolerance"] = "1e-07";
+  both[1].settings["slip-tolerance"] = "1e-06";
+  EXPECT_THAT(findings(both).notes, Contains(HasSubstr("(1 pair)")));
+}
+
 // The program was not built: nothing was compared, and nothing failed.
 TEST(Findings, SayNothingOfABuildThatIsNotThere) {
   Record missing = work("single", 0.0, 0.0);
