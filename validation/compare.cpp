@@ -163,13 +163,15 @@ void define(CLI::App& app, Arguments& arguments) {
        .summary = "friction rules side by side: speed against error",
        .synopsis = {"./stiction compare [--scene GLOB]... [--rule RULE]... [OPTIONS]",
                     "./stiction compare engines [OPTIONS]"},
-       .description = "Sets every rule of static friction, on the paper's contacts and on the "
-                      "quiet ones, side by side "
-                      "on the same scenes: friction memory lost, loads of 0.1 to 0.95 of the cone, "
-                      "a box that falls, "
-                      "random poses, hard conditions, gains, work against precision. Prints who "
-                      "wins each question "
-                      "with its figure and cost, and what failed.",
+       .description =
+           "Sets every rule of static friction, on the paper's contacts and on the "
+           "quiet ones, side by side "
+           "on the same scenes: friction memory lost, loads of 0.1 to 0.95 of the cone, "
+           "a box that falls, "
+           "random poses, hard conditions, gains, work against precision in double and in "
+           "single precision. Prints who "
+           "wins each question "
+           "with its figure and cost, and what failed.",
        .exit_codes = {{"0", "compared; a rule that fails on a scene is a result"},
                       {"1", "a timed run was not the computation that was looked at"},
                       {"2", "could not run: bad input, a full disk"}},
@@ -297,7 +299,7 @@ double seconds_since(std::chrono::steady_clock::time_point began) {
 int compare(Arguments& arguments) {
   Selection& selection = arguments.selection;
   if (arguments.quick) selection.set = CaseSet::kQuick;
-  const std::vector<Job> jobs = chosen(select_jobs(comparison_catalog(), selection), arguments);
+  std::vector<Job> jobs = chosen(select_jobs(comparison_catalog(), selection), arguments);
   if (arguments.list) {
     std::string last;
     for (const Job& job : jobs) {
@@ -307,6 +309,7 @@ int compare(Arguments& arguments) {
     return kHolds;
   }
   const auto began = std::chrono::steady_clock::now();
+  jobs = with_builds(std::move(jobs));
   RecordStore store = RecordStore::create(arguments.out);
   std::vector<Record> records(jobs.size());
   Tables tables(jobs, records, arguments.verbose);

@@ -47,6 +47,35 @@ holds 0 "one rule alone" "$compare" --scene rules/slab --rule secant --contacts 
   failed "one rule alone" "its state hash differs from that of the whole scene"
 passed "a scene rerun in isolation gives the same hash"
 
+# Work and precision has each chief rule in single precision too: a row with its error and its CPU time, on
+# which the page draws a curve.
+holds 0 "work in single precision" "$compare" --scene 'work/slab/cells=2/dt=2e-4' --rule fixed-point \
+  --contacts quiet --out work --verbose
+grep -qE '^\| fixed-point, single precision +\| quiet +\| +[0-9.e+-]+ \| +[0-9.e+-]+ \|' out ||
+  failed "work in single precision" "there is no row with an error and a CPU time: $(grep single out)"
+for words in 'Work in single precision beside' 'speed ×' 'way slipped ×'; do
+  grep -qF -- "$words" out || failed "work in single precision" "stdout lacks $words"
+done
+passed "its error and speed stand beside double's"
+
+# At each effort at which double stands on a curve, so does single precision.
+holds 0 "engines in single precision" env COLUMNS=80 "$compare" engines --quick --engine stiction \
+  --engine stiction_single --question accelerates --out engines
+for words in 'stiction_single · quiet beside stiction · quiet' 'accelerates' '… effort 2' 'speed' '× '; do
+  grep -qF -- "$words" out || failed "engines in single precision" "stdout lacks $words"
+done
+[ "$(LC_ALL=C.UTF-8 awk 'length($0) > 80 && !/engines.md/' out | wc -l)" -eq 0 ] ||
+  failed "engines in single precision" "a line is wider than 80 columns"
+grep -q '^| accelerates | *2 |' engines/latest/engines.md ||
+  failed "engines in single precision" "engines.md has no row of each effort"
+python3 - engines/latest/records.jsonl <<'PY' || failed "engines in single precision" "the curves differ in length"
+import json, sys
+records = [json.loads(line) for line in open(sys.argv[1])]
+curves = {r["engine"]: r["series"][0]["x"] for r in records if r["case"] == "engines/accelerates"}
+sys.exit(len(curves["stiction"]) != 3 or len(curves["stiction_single"]) != 3)
+PY
+passed "they have a curve of the same efforts, and a table beside double's"
+
 holds 0 "--list" "$compare" --list
 for scene in load/lost/cells=2/r=0.35 load/released/cells=3/r=0.1 falling-box/r=0.73 poses/slope=3 rules/slab rules/clamp rules/box-pyramid rules/four-balls rules/membrane rules/basket hard/noise; do
   grep -q "^$scene " out || failed "--list" "it lacks $scene"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "solver/friction/catalog.h"
+#include "validation/engine/build_of.h"
 #include "validation/engines/stiction/stiction_method.h"
 
 namespace stiction {
@@ -34,6 +35,24 @@ std::vector<Settings> on_both_contacts(const std::vector<Settings>& rules) {
   return variants;
 }
 
+// Another build of the engine, which is told the rest of a variant's settings.
+EngineKind in_build(const EngineKind& engine, const std::string& build) {
+  EngineKind kind = engine;
+  try {
+    kind = build_of(engine, build);
+  } catch (const NotApplicable& why) {
+    kind.make = [words = std::string(why.what())](const Settings&) -> std::unique_ptr<Engine> {
+      throw NotApplicable(words);
+    };
+    return kind;
+  }
+  kind.make = [make = kind.make](Settings settings) {
+    settings.erase(kBuild);
+    return make(settings);
+  };
+  return kind;
+}
+
 std::vector<Settings> readings_of(const std::string& rule) {
   std::vector<Settings> all{{{"rule", rule}}};
   const auto [begin, end] = kReadings.equal_range(rule);
@@ -52,6 +71,20 @@ std::vector<Settings> all_rules() {
     for (Settings& reading : readings_of(rule)) rules.push_back(std::move(reading));
   }
   return on_both_contacts(rules);
+}
+
+std::vector<Job> with_builds(std::vector<Job> jobs) {
+  std::map<std::string, EngineKind> known;
+  for (Job& job : jobs) {
+    const auto asked = job.settings.find(kBuild);
+    if (asked == job.settings.end()) continue;
+    const auto found = known.find(asked->second);
+    job.engine =
+        found != known.end()
+            ? found->second
+            : known.emplace(asked->second, in_build(job.engine, asked->second)).first->second;
+  }
+  return jobs;
 }
 
 std::vector<Settings> chief_rules() {
@@ -73,6 +106,12 @@ std::vector<Settings> scalar_and_vector() {
     variants.push_back({{"method", "quiet"}, {"rule", rule}});
   }
   return variants;
+}
+
+std::string build_words(const Settings& settings) {
+  const auto found = settings.find(kBuild);
+  if (found == settings.end()) return "";
+  return found->second == "single" ? "single precision" : "build " + found->second;
 }
 
 std::string contacts_words(const Settings& settings) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "validation/core/case_run.h"
+#include "validation/core/runner.h"
 
 namespace stiction {
 
@@ -45,6 +46,13 @@ inline constexpr const char* kFrictionRatio = "÷ that of the fixed point";
 /// gains, and those of them that have more than one reading or number of sweeps, in each.
 std::vector<Settings> all_rules();
 
+/// The setting of a variant that another build of the engine runs: "single" (EngineKind::builds).
+inline constexpr const char* kBuild = "build";
+
+/// The jobs, each with the engine that its variant asks for. Where that was not built they are not
+/// applicable, in words.
+std::vector<Job> with_builds(std::vector<Job> jobs);
+
 /// Those that carry an argument: fixed point, secant, stored vector and conjugate directions.
 std::vector<Settings> chief_rules();
 
@@ -55,6 +63,9 @@ std::vector<Settings> scalar_and_vector();
 /// "paper", "quiet", "paper, projection depth": whose contacts. The depth only where it is not the
 /// method's own.
 std::string contacts_words(const Settings& settings);
+
+/// "single precision"; nothing for the engine as it is.
+std::string build_words(const Settings& settings);
 
 /// "secant", "secant, memory = keep", "stored-vector, 4 sweeps": what tells a variant from others on the same contacts.
 std::string rule_words(const Settings& settings);

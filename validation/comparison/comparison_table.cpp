@@ -8,6 +8,7 @@
 
 #include "reports/text/check_text.h"
 #include "validation/comparison/comparison.h"
+#include "validation/comparison/figures.h"
 
 namespace stiction {
 
@@ -80,10 +81,12 @@ std::string comparison_table(const std::vector<const Record*>& records) {
   std::vector<Row> rows{head};
   std::string failures;
   for (const Record* record : records) {
-    Row row{rule_words(record->settings), contacts_words(record->settings)};
+    const RuleOnContacts who = who_of(*record);
+    Row row{who.rule + (who.build.empty() ? "" : ", " + who.build), who.contacts};
     for (const Figure& figure : record->figures) row.push_back(number(figure.value));
     row.resize(head.size() - 1, "–");
-    row.push_back(number(std::round(friction_nanoseconds(*record))));
+    const double nanoseconds = friction_nanoseconds(*record);
+    row.push_back(nanoseconds > 0.0 ? number(std::round(nanoseconds)) : "–");
     rows.push_back(row);
     for (const Failure& failure : record->failures) {
       failures += fmt::format("{}{}, {} contacts: {}", failures.empty() ? "Failed: " : "; ", row[0],

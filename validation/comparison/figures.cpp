@@ -4,15 +4,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/friction/catalog.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 
 namespace stiction {
 
+namespace {
+
+// Another build may have other defaults, which the engine tells with the rest: there only what the
+// variant sets tells a reading from others.
+Settings telling_settings(const Record& record) {
+  Settings settings = record.settings;
+  if (settings.count(kBuild) == 0) return settings;
+  for (const RuleParameter& parameter : friction_rule_parameters(settings.at("rule"))) {
+    const std::string set = std::string(" ") + parameter.name + "=";
+    if ((" " + record.variant).find(set) == std::string::npos) settings.erase(parameter.name);
+  }
+  return settings;
+}
+
+}  // namespace
+
 Figures::Figures(const std::vector<Record>& records) : records_(records) {}
 
 RuleOnContacts who_of(const Record& record) {
-  return {rule_words(record.settings), contacts_words(record.settings)};
+  return {rule_words(telling_settings(record)), contacts_words(record.settings),
+          build_words(record.settings)};
 }
 
 const Record* Figures::find(const std::string& case_name, const RuleOnContacts& who) const {

@@ -14,8 +14,11 @@ struct RuleOnContacts {
   std::string rule;  ///< as rule_words() puts it
   std::string
       contacts;  ///< as contacts_words() puts it: "paper", "quiet", "paper, consistent depth"
+  std::string build{};  ///< of the engine, as build_words() puts it: "single precision"; mostly ""
   auto operator<=>(const RuleOnContacts&) const = default;
-  std::string words() const { return rule + " on " + contacts + " contacts"; }
+  std::string words() const {
+    return rule + " on " + contacts + " contacts" + (build.empty() ? "" : " in " + build);
+  }
 };
 
 /// The records of a comparison, to be asked for figures.

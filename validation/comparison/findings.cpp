@@ -245,7 +245,7 @@ Record findings(const std::vector<Record>& records) {
   for (const auto part :
        {fixed_point_against_secant, rules_that_beat_both, rules_within_fifty_steps, frozen_steps,
         rule_or_contacts, loads_of_the_cone, what_stops_the_vector, from_sliding, poses_at_rest,
-        hard_conditions, gain_sweeps, pareto_front}) {
+        hard_conditions, gain_sweeps, pareto_front, builds_beside}) {
     for (std::string& sentence : part(figures)) found.notes.push_back(std::move(sentence));
   }
   return found;

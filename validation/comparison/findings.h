@@ -37,5 +37,6 @@ Sentences poses_at_rest(const Figures& figures);
 Sentences hard_conditions(const Figures& figures);
 Sentences gain_sweeps(const Figures& figures);
 Sentences pareto_front(const Figures& figures);
+Sentences builds_beside(const Figures& figures);
 
 }  // namespace stiction

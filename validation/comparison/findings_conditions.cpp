@@ -120,6 +120,7 @@ Sentences pareto_front(const Figures& figures) {
     for (const RuleOnContacts& who : figures.rules(name)) {
       const Point point{figures.of(name, who, kCpuTime), figures.of(name, who, kSlippedShare),
                         who.words() + " at " + name.substr(name.find("cells"))};
+      if (std::isnan(point.share) && !figures.failed(name, who)) continue;  // not compared
       if (std::isfinite(point.share)) {
         points.push_back(point);
       } else {

@@ -110,5 +110,46 @@ TEST(ComparisonTable, HasARowARuleAndSaysNever) {
   EXPECT_THAT(table, Not(HasSubstr("Failed")));
 }
 
+Record work(const std::string& build, double seconds, double share) {
+  Record one;
+  one.case_name = "work/slab/cells=2/dt=1e-4";
+  one.engine = build.empty() ? "stiction" : "stiction_" + build;
+  one.settings = {{"method", "quiet"}, {"rule", "fixed-point"}};
+  if (!build.empty()) one.settings["build"] = build;
+  one.figures = {
+      {kSlippedShare, "1", "", share}, {kCpuTime, "s", "", seconds}, {kCreep, "m/s", "", share}};
+  return one;
+}
+
+TEST(Findings, SetSinglePrecisionBesideDouble) {
+  const Record found = findings({work("", 0.3, 1e-6), work("single", 0.2, 4e-6)});
+  EXPECT_THAT(
+      found.notes,
+      Contains(testing::AllOf(HasSubstr("Work in single precision beside the same rule"),
+                              HasSubstr("(1 pair): speed × 1.5 "), HasSubstr("way slipped × 4 "))));
+  // Each is a point of its own in the front.
+  EXPECT_THAT(found.notes,
+              Contains(HasSubstr("fixed-point on quiet contacts in single precision")));
+}
+
+// Its own default of a parameter is no reading of the rule.
+TEST(Findings, KnowARuleInABuildWithOtherDefaults) {
+  std::vector<Record> both{work("", 0.3, 1e-6), work("single", 0.2, 4e-6)};
+  for (Record& one : both) one.settings["rule"] = "conjugate-vector";
+  both[0].settings["slip-tolerance"] = "1e-07";
+  both[1].settings["slip-tolerance"] = "1e-06";
+  EXPECT_THAT(findings(both).notes, Contains(HasSubstr("(1 pair)")));
+}
+
+// The program was not built: nothing was compared, and nothing failed.
+TEST(Findings, SayNothingOfABuildThatIsNotThere) {
+  Record missing = work("single", 0.0, 0.0);
+  missing.figures.clear();
+  missing.verdict = Verdict::kNotApplicable;
+  const Record found = findings({work("", 0.3, 1e-6), missing});
+  EXPECT_THAT(found.notes, Not(Contains(HasSubstr("single precision"))));
+  EXPECT_THAT(found.notes, Contains(HasSubstr("None failed.")));
+}
+
 }  // namespace
 }  // namespace stiction

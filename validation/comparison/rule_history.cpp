@@ -103,14 +103,20 @@ double RuleHistory::path() const {
 RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings& extra) {
   RuleHistory history;
   Settled start;
+  Settings over = scene.settings;
+  const bool settles_itself = !run.engine().program.empty() && scene.settled > 0.0;
   try {
-    start = settled_without_memory(run.engine(), scene, contacts_of(run.settings()));
+    if (settles_itself) {
+      demand(scene.released == 0.0, "a program begins in states at rest alone");
+      over["settled"] = fmt::format("{}", scene.settled);
+    } else {
+      start = settled_without_memory(run.engine(), scene, contacts_of(run.settings()));
+    }
   } catch (const InputError& error) {
     history.failure = error.what();
     history.same_hash = true;  // nothing was timed
     return history;
   }
-  Settings over = scene.settings;
   for (const auto& [name, value] : extra) over[name] = value;
   Settings settings = run.settings();
   for (const auto& [name, value] : over) settings[name] = value;

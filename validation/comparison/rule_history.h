@@ -40,7 +40,8 @@ struct RuleHistory {
 
 /// Runs the scene twice from the same state with the settings of the run: once timed, without
 /// looking at it, which is what the record's cost and hash belong to; once looking after each step.
-/// `extra` goes over the settings of the run, but not into how the scene settles.
+/// `extra` goes over the settings of the run, but not into how the scene settles. A program cannot take
+/// up a state of another process, and is given its setting `settled` instead; such a scene is not released.
 RuleHistory run_rule(CaseRun& run, const ComparisonScene& scene, const Settings& extra = {});
 
 /// Adds the check that both passes are the same computation.

@@ -208,12 +208,14 @@ std::vector<Placing> placings(const std::vector<Record>& records, std::size_t pl
     for (std::size_t k = 0; k < std::min(places, scores.size()); ++k) {
       const auto& [score, who] = scores[k];
       const bool none = places == 1 && std::isinf(score.first);
-      all.push_back({.question = words,
-                     .rule = none ? "none" : short_rule(who.rule),
-                     .contacts = none ? "–" : who.contacts,
-                     .figure = none ? "–" : score.figure,
-                     .cost = none ? "–" : cost_of(figures, who),
-                     .paper = paper});
+      all.push_back(
+          {.question = words,
+           .rule =
+               none ? "none" : short_rule(who.rule) + (who.build.empty() ? "" : ", " + who.build),
+           .contacts = none ? "–" : who.contacts,
+           .figure = none ? "–" : score.figure,
+           .cost = none ? "–" : cost_of(figures, who),
+           .paper = paper});
       words.clear();
     }
   }
@@ -272,6 +274,8 @@ std::string comparison_summary(const std::vector<Record>& records, const Record&
     said.back() +=
         confirmed ? "; comparable, as the paper says." : "; not comparable, against the paper.";
   }
+  const std::string beside = finding(found, "Work in ", "m/s.");
+  if (!beside.empty()) said.push_back(beside);
   if (placed.empty()) said = found.notes;  // what has no winner is told in words alone
   for (const std::string& sentence : said) text += bullet(sentence, screen.width);
   const std::string failures = failures_text(records);

@@ -117,8 +117,10 @@ void CaseRun::started(const Engine& engine) {
   if (size(meshes) > size(record_.meshes)) record_.meshes = std::move(meshes);
   if (settings_resolved_) return;
   record_.settings = engine.settings();
-  const auto method = settings_.find("method");
-  if (method != settings_.end()) record_.settings["method"] = method->second;
+  for (const char* name : {"method", "build"}) {
+    const auto found = settings_.find(name);
+    if (found != settings_.end()) record_.settings[name] = found->second;
+  }
   settings_resolved_ = true;
 }
 

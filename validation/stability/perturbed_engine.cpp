@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/demand.h"
+#include "validation/engine/build_of.h"
 #include "validation/engine/kit/rounding.h"
 #include "validation/engine/own_process.h"
 
@@ -232,16 +233,7 @@ Settings without_name(Settings settings) {
 
 EngineKind perturbed(const EngineKind& kind, const Perturbation& how,
                      std::shared_ptr<PerturbedTrace> trace) {
-  EngineKind inner = kind;
-  if (!how.build.empty()) {
-    const auto found = kind.builds.find(how.build);
-    if (found == kind.builds.end()) throw NotApplicable("the engine has no such build");
-    try {
-      inner = find_engine(found->second);
-    } catch (const InputError& error) {
-      throw NotApplicable(error.what());  // not built, mostly
-    }
-  }
+  const EngineKind inner = how.build.empty() ? kind : build_of(kind, how.build);
   if (how.rewinds && !inner.manifest.snapshots) throw NotApplicable("the engine has no snapshots");
   const bool rounds_itself = how.rounding != kit::kNearest && !inner.program.empty();
   if (rounds_itself && inner.settings_help.count(kit::kRounding) == 0) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run of `./stiction compare engines` in short, for the summary: engine × question, and what it costs.
+import { builds_beside } from "../model/build_pairs.js";
 import { cheapest_ways, points_of } from "../model/cheapest_way.js";
 import { case_of_command, command_of, compared_variants, question_of } from "../model/engine.js";
 import { is_answer, is_engine_case, is_of_engines, OURS } from "../model/engine.js";
@@ -106,6 +107,7 @@ export function engines_of(entries, runs) {
     cheapest: by_case
       .filter((_, i) => questions[i].has_curve)
       .map(([name, group]) => ({ case: name, ways: cheapest_ways(points_of(group)) })),
+    builds: builds_beside(told),
     judged: judged(entries.map(({ record }) => record).filter(is_answer)),
     others: entries.some(({ record }) => !is_of_engines(record)),
   };

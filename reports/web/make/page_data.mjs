@@ -6,7 +6,7 @@ import { configuration_of, ordered_configurations } from "../model/configuration
 import {
   ENGINE_FINDINGS,
   is_of_engines,
-  OURS,
+  is_of_others,
   own_labels,
   record_labels,
 } from "../model/engine.js";
@@ -84,7 +84,7 @@ export function page_data({ runs, against, title, warnings }) {
   know_configurations(configurations);
   know_engines(
     entries
-      .filter(({ record }) => is_of_engines(record) && record.engine !== OURS)
+      .filter(({ record }) => is_of_engines(record) && is_of_others(record))
       .map(({ record }) => record.engine),
   );
   const texts = new Texts();

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cheapest way to an error below a bound, as cheapest_ways() in
-// validation/comparison/engines/engine_matrix.h: of the other engines, and of ours.
-import { OURS } from "./engine.js";
+// validation/comparison/engines/engine_matrix.h: of the other engines, and of ours. Other builds of ours
+// are neither.
+import { is_of_others, OURS } from "./engine.js";
 import { to_number } from "./number.js";
 
 export const BOUNDS = [1e-2, 1e-4, 1e-6];
 
-/** All points of the curves of `told`, [{name, record}]: [{name, engine, seconds, error}]. */
+/** All points of the curves of `told`, [{name, record}]: [{name, engine, others, seconds, error}]. */
 export const points_of = (told) =>
   told.flatMap(({ name, record }) =>
     record.series.slice(0, 1).flatMap(({ x, y }) =>
       x.map((seconds, i) => ({
         name,
         engine: record.engine,
+        others: is_of_others(record),
         seconds: to_number(seconds),
         error: to_number(y[i]),
       })),
@@ -33,7 +35,7 @@ export function cheapest_ways(points) {
   const ways = BOUNDS.map((bound) => ({
     bound,
     theirs: cheapest(
-      points.filter(({ engine }) => engine !== OURS),
+      points.filter(({ others }) => others),
       bound,
     ),
     ours: cheapest(

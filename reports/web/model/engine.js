@@ -10,6 +10,12 @@ export const ENGINE_FINDINGS = `${FOLDER}findings`;
 /** The engine that this project comes with. */
 export const OURS = "stiction";
 
+/** The engine of which that of a record is another build, as in single precision; "" mostly. */
+export const build_of = ({ settings }) => settings.build_of ?? "";
+
+/** Whether a record is neither of ours nor of another build of it. */
+export const is_of_others = (record) => record.engine !== OURS && build_of(record) !== OURS;
+
 export const is_engine_case = (name) => name.startsWith(FOLDER) && name !== ENGINE_FINDINGS;
 
 /** The question that a case engines/… is about. */

@@ -2,13 +2,23 @@
 // What the variants of a comparison are called, in the words of its findings: a rule on contacts.
 
 // Of a variant: whose contacts, and the rule itself. What else it sets are parameters of the rule.
-const NO_PARAMETER = new Set(["method", "depth", "rule", "sweeps"]);
+const NO_PARAMETER = new Set(["method", "depth", "rule", "sweeps", "build"]);
+
+// As build_words() there: "single precision"; "" for the engine as it is.
+function build_words({ build }) {
+  if (build === undefined) return "";
+  return build === "single" ? "single precision" : `build ${build}`;
+}
 
 /**
  * As rule_words() in validation/comparison/comparison.cpp: "secant, memory = keep", "stored-vector, 4 sweeps". A
  * rule's own number of sweeps, which its variant does not set, is the most that it does.
  */
-export function rule_words({ variant = "", settings: { rule = "", sweeps } }) {
+export const rule_words = (record) =>
+  [reading_words(record), build_words(record.settings)].filter(Boolean).join(", ");
+
+// Without the build in which it runs.
+function reading_words({ variant = "", settings: { rule = "", sweeps } }) {
   const set = variant.split(" ").map((word) => word.split("="));
   const most = set.some(([name]) => name === "sweeps") ? "" : "at most ";
   return [
@@ -44,16 +54,19 @@ export function rules_on_contacts(records, run_of = () => "") {
     contacts: contacts_of(record),
     words: [rule_words(record) || record.engine, run_of(i)].filter(Boolean).join(", "),
   }));
-  // A rule of one reading needs no more than its name in a picture.
+  // A rule of one reading needs no more than its name in a picture, and the build that it runs in.
   const readings = new Map();
-  for (const { rule, words } of told)
-    readings.set(rule, (readings.get(rule) ?? new Set()).add(words));
+  told.forEach(({ rule }, i) => {
+    const reading = [reading_words(records[i]), run_of(i)].join(", ");
+    readings.set(rule, (readings.get(rule) ?? new Set()).add(reading));
+  });
   const counts = new Map();
   return told.map((one, i) => {
     const key = `${records[i].case}\n${one.contacts}\n${one.words}`;
     counts.set(key, (counts.get(key) ?? 0) + 1);
     const words = counts.get(key) > 1 ? `${one.words} #${counts.get(key)}` : one.words;
-    const name = readings.get(one.rule).size === 1 ? one.rule : words;
+    const short = [one.rule, build_words(records[i].settings)].filter(Boolean).join(", ");
+    const name = readings.get(one.rule).size === 1 ? short : words;
     return { ...one, words, name, label: [words, one.contacts].filter(Boolean).join(" · ") };
   });
 }

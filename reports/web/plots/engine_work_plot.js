@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What precision costs with each engine: the error of its answers to a question over CPU time, with each
-// effort of its ladder, joined by their cost: a configuration's usual one may lie amid the ladder. A colour for each engine, a shape for each of its configurations.
+// effort of its ladder, joined by their cost: a configuration's usual one may lie amid the ladder. A colour for each engine, a shape for each of its configurations; other builds of an engine are dotted.
 import { failed_efforts } from "../model/engine_answer.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { pixel } from "./end_labels.js";
@@ -30,7 +30,7 @@ export function engine_work_plot(all) {
   const y_domain = log_domain(points.map(({ error }) => error));
   if (points.some(({ error }) => Number.isNaN(error))) y_domain[1] *= 10; // above all that is told
   const names = numbered(entries.map(({ variant }) => variant.name));
-  const looks = looks_of(entries.map(({ variant }) => variant));
+  const looks = looks_of(entries);
   const place = (point) => ({
     ...point,
     seconds: rounded(Math.max(x_domain[0], point.seconds)),
@@ -78,6 +78,8 @@ export function engine_work_plot(all) {
     caption: [
       `Lower left is better. Dashed: what no other beats: ${front_words}.`,
       "Lines join an engine's efforts by their cost; filled: its usual one.",
+      points.some(({ build }) => build) &&
+        "Dotted: another build of the same engine, such as in single precision.",
       ...edge_words(points),
       all_failed > 0 && `✕: ${all_failed} answer${all_failed > 1 ? "s" : ""} failed.`,
     ]
@@ -111,6 +113,12 @@ export function engine_work_plot(all) {
               field: "ours",
               type: "nominal",
               scale: { domain: [false, true], range: [1.4, 2.6] },
+              legend: null,
+            },
+            strokeDash: {
+              field: "build",
+              type: "nominal",
+              scale: { domain: [false, true], range: [[], [3, 3]] },
               legend: null,
             },
           },

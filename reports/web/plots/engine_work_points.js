@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in the picture of engines' work and precision: points, failures, and how each engine looks.
-import { OURS } from "../model/engine.js";
+import { build_of, OURS } from "../model/engine.js";
 import { failed_efforts } from "../model/engine_answer.js";
 import { to_number } from "../model/number.js";
 import { place_of_engine } from "./configuration_style.js";
@@ -10,20 +10,25 @@ const OTHER_SHAPES = 3;
 const MOST_FAILED = 9; // named in the plot
 const LINE = 14; // px from name to name
 
+const is_ours = ({ variant, record }) => variant.rule === OURS || build_of(record) === OURS;
+
 /**
- * [{color, shape}] of some variants: a colour for each engine, ink for ours, a shape for each of its
- * configurations. When the colours begin again, they do so with other shapes.
+ * [{color, shape}] of some entries: a colour for each engine, ink for ours and other builds of it, a shape
+ * for each of its configurations. When the colours begin again, they do so with other shapes.
  */
-export function looks_of(variants) {
+export function looks_of(entries) {
   const seen = new Map();
-  return variants.map(({ rule }) => {
-    const place = seen.get(rule) ?? 0;
-    seen.set(rule, place + 1);
-    const engine = rule === OURS ? 0 : place_of_engine(rule);
+  return entries.map((entry) => {
+    const { rule } = entry.variant;
+    const ours = is_ours(entry);
+    const key = ours ? OURS : rule;
+    const place = seen.get(key) ?? 0;
+    seen.set(key, place + 1);
+    const engine = ours ? 0 : place_of_engine(rule);
     const colour = engine % SERIES_COLOURS.length;
     const round = Math.floor(engine / SERIES_COLOURS.length);
     return {
-      color: rule === OURS ? "$ink" : SERIES_COLOURS[colour],
+      color: ours ? "$ink" : SERIES_COLOURS[colour],
       shape: SERIES_SHAPES[(place + OTHER_SHAPES * round) % SERIES_SHAPES.length],
     };
   });
@@ -41,7 +46,8 @@ export function points_of({ variant, record }, key) {
       who: variant.name,
       who_key: key,
       effort,
-      ours: variant.rule === OURS,
+      ours: is_ours({ variant, record }),
+      build: build_of(record) !== "",
       seconds: to_number(seconds),
       error: to_number(y[i]),
     };

@@ -227,7 +227,9 @@ function panel(line, rows, channels, axes) {
 }
 
 /** `entries`: [{record, variant}] of a family for which is_rule_work() holds. */
-export function rule_work_plots(entries) {
+export function rule_work_plots(all) {
+  // What was not there to be run, such as a build, has no place.
+  const entries = all.filter(({ record }) => record.verdict !== "not-applicable");
   const [precision] = compared_quantities(entries.map(({ record }) => record)).filter(
     ({ quantity }) => quantity !== WORK,
   );

@@ -89,6 +89,10 @@ test("rules are called as the findings call them", () => {
     words("method=quiet rule=conjugate-vector", { rule: "conjugate-vector", sweeps: "64" }),
     "conjugate-vector, at most 64 sweeps",
   );
+  assert.equal(
+    words("build=single method=paper rule=secant", { rule: "secant", build: "single" }),
+    "secant, single precision",
+  );
 });
 
 test("variants are named in short where that is enough, and never alike", () => {
@@ -108,6 +112,11 @@ test("variants are named in short where that is enough, and never alike", () => 
     ["conjugate-vector", "secant", "secant, memory = keep", "secant", "secant #2"],
   );
   assert.equal(told[2].label, "secant, memory = keep · paper");
+  const quiet = { rule: "conjugate-vector", sweeps: "64", method: "quiet" };
+  assert.deepEqual(
+    of(quiet, { ...quiet, build: "single" }).map(({ name }) => name),
+    ["conjugate-vector", "conjugate-vector, single precision"],
+  );
 });
 
 test("names beside curves keep their order and their distance, within the plot", () => {

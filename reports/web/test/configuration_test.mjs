@@ -62,7 +62,7 @@ test("variants of one configuration share its colour and differ in shape and das
 test("an engine keeps its colour where others did not answer", () => {
   know_engines(["ode", "bullet", "dart"]);
   const colours = (...engines) =>
-    looks_of(engines.map((rule) => ({ rule }))).map((one) => one.color);
+    looks_of(engines.map((rule) => ({ variant: { rule }, record: record() }))).map((one) => one.color);
   assert.equal(colours("ode")[0], colours("bullet", "dart", "ode")[2]);
   assert.deepEqual(colours("stiction", "bullet"), ["$ink", "$s0"]);
   know_engines([]);

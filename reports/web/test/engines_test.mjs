@@ -2,6 +2,7 @@
 // Engines side by side: what the records mean, and what the summary makes of them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { builds_beside } from "../model/build_pairs.js";
 import { cheapest_ways, points_of } from "../model/cheapest_way.js";
 import {
   case_of_command,
@@ -137,6 +138,71 @@ test("one picture of all engines: curves, what none beats, failures named", () =
   assert.match(failed[0].name, /^✕ dart · dantzig, effort 3$/);
   assert.match(plot.caption, /On the upper edge: it never came/);
   assert.equal(engine_work_plot([{ record: record(), variant: variants[0] }]), null);
+});
+
+const beside = (engine, errors, more = {}) => ({
+  name: `${engine} · quiet`,
+  record: record({
+    case: "engines/a",
+    engine,
+    settings: { configuration: "quiet", ...more },
+    verdict: "for-information",
+    figures: [
+      { quantity: "error", unit: "1", meaning: "relative", value: errors[0] },
+      { quantity: "CPU time", unit: "s", meaning: "", value: 1 },
+    ],
+    failures: errors.flatMap((error, k) =>
+      error === null ? [{ reason: "it broke", parameter: "effort", values: [k] }] : [],
+    ),
+    series: [
+      {
+        name: "error",
+        unit: "1",
+        x: errors.flatMap((error, k) => (error === null ? [] : [2 ** k])),
+        y: errors.filter((error) => error !== null),
+      },
+    ],
+  }),
+});
+const precisions = () => [
+  beside("stiction", [1e-13, 1e-13, 1e-12]),
+  beside("stiction_single", [1e-4, null, 1e-3], { build_of: "stiction" }),
+  beside("swift", [1e-5, 1e-6, 1e-7]),
+];
+
+test("another build stands beside its engine, effort by effort", () => {
+  const [table, ...more] = builds_beside(precisions());
+  assert.deepEqual(more, []);
+  assert.deepEqual([table.own, table.build], ["stiction · quiet", "stiction_single · quiet"]);
+  assert.deepEqual(
+    table.answers.map(({ effort, own, build, speed }) => [effort, own.error, build.error, speed]),
+    [
+      [0, 1e-13, 1e-4, 1],
+      [1, 1e-13, null, null],
+      [2, 1e-12, 1e-3, 1],
+    ],
+  );
+  assert.equal(table.answers[1].build.kind, "broke");
+  assert.deepEqual(builds_beside(precisions().slice(0, 1)), []);
+});
+
+test("another build of ours is neither ours nor another's, and drawn in ink, dotted", () => {
+  const [own, build, other] = precisions();
+  const [loose] = cheapest_ways(points_of([own, build]));
+  assert.equal(loose.theirs, null);
+  assert.equal(cheapest_ways(points_of([build, other]))[0].theirs.name, "swift · quiet");
+  const entries = precisions().map(({ name, record: one }) => ({
+    record: one,
+    variant: { rule: one.engine, name },
+  }));
+  const plot = engine_work_plot(entries);
+  const [, { data, encoding }] = plot.spec.layer;
+  assert.deepEqual(
+    [...new Set(data.values.map(({ who, ours, build: dotted }) => `${who} ${ours} ${dotted}`))],
+    ["stiction · quiet true false", "stiction_single · quiet true true", "swift · quiet false false"],
+  );
+  assert.deepEqual(encoding.color.scale.range.slice(0, 2), ["$ink", "$ink"]);
+  assert.match(plot.caption, /Dotted: another build of the same engine/);
 });
 
 test("a point keeps its effort where the one before failed", () => {

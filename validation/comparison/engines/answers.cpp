@@ -2,14 +2,28 @@
 #include "validation/comparison/engines/answers.h"
 
 #include <algorithm>
+#include <set>
 
 namespace stiction {
 
 namespace {
 
 EngineRow row_of(const Record& record) {
-  const auto found = record.settings.find("configuration");
-  return {record.engine, found == record.settings.end() ? "" : found->second};
+  const auto setting = [&](const char* name) {
+    const auto found = record.settings.find(name);
+    return found == record.settings.end() ? "" : found->second;
+  };
+  return {record.engine, setting("configuration"), setting(kBuildOf)};
+}
+
+// Efforts that have no point on the curve.
+std::set<std::size_t> failed_efforts(const Record& record) {
+  std::set<std::size_t> failed;
+  for (const Failure& one : record.failures) {
+    if (one.parameter != "effort") continue;
+    for (const double effort : one.values) failed.insert(static_cast<std::size_t>(effort));
+  }
+  return failed;
 }
 
 bool is_of(const Record& record, const Question& question) {
@@ -47,8 +61,10 @@ std::vector<EffortPoint> EngineAnswers::points(const Question& question) const {
   for (const Record& record : made_) {
     if (!is_of(record, question) || record.series.empty()) continue;
     const Series& curve = record.series[0];
-    for (std::size_t k = 0; k < curve.x.size(); ++k) {
-      points.push_back({row_of(record), curve.y[k], curve.x[k]});
+    const std::set<std::size_t> failed = failed_efforts(record);
+    for (std::size_t k = 0, effort = 0; k < curve.x.size(); ++k, ++effort) {
+      while (failed.count(effort) > 0) ++effort;
+      points.push_back({row_of(record), curve.y[k], curve.x[k], effort});
     }
   }
   return points;
@@ -58,7 +74,8 @@ std::optional<EffortPoint> EngineAnswers::cheapest(const Question& question, dou
                                                    bool ours) const {
   std::optional<EffortPoint> best;
   for (const EffortPoint& point : points(question)) {
-    if (!(point.error <= bound) || point.row.is_ours() != ours) continue;
+    const bool asked = ours ? point.row.is_ours() : point.row.is_others();
+    if (!(point.error <= bound) || !asked) continue;
     if (!best || point.seconds < best->seconds) best = point;
   }
   return best;

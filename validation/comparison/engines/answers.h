@@ -12,11 +12,17 @@ namespace stiction {
 
 inline constexpr const char* kOurEngine = "stiction";
 
+/// Setting of a record: the engine of which its own is another build.
+inline constexpr const char* kBuildOf = "build_of";
+
 /// An engine in one of its configurations: a row of the matrix.
 struct EngineRow {
   std::string engine, configuration;
+  std::string build_of{};  ///< the engine of which this is another build; mostly empty
   std::string name() const { return engine + " · " + configuration; }
   bool is_ours() const { return engine == kOurEngine; }
+  /// Neither ours nor another build of ours.
+  bool is_others() const { return !is_ours() && build_of != kOurEngine; }
   bool operator==(const EngineRow&) const = default;
 };
 
@@ -33,6 +39,7 @@ struct EngineAnswer {
 struct EffortPoint {
   EngineRow row;
   double error = 0.0, seconds = 0.0;
+  std::size_t effort = 0;  ///< rung of the engine's ladder
 };
 
 /// The records that engine_records() made, by row and question.
@@ -45,7 +52,8 @@ class EngineAnswers {
   EngineAnswer of(const Question& question, const EngineRow& row) const;
   /// Of all rows and efforts; none for a question without a curve.
   std::vector<EffortPoint> points(const Question& question) const;
-  /// The one with an error of at most `bound` for the least CPU time, ours or of the others.
+  /// The one with an error of at most `bound` for the least CPU time, ours or of the others; other
+  /// builds of ours are neither.
   std::optional<EffortPoint> cheapest(const Question& question, double bound, bool ours) const;
 
  private:

@@ -16,6 +16,7 @@
 #include "reports/text/names.h"
 #include "reports/text/number.h"
 #include "solver/demand.h"
+#include "validation/comparison/engines/build_pairs.h"
 #include "validation/comparison/engines/engine_matrix.h"
 #include "validation/comparison/engines/engine_summary.h"
 #include "validation/comparison/engines/trials.h"
@@ -144,6 +145,7 @@ ExitCode compare_engines(const EngineComparison& asked) {
   findings.title = "what the engines' answers say";
   findings.verdict = Verdict::kForInformation;
   findings.notes = found;
+  findings.figures = builds_figures(answers);
   for (const std::string& sentence : engines.left_out) {
     findings.notes.push_back("Left out: " + sentence);
   }
@@ -165,11 +167,13 @@ ExitCode compare_engines(const EngineComparison& asked) {
   fmt::print("{}", engine_summary(answers, screen));
   if (asked.verbose) fmt::print("\n{}\n{}", said, engine_matrix(answers, screen.width));
   const std::string cheapest = cheapest_ways(answers);
+  std::string builds = builds_tables(answers);
+  if (!builds.empty()) builds = "\n## Other builds beside their engine\n\n" + builds;
   store.write_file(
       "engines.md",
       fmt::format("# Engines side by side\n\n{}\n## Findings\n\n{}\n## The cheapest way to an "
-                  "error\n\n{}\n## Engines and their configurations\n\n{}",
-                  matrix, said, cheapest, sources_text(engines.asked)));
+                  "error\n\n{}\n{}\n## Engines and their configurations\n\n{}",
+                  matrix, said, cheapest, builds, sources_text(engines.asked)));
   store.write_file("records.csv", csv_table(records));
   store.finish();
   fmt::print("\nEvery answer: {}{}\n", (store.folder() / "engines.md").string(),

@@ -7,6 +7,7 @@
 
 #include "reports/text/names.h"
 #include "reports/text/number.h"
+#include "validation/comparison/engines/build_pairs.h"
 #include "validation/comparison/engines/engine_matrix.h"
 #include "validation/comparison/engines/holding.h"
 
@@ -41,7 +42,7 @@ Sentences closer_than_ours(const EngineAnswers& answers, const EngineRow& our) {
     std::vector<std::pair<double, std::string>> closer;
     for (const EngineRow& row : answers.rows()) {
       const EngineAnswer other = answers.of(question, row);
-      if (row.is_ours() || !other.error || !(std::abs(*other.error) < error)) continue;
+      if (!row.is_others() || !other.error || !(std::abs(*other.error) < error)) continue;
       closer.emplace_back(std::abs(*other.error),
                           fmt::format("{} ({})", row.name(), short_error(question, *other.error)));
     }
@@ -129,6 +130,7 @@ std::vector<std::string> engine_findings(const EngineAnswers& answers) {
     add(closer_than_ours(answers, *our));
     add(cheaper_than_ours(answers));
   }
+  add(builds_findings(answers));
   add(who_holds(answers));
   add(who_breaks(answers));
   return said;

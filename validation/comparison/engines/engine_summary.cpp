@@ -9,6 +9,7 @@
 
 #include "reports/text/names.h"
 #include "reports/text/number.h"
+#include "validation/comparison/engines/build_pairs.h"
 #include "validation/comparison/engines/engine_matrix.h"
 #include "validation/comparison/engines/holding.h"
 
@@ -119,7 +120,7 @@ std::string closer_text(const EngineAnswers& answers, const EngineRow& our, std:
     const EngineRow* who = nullptr;
     for (const EngineRow& row : answers.rows()) {
       const EngineAnswer other = answers.of(question, row);
-      if (row.is_ours() || !other.error || !(std::abs(*other.error) < least)) continue;
+      if (!row.is_others() || !other.error || !(std::abs(*other.error) < least)) continue;
       least = std::abs(*other.error);
       who = &row;
     }
@@ -184,9 +185,13 @@ std::string broken_text(const EngineAnswers& answers, std::size_t width) {
 
 std::string engine_summary(const EngineAnswers& answers, const Screen& screen) {
   std::string text = holding_text(answers, screen);
-  if (const EngineRow* const our = our_row(answers); our && answers.rows().size() > 1) {
+  const bool others = std::any_of(answers.rows().begin(), answers.rows().end(),
+                                  [](const EngineRow& row) { return row.is_others(); });
+  if (const EngineRow* const our = our_row(answers); our && others) {
     text += closer_text(answers, *our, screen.width) + cheaper_text(answers, screen.width);
   }
+  const std::string builds = builds_text(answers, screen);
+  if (!builds.empty()) text += (text.ends_with("\n\n") ? "" : "\n") + builds;
   return text + broken_text(answers, screen.width);
 }
 

@@ -10,6 +10,7 @@
 
 #include "reports/text/check_text.h"
 #include "solver/demand.h"
+#include "validation/comparison/engines/answers.h"
 
 namespace stiction {
 
@@ -52,6 +53,50 @@ std::vector<Configuration> configurations_of_case(const EngineKind& engine,
   return all;
 }
 
+// The engine of the build's of which this is another build.
+std::optional<EngineKind> original_of(const EngineKind& engine) {
+  for (EngineKind& one : engine_catalog()) {
+    for (const auto& [build, name] : one.builds) {
+      if (name == engine.name) return std::move(one);
+    }
+  }
+  return std::nullopt;
+}
+
+// An engine, and of which it is another build.
+struct Asked {
+  const EngineKind* engine;
+  std::optional<EngineKind> original;
+};
+
+// Other builds right behind the engine of which they are.
+std::vector<Asked> in_order(const std::vector<EngineKind>& engines) {
+  std::vector<Asked> asked, builds;
+  for (const EngineKind& one : engines) {
+    Asked next{&one, original_of(one)};
+    (next.original ? builds : asked).push_back(std::move(next));
+  }
+  for (auto one = builds.rbegin(); one != builds.rend(); ++one) {
+    const auto behind = std::find_if(asked.begin(), asked.end(), [&](const Asked& other) {
+      return other.engine->name == one->original->name;
+    });
+    asked.insert(behind == asked.end() ? behind : behind + 1, std::move(*one));
+  }
+  return asked;
+}
+
+// A build's own of those names; what it tells of single cases is nothing.
+std::vector<Configuration> configurations_asked(const Asked& asked, const std::string& case_name) {
+  std::vector<Configuration> all = configurations_of_case(*asked.engine, case_name);
+  if (!asked.original) return all;
+  const std::vector<Configuration> wanted = configurations_of_case(*asked.original, case_name);
+  std::erase_if(all, [&](const Configuration& one) {
+    return std::none_of(wanted.begin(), wanted.end(),
+                        [&](const Configuration& other) { return other.name == one.name; });
+  });
+  return all;
+}
+
 const Judgement* answer_in(const Question& question, const Record& record) {
   for (const Judgement& check : record.checks) {
     if (check.claim.quantity == question.quantity) return &check;
@@ -76,6 +121,7 @@ Record summary(const Question& question, const Trial& usual, const Record& recor
   out.settings = record.settings;
   out.settings["configuration"] = usual.configuration;
   out.settings["engine"] = usual.engine;
+  if (!usual.build_of.empty()) out.settings[kBuildOf] = usual.build_of;
   out.variant = "configuration=" + usual.configuration;
   out.configuration = usual.configuration;
   out.simulations = record.simulations;
@@ -96,14 +142,19 @@ Record summary(const Question& question, const Trial& usual, const Record& recor
 
 std::vector<Trial> engine_trials(const std::vector<EngineKind>& engines,
                                  const std::vector<Question>& questions, bool quick) {
+  const std::vector<Asked> in_turn = in_order(engines);
+  std::size_t most = 1;
+  for (const EngineKind& engine : engines) most = std::max(most, engine.ladder.size());
   std::vector<Trial> trials;
   for (std::size_t q = 0; q < questions.size(); ++q) {
     const Case which = find_case(questions[q].case_name);
-    for (const EngineKind& engine : engines) {
-      for (const Configuration& one : configurations_of_case(engine, which.name)) {
-        std::size_t rungs = questions[q].curve ? std::max<std::size_t>(engine.ladder.size(), 1) : 1;
-        if (quick) rungs = std::min(rungs, kQuickRungs);
-        for (std::size_t rung = 0; rung < rungs; ++rung) {
+    std::size_t rungs = questions[q].curve ? most : 1;
+    if (quick) rungs = std::min(rungs, kQuickRungs);
+    for (std::size_t rung = 0; rung < rungs; ++rung) {
+      for (const Asked& asked : in_turn) {
+        const EngineKind& engine = *asked.engine;
+        if (rung > 0 && rung >= engine.ladder.size()) continue;
+        for (const Configuration& one : configurations_asked(asked, which.name)) {
           const Settings over = rung > 0 ? engine.ladder[rung] : Settings{};
           Settings settings = one.settings;
           for (const auto& [name, value] : over) settings[name] = value;
@@ -113,7 +164,8 @@ std::vector<Trial> engine_trials(const std::vector<EngineKind>& engines,
                             .effort = rung,
                             .job = {which, engine, settings},
                             .command = command_of(engine, which.name, one, over),
-                            .source = one.source});
+                            .source = one.source,
+                            .build_of = asked.original ? asked.original->name : ""});
         }
       }
     }

@@ -18,12 +18,15 @@ struct Trial {
   std::string configuration;  ///< "default", "best"
   std::size_t effort = 0;     ///< rung of the engine's ladder; 0: the usual
   Job job{};
-  std::string command{};  ///< reruns it
-  std::string source{};   ///< where the configuration's values come from
+  std::string command{};   ///< reruns it
+  std::string source{};    ///< where the configuration's values come from
+  std::string build_of{};  ///< the engine of which this is another build; mostly empty
 };
 
 /// Every question to every engine in each of its configurations with its usual effort, and those
-/// with a curve along its ladder. With `quick` up to two rungs above the usual.
+/// with a curve along its ladder. With `quick` up to two rungs above the usual. An engine that is
+/// another build of one of ours (EngineKind::builds) is asked in the configurations of that one, right
+/// behind it: what disturbs the machine disturbs both.
 std::vector<Trial> engine_trials(const std::vector<EngineKind>& engines,
                                  const std::vector<Question>& questions, bool quick);
 

@@ -239,6 +239,11 @@ int serve_engine(const EngineKind& kind, const std::vector<Configuration>& confi
     told.push_back({one.name.c_str(), words[k].c_str(), one.source.c_str()});
   }
   told.push_back({});
+  std::vector<std::string> efforts;
+  for (const Settings& one : kind.ladder) efforts.push_back(words_of(one));
+  std::vector<const char*> ladder;
+  for (const std::string& one : efforts) ladder.push_back(one.c_str());
+  ladder.push_back(nullptr);
   stiction_engine engine{};
   engine.name = kind.name.c_str();
   engine.version = "";
@@ -246,6 +251,7 @@ int serve_engine(const EngineKind& kind, const std::vector<Configuration>& confi
   engine.can = can.c_str();
   engine.settings = settings.data();
   engine.configurations = told.data();
+  engine.ladder = ladder.data();
   engine.symplectic_euler = kind.make({})->symplectic_euler() ? 1 : 0;
   engine.load = load;
   engine.time_step = time_step;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/process/child.h"
+#include "validation/engine/build_of.h"
 #include "validation/engines/stiction/configurations.h"
 #include "validation/engines/stiction/test_engine.h"
 
@@ -54,6 +55,18 @@ TEST(SinglePrecision, HasTheConfigurationsOfTheSolverAndNoExpectations) {
   for (const Configuration& one : method_configurations()) known.push_back(one.name);
   EXPECT_EQ(told, known);
   EXPECT_THAT(told, testing::ElementsAre("quiet", "paper, fixed point", "paper, secant", "old"));
+}
+
+// Both answer at the same efforts, so that their curves lie over each other point by point.
+TEST(SinglePrecision, HasTheLadderOfTheSolver) {
+  EXPECT_FALSE(single_precision().ladder.empty());
+  EXPECT_EQ(single_precision().ladder, find_engine("stiction").ladder);
+}
+
+TEST(SinglePrecision, IsABuildOfTheSolver) {
+  EXPECT_EQ(build_of(find_engine("stiction"), "single").name, "stiction_single");
+  EXPECT_THROW(build_of(find_engine("stiction"), "half"), NotApplicable);
+  EXPECT_THROW(build_of(find_engine("plain"), "single"), NotApplicable);
 }
 
 }  // namespace

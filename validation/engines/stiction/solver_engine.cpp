@@ -47,7 +47,7 @@ int ball_frequency(int vertices) {
 
 class StictionEngine final : public Engine {
  public:
-  explicit StictionEngine(const Settings& given) {
+  explicit StictionEngine(const Settings& given) : given_(given) {
     SettingsReader reader(given);
     read_method(reader, options_);
     chosen_cells_ = reader.has("cells");
@@ -56,6 +56,8 @@ class StictionEngine final : public Engine {
     how_.ball = reader.count("ball", how_.ball);
     chosen_time_step_ = reader.has("dt");
     options_.time_step = reader.number("dt", options_.time_step);
+    settled_ = reader.number("settled", settled_);
+    if (settled_ < 0.0) throw InputError("setting 'settled' must not be below 0");
     reader.refuse_unknown("stiction");
     check_options(options_);
   }
@@ -80,10 +82,12 @@ class StictionEngine final : public Engine {
     check_options(options_, scene_);
     state_ = initial_state(scene_);
     workspace_ = Workspace{};
+    if (settled_ > 0.0) settle(problem, accuracy);
+    begun_ = state_.step;
   }
 
   double time_step() const override { return options_.time_step; }
-  std::uint64_t steps_done() const override { return state_.step; }
+  std::uint64_t steps_done() const override { return state_.step - begun_; }
   // To round-off means that of double precision.
   bool symplectic_euler() const override {
     return std::is_same_v<Real, double> && options_.integrator == Integrator::kSymplecticEuler;
@@ -160,6 +164,7 @@ class StictionEngine final : public Engine {
     Settings all = method_settings(options_, scene_.pairs_possible);
     all["dt"] = fmt::format("{}", options_.time_step);
     all["cells"] = fmt::format("{}", how_.cells);
+    if (settled_ > 0.0) all["settled"] = fmt::format("{}", settled_);
     return all;
   }
 
@@ -178,6 +183,28 @@ class StictionEngine final : public Engine {
   SolverView view() const { return {scene_, options_, workspace_}; }
 
  private:
+  // The state in which comparisons begin (settled_without_memory() in validation/comparison/), made
+  // by the engine itself: a program cannot take up a state of another process.
+  void settle(const Problem& problem, const Accuracy& accuracy) {
+    const auto with_rule = [&](const char* rule) {
+      Settings settings;
+      for (const char* name : {"method", "depth", "dt", "cells", "ball"}) {
+        const auto found = given_.find(name);
+        if (found != given_.end()) settings.insert(*found);
+      }
+      settings["rule"] = rule;
+      auto engine = std::make_unique<StictionEngine>(settings);
+      engine->load(problem, accuracy);
+      return engine;
+    };
+    const auto settling = with_rule("stored-vector");
+    settling->advance(static_cast<std::uint64_t>(std::llround(settled_ / settling->time_step())));
+    const auto forgetting = with_rule("none");
+    forgetting->restore(settling->save());
+    forgetting->advance(1);
+    restore(forgetting->save());
+  }
+
   [[noreturn]] void refuse_outrun() const {
     const PairSearch::Outrun& outrun = workspace_.search.outrun;
     const auto name = [&](std::int32_t b) -> const std::string& {
@@ -209,8 +236,11 @@ class StictionEngine final : public Engine {
                                  state_.step));
   }
 
+  Settings given_;
   Options options_;
   Discretisation how_;
+  double settled_ = 0.0;     // s
+  std::uint64_t begun_ = 0;  // steps of the solver at the engine's time 0
   // What a user set goes before what a case asks for.
   bool chosen_cells_ = false, chosen_ball_ = false, chosen_time_step_ = false;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();  // of the solver's coordinates
@@ -225,6 +255,10 @@ std::unique_ptr<Engine> make(const Settings& settings) {
   return std::make_unique<StictionEngine>(settings);
 }
 
+// What boxes on a slope take by themselves, then its halves: errors are of first order in it.
+const std::vector<Settings> kLadder{
+    {{"dt", "1e-4"}}, {{"dt", "5e-5"}}, {{"dt", "2.5e-5"}}, {{"dt", "1.25e-5"}}};
+
 std::map<std::string, std::string> settings_help() {
   std::map<std::string, std::string> help = method_settings_help();
   const auto add = [&help](const char* name, const char* words) {
@@ -232,6 +266,9 @@ std::map<std::string, std::string> settings_help() {
   };
   add("dt", "time step, s (default 2e-4, or less where stability asks for it)");
   add("cells", "cells along a box's longest edge (default 2)");
+  add("settled",
+      "begins in a state that the stored vector has held for so long, s, and that has lost its "
+      "friction memory (default 0: at the problem's own start)");
   add("ball", "frequency n of a ball's triangulation, 10 n² + 2 surface vertices (default 8)");
   return help;
 }
@@ -270,7 +307,8 @@ EngineKind solver_engine() {
       .configuration = configuration_of,
       .idle = idle_settings,
       .without = settings_without,
-      .builds = {{"single", "stiction_single"}, {"fused", "stiction_fused"}}};
+      .builds = {{"single", "stiction_single"}, {"fused", "stiction_fused"}},
+      .ladder = kLadder};
 }
 
 }  // namespace stiction

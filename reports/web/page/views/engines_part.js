@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The summary of engines side by side: findings, engine × question, the cheapest ways.
+// The summary of engines side by side: findings, engine × question, other builds beside their engine, the
+// cheapest ways.
 import { parted } from "../../model/finding.js";
 import { format_count } from "../../model/number.js";
+import { builds_tables } from "./builds_tables.js";
 import { cheapest_table } from "./cheapest_table.js";
 import { h } from "../dom.js";
 import { engine_matrix } from "./engine_matrix.js";
@@ -89,5 +91,6 @@ export const engines_parts = (engines, runs) => [
   findings_box(engines, runs),
   h("h2", {}, "How far each engine is off"),
   engine_matrix(engines),
+  builds_tables(engines),
   cheapest_table(engines),
 ];
