@@ -100,8 +100,8 @@ void check_memory(CaseRun& run, std::optional<std::int64_t> before,
              .expected = 0.0,
              .tolerance = kNumber / 32.0 * static_cast<double>(steps),
              .reason = "what is kept of a step is a number of 8 bytes at least, and one kept every "
-                       "32 steps grows by that; 60 pages of 4 KiB, of which a process takes some "
-                       "twenty when it is first looked at (where its heap is counted it is exact)"},
+                       "32 steps grows by that; 60 pages of 4 KiB, of which a process takes a "
+                       "few when it is first looked at (where its heap is counted it is exact)"},
             std::max(0.0, static_cast<double>(*after - *before)));
 }
 

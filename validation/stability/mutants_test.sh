@@ -15,6 +15,7 @@ cd "$work" || exit 1
 source "$here/../end_to_end.sh"
 # shellcheck source=validation/mutants.sh
 source "$here/../mutants.sh"
+export COLUMNS=200 # a line is looked for, which a narrow screen breaks
 
 spikes=gauntlet/spike-on-spike/thrown
 wedges=gauntlet/wedge-on-wedge/thrown
