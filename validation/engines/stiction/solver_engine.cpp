@@ -307,7 +307,9 @@ EngineKind solver_engine() {
       .configuration = configuration_of,
       .idle = idle_settings,
       .without = settings_without,
-      .builds = {{"single", "stiction_single"}, {"fused", "stiction_fused"}},
+      .builds = {{"single", "stiction_single"},
+                 {"fused", "stiction_fused"},
+                 {"wide", "stiction_wide"}},
       .ladder = kLadder};
 }
 
