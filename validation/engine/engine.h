@@ -178,7 +178,7 @@ struct EngineKind {
   std::function<std::optional<Settings>(Without what)> without{};
   std::function<std::vector<Case>()> studies{};  ///< cases about this engine alone; null: none
   /// Other builds of it, and the engines that they are: "single", of single precision, "fused", with
-  /// contraction, "wide", for wider vectors.
+  /// contraction.
   std::map<std::string, std::string> builds{};
   /// Efforts from the usual to the most, each laid over a configuration: smaller steps, more
   /// iterations. A work-precision curve has a point at each. Empty: the usual alone.

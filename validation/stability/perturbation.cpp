@@ -221,10 +221,6 @@ std::vector<Perturbation> all_perturbations() {
          .ulp = seed});
   }
   add({.name = "fused", .group = "contraction", .words = "a·b + c rounded once", .build = "fused"});
-  add({.name = "wide",
-       .group = "wider vectors",
-       .words = "compiled for vectors of 256 bits",
-       .build = "wide"});
   add({.name = "single",
        .group = "single precision",
        .words = "the engine built in single precision",
@@ -269,7 +265,6 @@ const std::vector<PerturbationGroup>& perturbation_groups() {
       {"rounding modes", "", 1e-10, 1e-12, kBias, kOutcome},
       {"noise of 1 ulp", "", 1e-10, 1e-10, kRoom, kOutcome},
       {"contraction", "", 1e-10, 1e-10, kRoom, kOutcome},
-      {"wider vectors", "", 1e-10, 1e-10, kRoom, kOutcome},
       {"single precision", "", 1e-2, 1e-2, "two digits: numbers round by 6e-8", kOutcome},
   };
   return all;

@@ -61,7 +61,6 @@ const NAMES = [
   [/the engine's arithmetic rounds (\S+)/, "rounding/$1"],
   [/each number of the scene .* off, seed (\d+)/, "ulp/$1"],
   [/a·b \+ c rounded once/, "fused"],
-  [/compiled for vectors of 256 bits/, "wide"],
   [/the engine built in single precision/, "single"],
 ].map(([words, name]) => [new RegExp(`(?:^|, when |^\\d+ )(?:${words.source})`), name]);
 

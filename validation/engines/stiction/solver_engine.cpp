@@ -307,9 +307,7 @@ EngineKind solver_engine() {
       .configuration = configuration_of,
       .idle = idle_settings,
       .without = settings_without,
-      .builds = {{"single", "stiction_single"},
-                 {"fused", "stiction_fused"},
-                 {"wide", "stiction_wide"}},
+      .builds = {{"single", "stiction_single"}, {"fused", "stiction_fused"}},
       .ladder = kLadder};
 }
 
