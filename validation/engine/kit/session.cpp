@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -63,7 +64,7 @@ class Session::Dealings {
     if (!loaded_) throw std::runtime_error("'" + verb + "' came before a problem was loaded");
     if (verb == "advance") return advance(request);
     if (verb == "observe") return observe(request);
-    if (verb == "save" && engine_.save) return save();
+    if (verb == "save" && engine_.save) return save(request);
     if (verb == "restore" && engine_.restore) return restore(request);
     throw std::runtime_error("this engine does not know '" + verb + "'");
   }
@@ -251,23 +252,32 @@ class Session::Dealings {
     std::uint64_t steps;
   };
 
-  json save() {
-    saved_.push_back({engine_.save(self_), steps_});
-    return {{"state", saved_.size() - 1}};
+  json save(const json& request) {
+    for (const json& one : request.value("forget", json::array())) {
+      const auto found = saved_.find(one.get<std::size_t>());
+      if (found == saved_.end()) continue;
+      forget(found->second);
+      saved_.erase(found);
+    }
+    const std::size_t index = next_saved_++;
+    saved_[index] = {engine_.save(self_), steps_};
+    return {{"state", index}};
+  }
+
+  void forget(const Saved& one) {
+    if (engine_.forget) engine_.forget(self_, one.state);
   }
 
   json restore(const json& request) {
-    const auto index = request.at("state").get<std::size_t>();
-    if (index >= saved_.size()) throw std::runtime_error("no such state was saved");
-    engine_.restore(self_, saved_[index].state);
-    steps_ = saved_[index].steps;
+    const auto found = saved_.find(request.at("state").get<std::size_t>());
+    if (found == saved_.end()) throw std::runtime_error("no such state was saved");
+    engine_.restore(self_, found->second.state);
+    steps_ = found->second.steps;
     return {{"steps", steps_}, {"time", time()}};
   }
 
   void drop() {
-    if (engine_.forget) {
-      for (const Saved& one : saved_) engine_.forget(self_, one.state);
-    }
+    for (const auto& [index, one] : saved_) forget(one);
     saved_.clear();
     if (loaded_ && engine_.end) engine_.end(self_);
     loaded_ = false;
@@ -281,7 +291,8 @@ class Session::Dealings {
   std::uint64_t steps_ = 0;
   double cpu_ = 0.0;
   int rounding_ = 0;  // mode of what the engine computes, as fesetround has it
-  std::vector<Saved> saved_;
+  std::map<std::size_t, Saved> saved_;
+  std::size_t next_saved_ = 0;
 };
 
 Session::Session(const stiction_engine& engine) : dealings_(std::make_unique<Dealings>(engine)) {}

@@ -178,7 +178,8 @@ def read_problem(message):
 
 class _Session:
     def __init__(self, kind):
-        self.kind, self.engine, self.steps, self.cpu, self.saved = kind, None, 0, 0.0, []
+        self.kind, self.engine, self.steps, self.cpu = kind, None, 0, 0.0
+        self.saved, self.last_saved = {}, 0
 
     def answer(self, message):
         verb = message.get("do")
@@ -235,9 +236,12 @@ class _Session:
                 raise Refused(f"this engine does not tell '{what}'")
         return seen
 
-    def save(self, _):
-        self.saved.append((self.engine.save(), self.steps))
-        return {"state": len(self.saved) - 1}
+    def save(self, message):
+        for state in message.get("forget", []):
+            self.saved.pop(state, None)
+        state, self.last_saved = self.last_saved, self.last_saved + 1
+        self.saved[state] = (self.engine.save(), self.steps)
+        return {"state": state}
 
     def restore(self, message):
         copy, self.steps = self.saved[message["state"]]

@@ -26,10 +26,18 @@ constexpr std::uint64_t kMostVertices = 1000000000;
 constexpr double kUnit = 1e-3;  // of a quaternion's length: an engine may let it drift a little
 
 // A saved state is the program's own affair: it can be taken back by the same process alone.
+// Where nobody holds it any more, the program is told so when it saves again.
 struct SavedState {
+  SavedState(const void* by, json found_by, std::uint64_t at, std::shared_ptr<json> forgotten)
+      : engine(by), state(std::move(found_by)), steps(at), given_up(std::move(forgotten)) {}
+  SavedState(const SavedState&) = delete;
+  SavedState& operator=(const SavedState&) = delete;
+  ~SavedState() { given_up->push_back(state); }
+
   const void* engine;
   json state;
   std::uint64_t steps;
+  std::shared_ptr<json> given_up;  // a list of states
 };
 
 Vec3 vec3(const JsonField& field) {
@@ -48,6 +56,7 @@ class ProgramEngine final : public Engine, public OwnProcess {
     const json described = problem_json(problem);
     for (const ProblemBody& body : problem.bodies) rigid_.emplace_back(body);
     dialogue_ = start(traits_);
+    given_up_ = std::make_shared<json>(json::array());
     const json answer = dialogue_->ask(
         "load",
         {{"problem", described}, {"accuracy", accuracy_json(accuracy)}, {"settings", given_}});
@@ -124,9 +133,11 @@ class ProgramEngine final : public Engine, public OwnProcess {
 
   Snapshot save() const override {
     if (!traits_.manifest.snapshots) return Engine::save();
-    const json answer = dialogue_->ask("save");
+    json request = json::object();
+    if (!given_up_->empty()) request["forget"] = std::exchange(*given_up_, json::array());
+    const json answer = dialogue_->ask("save", std::move(request));
     dialogue_->fields(answer, "save")["state"];
-    return std::make_shared<const SavedState>(SavedState{this, answer.at("state"), steps_});
+    return std::make_shared<const SavedState>(this, answer.at("state"), steps_, given_up_);
   }
 
   void restore(const Snapshot& snapshot) override {
@@ -161,6 +172,7 @@ class ProgramEngine final : public Engine, public OwnProcess {
   ProgramTraits traits_;
   Settings given_, resolved_;
   std::unique_ptr<Dialogue> dialogue_;
+  std::shared_ptr<json> given_up_ = std::make_shared<json>(json::array());  // saved states
   Problem problem_;
   std::vector<RigidBody> rigid_;
   std::vector<Eigen::Matrix3Xi> surfaces_;  // of bodies that deform, where the program tells them
