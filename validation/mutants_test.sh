@@ -75,6 +75,6 @@ bites "$bars" quiet 'linear momentum, largest change'
 
 # ---- no fault of the build is left out ----------------------------------------------------------
 here=$(dirname "$checks")
-rest=$(untried "$here/mutants_test.sh" "$here/validate_test.sh")
+rest=$(untried "$here/mutants_test.sh" "$here/validate_test.sh" "$here/stability/mutants_test.sh")
 [ -z "$rest" ] || failed "planted faults" "nothing tries: $rest"
-passed "every planted fault of the build is tried, here or in validate_test.sh"
+passed "every planted fault of the build is tried, here, in validate_test.sh or in stability/mutants_test.sh"

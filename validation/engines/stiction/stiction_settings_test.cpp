@@ -111,7 +111,8 @@ TEST(StictionSettings, RefusesUnknownSettingsWhenItIsMade) {
       "count-hysteresis, depth, depth-noise, dt, edges, face, gain, hysteresis, integrator, kappa, "
       "key, memory, "
       "method, normals, order, "
-      "post-correction, reaction, relaxation, rule, safeguard, slip-tolerance, sweeps, tie, "
+      "post-correction, reaction, relaxation, rule, safeguard, settled, slip-tolerance, sweeps, "
+      "tie, "
       "weights");
 }
 
