@@ -15,8 +15,8 @@ struct PerturbedTrace {
   struct End {
     std::vector<BodyMotion> bodies{};
     std::vector<double> sizes{};  ///< longest edge of each body, m; of a point 0
-    double length = 1.0;  ///< of the scene, m
-    double speed = 1.0;   ///< of the fastest body at the start, or of a fall over that length, m/s
+    double length = 1.0;          ///< of the scene, m
+    double speed = 1.0;  ///< of the fastest body at the start, or of a fall over that length, m/s
     std::uint64_t steps = 0;
   };
   std::vector<End> ends{};
