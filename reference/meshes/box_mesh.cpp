@@ -25,12 +25,16 @@ using Rational = CGAL::Exact_rational;
 using ExactKernel = CGAL::Simple_cartesian<Rational>;
 using PredicateKernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // predicates: exact
 
-// GMP's conversion truncates in some builds: the neighbours are tried as well, exactly.
+// GMP's conversion truncates in some builds: the neighbours are tried as well, exactly. GMP ends the
+// program where it is given an infinite number.
 double nearest_double(const Rational& value) {
+  constexpr double kGreatest = std::numeric_limits<double>::max();
+  if (CGAL::abs(value) > Rational(kGreatest)) {
+    throw std::invalid_argument("The volume is greater than the greatest number, 1.8e308.");
+  }
   double nearest = CGAL::to_double(value);
-  const double infinity = std::numeric_limits<double>::infinity();
   for (const double other :
-       {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)}) {
+       {std::nextafter(nearest, -kGreatest), std::nextafter(nearest, kGreatest)}) {
     if (CGAL::abs(Rational(value - Rational(other))) <
         CGAL::abs(Rational(value - Rational(nearest)))) {
       nearest = other;

@@ -29,7 +29,8 @@ struct ExactVolume {
 
 /// Π_d (upper_d − lower_d) of the corners' coordinates as they are, without rounding. Two meshes,
 /// or a mesh and its box, fill the same volume exactly iff their fractions are the same string.
-/// Throws std::invalid_argument unless the corners are finite and lower ≤ upper.
+/// Throws std::invalid_argument unless the corners are finite and lower ≤ upper, or where no double
+/// is as great as the volume.
 ExactVolume exact_box_volume(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper);
 
 /// What is known of a tetrahedral mesh without trusting floating point. A mesh is fit for use iff
@@ -51,8 +52,8 @@ struct MeshCertificate {
 };
 
 /// Examines any tetrahedral mesh with CGAL's exact predicates and exact rationals [CGAL]. Throws
-/// std::invalid_argument for a mesh without tetrahedra, coordinates that are not finite, or a
-/// vertex index out of range.
+/// std::invalid_argument for a mesh without tetrahedra, coordinates that are not finite, a vertex
+/// index out of range, or a volume that is greater than the greatest double.
 MeshCertificate certify(const TetMesh& mesh);
 
 }  // namespace stiction::reference

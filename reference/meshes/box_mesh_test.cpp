@@ -136,6 +136,17 @@ TEST(Certify, CountsInvertedAndFlatTetrahedra) {
   EXPECT_EQ(certificate.volume.fraction, "0");
 }
 
+// GMP ends the program where a volume of 1e450 m³ becomes a number. Found by the fuzzer.
+TEST(Certify, RefusesAVolumeThatNoNumberHolds) {
+  TetMesh vast = single_tetrahedron();
+  vast.vertices *= 1e150;
+  EXPECT_THROW(static_cast<void>(certify(vast)), std::invalid_argument);
+  vast.vertices *= 1e-50;
+  EXPECT_EQ(certify(vast).volume.nearest, 1e300 / 6.0);
+  EXPECT_THROW(static_cast<void>(exact_box_volume({0, 0, 0}, {1e150, 1e150, 1e150})),
+               std::invalid_argument);
+}
+
 // Base (0.5 + i u, 0.5 + j u), (12, 12), (24, 24) with u = 2⁻⁵³: six times the volume is 12 (j − i)
 // u, of which the naive determinant often gets the sign wrong (its terms are near 270, with ulp 512
 // u).
