@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
+#include "solver/demand.h"
 #include "solver/mesh/numbering.h"
 #include "solver/scene/scene_check.h"
 
@@ -137,6 +139,10 @@ void add_body(const BodyDescription& body, Scene& scene) {
   for (Eigen::Index e = 0; e < body.mesh.tetrahedra.cols(); ++e) {
     scene.elements.push_back(element_of(body, e, scene_vertex));
     const double limit = element_time_step_limit(body.mesh, e, body.material);
+    if (!(limit > 0.0)) {
+      throw InputError("body '" + body.name + "': tetrahedron " + std::to_string(e) +
+                       " is so thin, stiff or light that no number holds its highest frequency");
+    }
     if (limit < scene.stable_time_step) {
       scene.stable_time_step = limit;
       scene.stiffest_element = described_before + static_cast<int>(e);

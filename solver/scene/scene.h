@@ -135,10 +135,10 @@ struct Scene {
 
 /// Checks a description and builds the scene.
 /// Throws InputError with one sentence for: NaN or infinite numbers, indices out of range, inverted
-/// or zero-volume tetrahedra, vertices without mass, negative density, stiffness, damping or μ,
-/// a Poisson ratio outside (−1, ½), normals that are not unit vectors, keyframes out of order, and
-/// loads of
-/// bodies that are not there, and bodies that start inside an obstacle.
+/// or zero-volume tetrahedra, tetrahedra whose highest frequency no number holds, vertices without
+/// mass, negative density, stiffness, damping or μ, a Poisson ratio outside (−1, ½), normals that
+/// are not unit vectors, keyframes out of order, loads of bodies that are not there, and bodies that
+/// start inside an obstacle.
 Scene build_scene(const SceneDescription& description);
 
 /// Largest stable time step of one element, s: symplectic Euler with viscous damping β needs

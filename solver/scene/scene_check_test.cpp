@@ -72,6 +72,13 @@ const Mistake kMistakes[] = {
      "body 'cube': tetrahedron 0 has zero volume (0 m³)"},
     {"AlmostFlatTetrahedron", [](S& s) { mesh(s).vertices.col(3) = Vec3(0.25, 0.25, 1e-13); },
      "body 'cube': tetrahedron 0 has zero volume (1.66666667e-14 m³)"},
+    {"FrequencyBeyondNumbers",
+     [](S& s) {
+       material(s).density = 1e-200;
+       material(s).youngs_modulus = 1e200;
+     },
+     "body 'cube': tetrahedron 0 is so thin, stiff or light that no number holds its highest "
+     "frequency"},
     {"AlmostFlatInvertedTetrahedron",
      [](S& s) { mesh(s).vertices.col(3) = Vec3(0.25, 0.25, -1e-13); },
      "body 'cube': tetrahedron 0 has zero volume (-1.66666667e-14 m³)"},

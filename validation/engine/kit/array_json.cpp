@@ -67,7 +67,7 @@ std::vector<double> read_array(const nlohmann::json& value, const std::string& w
       throw std::runtime_error(what + " is not a whole number of doubles");
     }
     std::vector<double> numbers(bytes.size() / sizeof(double));
-    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
     return numbers;
   }
   if (!value.is_array()) throw std::runtime_error(what + " is no array of numbers");
