@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/state.h"
 
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
 #include "solver/hash.h"
 
 namespace stiction {
 
 namespace {
 
+// Which bits a NaN has depends on the order of operands, which is the compiler's choice: it is one
+// NaN here.
+void add(Real number, Fnv1a& hash) {
+  if (std::isnan(number)) number = std::numeric_limits<Real>::quiet_NaN();
+  hash.add(&number, sizeof number);
+}
+
+void add(const Vec3& numbers, Fnv1a& hash) {
+  for (const Real number : numbers) add(number, hash);
+}
+
 template <class Number>
 void add(const std::vector<Number>& numbers, Fnv1a& hash) {
-  hash.add(numbers.data(), numbers.size() * sizeof(Number));
+  if constexpr (std::is_integral_v<Number> || std::is_enum_v<Number>) {
+    hash.add(numbers.data(), numbers.size() * sizeof(Number));
+  } else {
+    for (const Number& number : numbers) add(number, hash);
+  }
 }
 
 }  // namespace
@@ -30,8 +49,8 @@ State initial_state(const Scene& scene) {
 std::uint64_t hash_of(const State& state) {
   Fnv1a hash;
   hash.add(&state.step, sizeof state.step);
-  for (const Position& p : state.position) hash.add(p.x.data(), sizeof p.x);
-  for (const Velocity& v : state.velocity) hash.add(v.v.data(), sizeof v.v);
+  for (const Position& p : state.position) add(p.x, hash);
+  for (const Velocity& v : state.velocity) add(v.v, hash);
   for (const FrictionMemory* memory :
        {&state.obstacle_friction, &state.pair_friction, &state.edge_friction}) {
     add(memory->key, hash);
@@ -43,7 +62,7 @@ std::uint64_t hash_of(const State& state) {
   add(state.pair_geometry.triangle, hash);
   for (const PairGeometry::Excess& excess : state.pair_geometry.excess) {
     hash.add(&excess.body_key, sizeof excess.body_key);
-    hash.add(&excess.depth, sizeof excess.depth);
+    add(excess.depth, hash);
   }
   return hash.value();
 }

@@ -126,5 +126,18 @@ TEST(ASavedState, ReplaysToTheSameHashWithItsFrictionMemory) {
   EXPECT_NE(hash_of(forgetful), first) << "the memory is part of the state";
 }
 
+TEST(HashOf, AStateThatIsNoNumberIsTheSameWhateverKindOfNaN) {
+  const Scene scene =
+      build_scene(test::one_body(test::point_masses(Eigen::Matrix3Xd::Zero(3, 1), 1.0)));
+  State plus = initial_state(scene);
+  State minus = plus;
+  plus.position[0].x[1] = test::kNaN;
+  minus.position[0].x[1] = std::copysign(test::kNaN, -1.0);
+  EXPECT_EQ(hash_of(plus), hash_of(minus));
+  EXPECT_NE(hash_of(plus), hash_of(initial_state(scene)));
+  minus.velocity[0].v[0] = test::kNaN;
+  EXPECT_NE(hash_of(plus), hash_of(minus));
+}
+
 }  // namespace
 }  // namespace stiction

@@ -22,6 +22,7 @@
 #include "reports/text/text.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
+#include "solver/lanes/lane_width.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 #include "validation/comparison/engines/compare_engines.h"
@@ -365,6 +366,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
+    stiction::lane_width();  // one that the processor lacks is refused before anything runs
     if (of_engines->parsed()) return stiction::compare_engines(engines);
     return stiction::compare(arguments);
   } catch (const std::exception& error) {

@@ -51,6 +51,17 @@ other=$(state_hashes other | grep -oE '[0-9a-f]{16}$') || failed "another time s
 ! grep -q "$other" here.txt || failed "another time step" "the same state hash"
 passed "another time step: another state hash"
 
+# Registers of each width that this processor has.
+widths="2$(grep -qw avx2 /proc/cpuinfo && echo " 4")$(grep -qw avx512vl /proc/cpuinfo && echo " 8")"
+for width in $widths; do
+  run "width-$width" env STICTION_WIDTH="$width" "$build/validate"
+  same "width-$width" "registers of $width doubles"
+done
+exits 2 "registers of 3 doubles" env STICTION_WIDTH=3 "$build/validate" --case 'gauntlet/spike-on-spike/thrown' --no-page --out three
+grep -q "STICTION_WIDTH is '3', but this processor's registers hold ${widths// /, } doubles" err \
+  || failed "registers of 3 doubles" "no sentence that says so"
+passed "registers of 3 doubles: refused in one sentence"
+
 # Where the C library does use fused products its last digits tell, as those of Python's functions do.
 plain="a C library without fused products"
 without=(env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX2_Usable,-FMA_Usable)

@@ -27,6 +27,7 @@
 #include "reports/screen/screen.h"
 #include "reports/text/configuration_text.h"
 #include "solver/demand.h"
+#include "solver/lanes/lane_width.h"
 #include "validation/core/console.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
@@ -309,6 +310,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
+    stiction::lane_width();  // one that the processor lacks is refused before anything runs
     return stiction::validate(arguments);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction validate: {}\n", error.what());

@@ -22,6 +22,7 @@
 #include "reports/text/exit_code.h"
 #include "reports/text/number.h"
 #include "solver/demand.h"
+#include "solver/lanes/lane_width.h"
 
 namespace stiction::bench {
 
@@ -245,6 +246,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
+    stiction::lane_width();  // one that the processor lacks is refused before anything is measured
     return bench(arguments, given_min_time);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction bench: {}\n", error.what());

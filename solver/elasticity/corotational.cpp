@@ -2,156 +2,244 @@
 #include "solver/elasticity/corotational.h"
 
 #include <algorithm>
+#include <cstddef>
 
-#include "solver/elasticity/lanes.h"
 #include "solver/elasticity/rotation.h"
+#include "solver/lanes/lane_matrix.h"
+#include "solver/lanes/lane_width.h"
 
 namespace stiction {
 
 namespace {
 
-// Columns a₁ − a₀, a₂ − a₀, a₃ − a₀ of a vertex field.
-template <class Field>
-Mat3 differences(const Element& element, const Field& field) {
-  const Vec3& a0 = field(element.vertex[0]);
-  Mat3 d;
-  for (int k = 0; k < 3; ++k) d.col(k) = field(element.vertex[k + 1]) - a0;
-  return d;
-}
-
 Mat3 inverse_rest_edges(const Element& element) {
   return Eigen::Map<const Mat3>(element.inverse_rest_edges);
 }
 
-using LaneMat3 = Eigen::Matrix3<Lanes>;
-
-void set_lane(const Mat3& one, int lane, LaneMat3& lanes) {
-  for (int k = 0; k < 9; ++k) lanes(k).value[lane] = one(k);
+// Columns x₁ − x₀, x₂ − x₀, x₃ − x₀.
+Mat3 edges(const Element& element, const std::vector<Position>& position) {
+  const auto x = [&](int k) -> const Vec3& {
+    return position[static_cast<std::size_t>(element.vertex[k])].x;
+  };
+  Mat3 d;
+  for (int k = 0; k < 3; ++k) d.col(k) = x(k + 1) - x(0);
+  return d;
 }
 
-Mat3 one_of(const LaneMat3& lanes, int lane) {
-  return lanes.unaryExpr([lane](const Lanes& entry) { return entry[lane]; });
-}
-
-// As many elements side by side as there are lanes; where fewer are left, the last again.
+// As many elements side by side as there are lanes, between the two halves of their work.
+template <int Bytes>
 struct ElementGroup {
-  const Element* of[Lanes::kCount];
+  using Number = Lanes<Bytes>;
+  static constexpr int kCount = Number::kCount;
 
-  ElementGroup(const Element* first, std::size_t count) {
-    for (std::size_t lane = 0; lane < Lanes::kCount; ++lane) {
-      of[lane] = first + std::min(lane, count - 1);
-    }
-  }
-
-  Lanes all(Real Element::*what) const {
-    Lanes lanes;
-    for (int lane = 0; lane < Lanes::kCount; ++lane) lanes.value[lane] = of[lane]->*what;
-    return lanes;
-  }
-  bool any_damping() const {
-    return std::any_of(of, of + Lanes::kCount,
-                       [](const Element* element) { return element->damping_time > 0.0; });
-  }
+  int count;  // of elements; lanes beyond it have the last again
+  const Element* of[kCount];
+  LaneMatrix<Number> inverse;  // of the rest edges
+  Number two_mu_volume, lambda_volume, damping_time;
+  LaneMatrix<Number> f, cofactor;
+  LaneSymmetric<Number> gram;
+  Number det;
+  StretchRoot<Number> root;
 };
 
-// Of a group: the matrices that `make` gives for each of its elements.
-template <class Make>
-LaneMat3 side_by_side(const ElementGroup& group, const Make& make) {
-  LaneMat3 m;
-  for (int lane = 0; lane < Lanes::kCount; ++lane) set_lane(make(*group.of[lane]), lane, m);
-  return m;
+// Differences of a field of vertices, records of four numbers, along the edges of a group.
+template <int Bytes, class Record>
+STICTION_LANES_INLINE LaneMatrix<Lanes<Bytes>> differences(const ElementGroup<Bytes>& group,
+                                                           const std::vector<Record>& field) {
+  constexpr int kCount = ElementGroup<Bytes>::kCount;
+  Lanes<Bytes> corner[4][4];
+  for (int k = 0; k < 4; ++k) {
+    const Real* record[kCount];
+    for (int lane = 0; lane < kCount; ++lane) {
+      const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
+      record[lane] = reinterpret_cast<const Real*>(&field[vertex]);
+    }
+    load_records(record, corner[k]);
+  }
+  LaneMatrix<Lanes<Bytes>> d;
+  for (int k = 0; k < 3; ++k) {
+    d.column[k] = {corner[k + 1][0] - corner[0][0], corner[k + 1][1] - corner[0][1],
+                   corner[k + 1][2] - corner[0][2]};
+  }
+  return d;
 }
 
-LaneMat3 inverse_rest_edges(const ElementGroup& group) {
-  return side_by_side(group, [](const Element& element) { return inverse_rest_edges(element); });
+// Up to the root that is to be found.
+template <int Bytes>
+STICTION_LANES_INLINE void begin(const Element* first, std::size_t left,
+                                 const std::vector<Position>& position,
+                                 ElementGroup<Bytes>& group) {
+  using Number = Lanes<Bytes>;
+  constexpr int kCount = Number::kCount;
+  group.count = static_cast<int>(std::min(left, std::size_t{kCount}));
+  const Real* record[kCount];
+  for (int lane = 0; lane < kCount; ++lane) {
+    group.of[lane] = first + std::min(lane, group.count - 1);
+    record[lane] = group.of[lane]->inverse_rest_edges;
+  }
+  // Nine numbers of the inverse, then μV, λV, β.
+  static_assert(offsetof(Element, damping_time) ==
+                offsetof(Element, inverse_rest_edges) + 11 * sizeof(Real));
+  Number constant[12];
+  for (int k = 0; k < 12; k += 4) {
+    load_records(record, constant + k);
+    for (const Real*& numbers : record) numbers += 4;
+  }
+  for (int k = 0; k < 3; ++k) {
+    group.inverse.column[k] = {constant[3 * k], constant[3 * k + 1], constant[3 * k + 2]};
+  }
+  group.two_mu_volume = Real(2) * constant[9];
+  group.lambda_volume = constant[10];
+  group.damping_time = constant[11];
+  group.f = differences(group, position) * group.inverse;
+  group.gram = gram(group.f);
+  group.cofactor = cofactor(group.f);
+  group.det = dot(group.f.column[0], group.cofactor.column[0]);
+  group.root = {group.gram, group.det};
 }
 
-template <class Field>
-LaneMat3 differences(const ElementGroup& group, const Field& field) {
-  return side_by_side(group, [&](const Element& element) { return differences(element, field); });
-}
-
-// V (2μ E + λ tr(E) I)
-[[gnu::always_inline]] inline LaneMat3 hooke(const ElementGroup& group, const LaneMat3& strain) {
-  LaneMat3 stress = (2 * group.all(&Element::mu_volume)) * strain;
-  const Lanes pressure = group.all(&Element::lambda_volume) * strain.trace();
-  for (int k = 0; k < 3; ++k) stress(k, k) += pressure;
-  return stress;
-}
-
-// `elastic_stress` of one lane by singular values.
-[[gnu::noinline]] void flat_stress(const Element& element, int lane, const LaneMat3& f, LaneMat3& a,
-                                   LaneMat3& b) {
-  const Mat3 one = one_of(f, lane);
-  const Mat3 r = polar_rotation_by_svd(one);
-  const Real stretch = r.cwiseProduct(one).sum();
-  const Real two_mu = 2 * element.mu_volume;
-  set_lane(two_mu * Mat3::Identity(), lane, a);
-  set_lane((element.lambda_volume * (stretch - 3) - two_mu) * r, lane, b);
+// `elastic_stress` of the flat elements of a group, by singular values. Out of the way, so that the
+// others' stays in registers.
+template <int Bytes>
+[[gnu::noinline]] void replace_flat(const ElementGroup<Bytes>& group,
+                                    LaneSymmetric<Lanes<Bytes>>& a, LaneMatrix<Lanes<Bytes>>& b) {
+  for (int lane = 0; lane < Lanes<Bytes>::kCount; ++lane) {
+    if (group.det[lane] > kFlattest) continue;  // no number is flat too
+    const Element& element = *group.of[lane];
+    const Mat3 f = one_of(group.f, lane);
+    const Mat3 r = polar_rotation_by_svd(f);
+    const Real stretch = r.cwiseProduct(f).sum();
+    const Real two_mu = 2 * element.mu_volume;
+    const Mat3 rest = (element.lambda_volume * (stretch - 3) - two_mu) * r;
+    for (int k = 0; k < 3; ++k) {
+      b.column[k].x.value[lane] = rest(0, k);
+      b.column[k].y.value[lane] = rest(1, k);
+      b.column[k].z.value[lane] = rest(2, k);
+    }
+    for (auto* diagonal : {&a.xx, &a.yy, &a.zz}) diagonal->value[lane] = two_mu;
+    for (auto* other : {&a.xy, &a.yz, &a.zx}) other->value[lane] = 0;
+  }
 }
 
 // V (2μ(F − R) + λ(tr S − 3)R), which is V R (2μ(S − I) + λ tr(S − I) I) without the product RᵀF,
 // as F a + b with a symmetric.
-[[gnu::always_inline]] inline void elastic_stress(const ElementGroup& group, const LaneMat3& f,
-                                                  LaneMat3& a, LaneMat3& b) {
-  const Lanes two_mu = 2 * group.all(&Element::mu_volume);
-  const LaneMat3 c = gram(f), cof = cofactor(f);
-  const Lanes j = f.col(0).dot(cof.col(0));
-  const PolarTerms<Lanes> r = polar_terms(c, j);
-  const Lanes k = group.all(&Element::lambda_volume) * (r.stretch - 3) - two_mu;
-  a = (k * r.gram) * c;
-  for (int i = 0; i < 3; ++i) a(i, i) += two_mu + k * r.f;
-  b = (k * r.cofactor) * cof;
-  // No number is flat too.
-  for (int lane = 0; lane < Lanes::kCount; ++lane) {
-    if (!(j[lane] > kFlattest)) [[unlikely]]
-      flat_stress(*group.of[lane], lane, f, a, b);
+template <int Bytes>
+STICTION_LANES_INLINE void elastic_stress(const ElementGroup<Bytes>& group,
+                                          LaneSymmetric<Lanes<Bytes>>& a,
+                                          LaneMatrix<Lanes<Bytes>>& b) {
+  using Number = Lanes<Bytes>;
+  const PolarTerms<Number> r = group.root.terms();
+  const Number k = group.lambda_volume * (r.stretch - Real(3)) - group.two_mu_volume;
+  a = (k * r.gram) * group.gram;
+  a.add_to_diagonal(group.two_mu_volume + k * r.f);
+  const Number scale = k * r.cofactor;
+  for (int m = 0; m < 3; ++m) b.column[m] = scale * group.cofactor.column[m];
+  if (!all(Number(kFlattest) < group.det)) [[unlikely]] {
+    LaneSymmetric<Number> a_of_all = a;
+    LaneMatrix<Number> b_of_all = b;
+    replace_flat(group, a_of_all, b_of_all);
+    a = a_of_all;
+    b = b_of_all;
   }
 }
 
-void add_corner_forces(const Element& element, const Mat3& corner, std::vector<Vec3>& force) {
-  for (int k = 0; k < 3; ++k)
-    force[static_cast<std::size_t>(element.vertex[k + 1])] += corner.col(k);
-  force[static_cast<std::size_t>(element.vertex[0])] -= corner.rowwise().sum();
+// β V (2μĖ + λ tr(Ė) I), and nothing where β is 0.
+template <int Bytes>
+STICTION_LANES_INLINE void add_viscous_stress(const ElementGroup<Bytes>& group,
+                                              const std::vector<Velocity>& velocity,
+                                              LaneSymmetric<Lanes<Bytes>>& a) {
+  const auto damped = Lanes<Bytes>(Real(0)) < group.damping_time;
+  if (none(damped)) return;
+  const LaneSymmetric<Lanes<Bytes>> rate =
+      symmetric_product(group.f, differences(group, velocity) * group.inverse);
+  LaneSymmetric<Lanes<Bytes>> stress = group.two_mu_volume * rate;
+  stress.add_to_diagonal(group.lambda_volume * rate.trace());
+  a = choose_all<Bytes>(damped, a + group.damping_time * stress, a);
+}
+
+// Adds the forces of the corners, an element after the other.
+template <int Bytes>
+STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
+                               const std::vector<Velocity>& velocity, std::vector<Vec3>& force) {
+  using Number = Lanes<Bytes>;
+  LaneSymmetric<Number> a;
+  LaneMatrix<Number> b;
+  elastic_stress(group, a, b);
+  add_viscous_stress(group, velocity, a);
+  LaneMatrix<Number> minus_stress = group.f * a.whole();
+  for (int m = 0; m < 3; ++m) minus_stress.column[m] = -(minus_stress.column[m] + b.column[m]);
+  const LaneMatrix<Number> corner = minus_stress * group.inverse.transpose();
+  const auto& [f1, f2, f3] = corner.column;
+  const LaneVector<Number> minus_f0 = f1 + (f2 + f3);
+  Real forces[4][Number::kCount][4];
+  store_records(minus_f0.x, minus_f0.y, minus_f0.z, forces[0]);
+  store_records(f1.x, f1.y, f1.z, forces[1]);
+  store_records(f2.x, f2.y, f2.z, forces[2]);
+  store_records(f3.x, f3.y, f3.z, forces[3]);
+  for (int lane = 0; lane < group.count; ++lane) {
+    const auto at = [&](int k) -> Vec3& {
+      return force[static_cast<std::size_t>(group.of[lane]->vertex[k])];
+    };
+    for (int k = 1; k < 4; ++k) at(k) += Eigen::Map<const Vec3>(forces[k][lane]);
+    at(0) -= Eigen::Map<const Vec3>(forces[0][lane]);
+  }
+}
+
+// Groups at a time: the roots of several are found side by side, for each step waits for a division.
+constexpr int kGroups = 4;
+
+template <int Bytes>
+STICTION_LANES_INLINE void add_forces(const std::vector<Element>& elements, const State& state,
+                                      std::vector<Vec3>& force) {
+  constexpr std::size_t kLanes = Lanes<Bytes>::kCount;
+  for (std::size_t e = 0; e < elements.size();) {
+    ElementGroup<Bytes> group[kGroups];
+    int groups = 0;
+    for (; groups < kGroups && e < elements.size(); ++groups, e += kLanes) {
+      begin(&elements[e], elements.size() - e, state.position, group[groups]);
+    }
+    using Number = Lanes<Bytes>;
+    for (int step = 0; step < StretchRoot<Number>::kMostSteps; ++step) {
+      Number running(Real(0));
+      for (int g = 0; g < groups; ++g) {
+        group[g].root.improve();
+        running += group[g].root.running;
+      }
+      if (all_zero(running)) break;
+    }
+    for (int g = 0; g < groups; ++g) end(group[g], state.velocity, force);
+  }
+}
+
+void add_forces_2(const std::vector<Element>& elements, const State& state,
+                  std::vector<Vec3>& force) {
+  add_forces<16>(elements, state, force);
+}
+STICTION_TARGET_4 void add_forces_4(const std::vector<Element>& elements, const State& state,
+                                    std::vector<Vec3>& force) {
+  add_forces<32>(elements, state, force);
+}
+STICTION_TARGET_8 void add_forces_8(const std::vector<Element>& elements, const State& state,
+                                    std::vector<Vec3>& force) {
+  add_forces<64>(elements, state, force);
 }
 
 }  // namespace
 
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
+                             std::vector<Vec3>& force, int width) {
+  (width == 8 ? add_forces_8 : width == 4 ? add_forces_4 : add_forces_2)(elements, state, force);
+}
+
+void add_corotational_forces(const std::vector<Element>& elements, const State& state,
                              std::vector<Vec3>& force) {
-  const auto x = [&](int v) -> const Vec3& {
-    return state.position[static_cast<std::size_t>(v)].x;
-  };
-  const auto v = [&](int k) -> const Vec3& {
-    return state.velocity[static_cast<std::size_t>(k)].v;
-  };
-  constexpr std::size_t kLanes = Lanes::kCount;
-  for (std::size_t e = 0; e < elements.size(); e += kLanes) {
-    const std::size_t count = std::min(kLanes, elements.size() - e);
-    const ElementGroup group(&elements[e], count);
-    const LaneMat3 inverse = inverse_rest_edges(group);
-    const LaneMat3 f = differences(group, x) * inverse;
-    // V P = F a + b
-    LaneMat3 a, b;
-    elastic_stress(group, f, a, b);
-    if (group.any_damping()) {
-      const LaneMat3 rate = f.transpose() * (differences(group, v) * inverse);
-      const LaneMat3 strain_rate = Real(0.5) * (rate + rate.transpose());
-      a += group.all(&Element::damping_time) * hooke(group, strain_rate);
-    }
-    const LaneMat3 stress = f * a + b;
-    const LaneMat3 corner = -stress * inverse.transpose();
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      add_corner_forces(*group.of[lane], one_of(corner, static_cast<int>(lane)), force);
-    }
-  }
+  add_corotational_forces(elements, state, force, lane_width());
 }
 
 double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position) {
-  const auto x = [&](int v) -> const Vec3& { return position[static_cast<std::size_t>(v)].x; };
   double energy = 0.0;
   for (const Element& element : elements) {
-    const Mat3 f = differences(element, x) * inverse_rest_edges(element);
+    const Mat3 f = edges(element, position) * inverse_rest_edges(element);
     const Mat3 strain = polar_rotation(f).transpose() * f - Mat3::Identity();
     energy += element.mu_volume * strain.squaredNorm() +
               Real(0.5) * element.lambda_volume * strain.trace() * strain.trace();

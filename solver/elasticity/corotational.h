@@ -20,6 +20,10 @@ namespace stiction {
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
                              std::vector<Vec3>& force);
 
+/// At one of `lane_widths`: the same forces to the bit.
+void add_corotational_forces(const std::vector<Element>& elements, const State& state,
+                             std::vector<Vec3>& force, int width);
+
 /// Elastic energy Σ V (μ|S − I|² + ½λ tr²(S − I)), J.
 double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position);
 

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "solver/lanes/lane_width.h"
 #include "solver/observables.h"
 #include "solver/testing/test_scenes.h"
 
@@ -226,8 +227,37 @@ struct Separate {
   }
 };
 
-// Elements are computed two at a time, the last of an odd number with itself: neither the partner
-// nor an inverted one in its place may show.
+std::vector<Vec3> forces_at(const Scene& scene, const State& state, int width) {
+  std::vector<Vec3> force(state.position.size(), Vec3::Zero());
+  add_corotational_forces(scene.elements, state, force, width);
+  return force;
+}
+
+void expect_same_bits_at_each_width(const Scene& scene, const State& state) {
+  const std::vector<Vec3> narrow = forces_at(scene, state, 2);
+  EXPECT_GT(sum_of_norms(narrow), 0.0);
+  for (const int width : lane_widths()) {
+    EXPECT_EQ(forces_at(scene, state, width), narrow)
+        << scene.elements.size() << " elements, width " << width;
+  }
+  EXPECT_EQ(forces(scene, state), narrow);
+}
+
+// Inverted and undamped elements beside others, in groups that are full and not.
+TEST(ElasticForces, AreTheSameBitsAtEachWidth) {
+  for (std::size_t count = 1; count < 40; ++count) {
+    std::vector<bool> inverted(count);
+    for (std::size_t e = 0; e < count; ++e) inverted[e] = e % 5 == count % 5;
+    Separate separate(inverted);
+    for (std::size_t e = 0; e < count; e += 3) separate.scene.elements[e].damping_time = 0;
+    expect_same_bits_at_each_width(separate.scene, separate.state);
+  }
+  const Scene scene = cube();
+  expect_same_bits_at_each_width(scene, deformed(scene, 5));
+}
+
+// Elements are computed side by side, the last of fewer with itself: neither a partner nor an
+// inverted one in its place may show.
 TEST(ElasticForces, OfAnElementDoNotDependOnThoseBesideIt) {
   for (const std::vector<bool>& inverted : std::vector<std::vector<bool>>{
            {false, true, true, false, true, true, false}, {true}, {false, false, true}}) {

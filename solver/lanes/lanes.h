@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "solver/real.h"
+
+// Functions on lanes are inlined into one that is compiled for the register's width (lane_width.h);
+// none is called across a boundary where the width would matter.
+#define STICTION_LANES_INLINE [[gnu::always_inline]] inline
+
+namespace stiction {
+
+template <int Bytes>
+struct LaneRegister;
+template <>
+struct LaneRegister<16> {
+  using Numbers = Real __attribute__((vector_size(16)));
+};
+template <>
+struct LaneRegister<32> {
+  using Numbers = Real __attribute__((vector_size(32)));
+};
+template <>
+struct LaneRegister<64> {
+  using Numbers = Real __attribute__((vector_size(64)));
+};
+
+/// As many numbers as a register of `Bytes` bytes holds, that go through the same operations side by
+/// side: one formula handles as many elements. Each lane has the bits that a single number would
+/// have, at every width: nothing is fused, and no sum goes across lanes.
+template <int Bytes>
+struct Lanes {
+  using Register = typename LaneRegister<Bytes>::Numbers;
+  static constexpr int kCount = Bytes / static_cast<int>(sizeof(Real));
+
+  /// Where something holds, lane by lane.
+  struct Mask {
+    decltype(Register{} < Register{}) value;
+
+    STICTION_LANES_INLINE friend bool all(const Mask& where) { return where.count() == kCount; }
+    STICTION_LANES_INLINE friend bool none(const Mask& where) { return where.count() == 0; }
+    STICTION_LANES_INLINE int count() const {
+      int count = 0;
+      for (int lane = 0; lane < kCount; ++lane) count += value[lane] != 0;
+      return count;
+    }
+  };
+
+  Register value;
+
+  Lanes() = default;
+  // Said, so that a copy is one move of the register: the compiler's own goes by halves, and what is
+  // read whole after that waits for both.
+  STICTION_LANES_INLINE Lanes(const Lanes& b) : value(b.value) {}
+  STICTION_LANES_INLINE Lanes& operator=(const Lanes& b) {
+    value = b.value;
+    return *this;
+  }
+  STICTION_LANES_INLINE Lanes(Real all) : value(Register{} + all) {}
+
+  STICTION_LANES_INLINE Real operator[](int lane) const { return value[lane]; }
+
+  STICTION_LANES_INLINE static Lanes of(const Register& numbers) {
+    Lanes lanes;
+    lanes.value = numbers;
+    return lanes;
+  }
+  STICTION_LANES_INLINE Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
+  STICTION_LANES_INLINE Lanes& operator-=(const Lanes& b) { return *this = *this - b; }
+  STICTION_LANES_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return of(a.value + b.value);
+  }
+  STICTION_LANES_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return of(a.value - b.value);
+  }
+  STICTION_LANES_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return of(a.value * b.value);
+  }
+  STICTION_LANES_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
+    return of(a.value / b.value);
+  }
+  STICTION_LANES_INLINE friend Lanes operator-(const Lanes& a) { return of(-a.value); }
+  STICTION_LANES_INLINE friend Mask operator<(const Lanes& a, const Lanes& b) {
+    return {a.value < b.value};
+  }
+  /// `yes` where it holds, else `no`.
+  STICTION_LANES_INLINE friend Lanes choose(const Mask& where, const Lanes& yes, const Lanes& no) {
+    return of(where.value ? yes.value : no.value);
+  }
+  STICTION_LANES_INLINE friend bool all_zero(const Lanes& a) {
+    bool zero = true;
+    for (int lane = 0; lane < kCount; ++lane) zero = zero && a[lane] == 0;
+    return zero;
+  }
+  STICTION_LANES_INLINE friend Lanes sqrt(Lanes a) {
+    for (int lane = 0; lane < kCount; ++lane) a.value[lane] = std::sqrt(a.value[lane]);
+    return a;
+  }
+};
+
+// What formulas ask of a single number beside arithmetic.
+inline Real choose(bool where, Real yes, Real no) { return where ? yes : no; }
+inline bool all_zero(Real x) { return x == 0; }
+
+template <int Bytes>
+STICTION_LANES_INLINE Lanes<Bytes / 2> low_half(const Lanes<Bytes>& lanes) {
+  Lanes<Bytes / 2> half;
+  std::memcpy(&half.value, &lanes.value, Bytes / 2);
+  return half;
+}
+template <int Bytes>
+STICTION_LANES_INLINE Lanes<Bytes / 2> high_half(const Lanes<Bytes>& lanes) {
+  Lanes<Bytes / 2> half;
+  std::memcpy(&half.value, reinterpret_cast<const char*>(&lanes.value) + Bytes / 2, Bytes / 2);
+  return half;
+}
+template <int Bytes>
+STICTION_LANES_INLINE Lanes<2 * Bytes> joined(const Lanes<Bytes>& low, const Lanes<Bytes>& high) {
+  const typename Lanes<Bytes>::Register halves[2] = {low.value, high.value};
+  Lanes<2 * Bytes> whole;
+  std::memcpy(&whole.value, halves, 2 * Bytes);
+  return whole;
+}
+
+/// Four numbers of each of as many records as there are lanes, number by number: what `columns[k]`
+/// has in lane l is record[l][k].
+template <int Bytes>
+STICTION_LANES_INLINE void load_records(const Real* const* record, Lanes<Bytes>* columns) {
+  constexpr int kCount = Lanes<Bytes>::kCount;
+  if constexpr (kCount == 2) {
+    typename Lanes<Bytes>::Register a, b, c, d;
+    std::memcpy(&a, record[0], Bytes);
+    std::memcpy(&b, record[1], Bytes);
+    std::memcpy(&c, record[0] + 2, Bytes);
+    std::memcpy(&d, record[1] + 2, Bytes);
+    columns[0].value = __builtin_shufflevector(a, b, 0, 2);
+    columns[1].value = __builtin_shufflevector(a, b, 1, 3);
+    columns[2].value = __builtin_shufflevector(c, d, 0, 2);
+    columns[3].value = __builtin_shufflevector(c, d, 1, 3);
+  } else if constexpr (kCount == 4) {
+    typename Lanes<Bytes>::Register a, b, c, d;
+    std::memcpy(&a, record[0], Bytes);
+    std::memcpy(&b, record[1], Bytes);
+    std::memcpy(&c, record[2], Bytes);
+    std::memcpy(&d, record[3], Bytes);
+    const auto ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const auto ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const auto cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const auto cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    columns[0].value = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+    columns[1].value = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+    columns[2].value = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+    columns[3].value = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+  } else {
+    Lanes<Bytes / 2> low[4], high[4];
+    load_records(record, low);
+    load_records(record + kCount / 2, high);
+    for (int k = 0; k < 4; ++k) columns[k] = joined(low[k], high[k]);
+  }
+}
+
+/// The way back, of three numbers and a fourth that is 0: record[l] = {x, y, z, 0} of lane l.
+template <int Bytes>
+STICTION_LANES_INLINE void store_records(const Lanes<Bytes>& x, const Lanes<Bytes>& y,
+                                         const Lanes<Bytes>& z, Real (*record)[4]) {
+  constexpr int kCount = Lanes<Bytes>::kCount;
+  using Register = typename Lanes<Bytes>::Register;
+  if constexpr (kCount == 2) {
+    const Register rows[2][2] = {{__builtin_shufflevector(x.value, y.value, 0, 2),
+                                  __builtin_shufflevector(z.value, Register{}, 0, 2)},
+                                 {__builtin_shufflevector(x.value, y.value, 1, 3),
+                                  __builtin_shufflevector(z.value, Register{}, 1, 3)}};
+    std::memcpy(record, rows, sizeof rows);
+  } else if constexpr (kCount == 4) {
+    const auto xy_even = __builtin_shufflevector(x.value, y.value, 0, 4, 2, 6);
+    const auto xy_odd = __builtin_shufflevector(x.value, y.value, 1, 5, 3, 7);
+    const auto z_even = __builtin_shufflevector(z.value, Register{}, 0, 4, 2, 6);
+    const auto z_odd = __builtin_shufflevector(z.value, Register{}, 1, 5, 3, 7);
+    const Register rows[4] = {__builtin_shufflevector(xy_even, z_even, 0, 1, 4, 5),
+                              __builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5),
+                              __builtin_shufflevector(xy_even, z_even, 2, 3, 6, 7),
+                              __builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7)};
+    std::memcpy(record, rows, sizeof rows);
+  } else {
+    store_records(low_half(x), low_half(y), low_half(z), record);
+    store_records(high_half(x), high_half(y), high_half(z), record + kCount / 2);
+  }
+}
+
+}  // namespace stiction
