@@ -52,7 +52,7 @@ struct State {
 State initial_state(const Scene& scene);
 
 /// FNV-1a over step count, positions, velocities, friction memory and where pair contacts were, 64
-/// bits. Equal states have equal hashes; golden hashes hold per toolchain only.
+/// bits. Equal states have equal hashes, any NaN as one; golden hashes hold per toolchain only.
 std::uint64_t hash_of(const State& state);
 
 }  // namespace stiction
