@@ -9,8 +9,9 @@
 
 namespace stiction {
 
-/// Records of four numbers, 32 bytes in double precision: one contact update reads a vertex's velocity and inverse mass from half a cache
-/// line. The inverse mass is constant and stands here as a copy of `Scene::inverse_mass`.
+/// Records of four numbers, 32 bytes in double precision: one contact update reads a vertex's
+/// velocity and inverse mass from half a cache line, and a record goes through a register whole. The
+/// inverse mass is constant and stands here as a copy of `Scene::inverse_mass`.
 struct alignas(4 * sizeof(Real)) Velocity {
   Vec3 v;             ///< m/s
   Real inverse_mass;  ///< 1/kg
@@ -19,7 +20,12 @@ struct alignas(4 * sizeof(Real)) Position {
   Vec3 x;  ///< m
   Real unused;
 };
-static_assert(sizeof(Velocity) == 4 * sizeof(Real) && sizeof(Position) == 4 * sizeof(Real));
+struct alignas(4 * sizeof(Real)) Force {
+  Vec3 f = Vec3::Zero();  ///< N
+  Real unused = 0.0;
+};
+static_assert(sizeof(Velocity) == 4 * sizeof(Real) && sizeof(Position) == 4 * sizeof(Real) &&
+              sizeof(Force) == 4 * sizeof(Real));
 
 /// What persists of a pair contact besides its friction: where it was, for hysteresis and ties. In
 /// the order of the body keys, which is that of `State::pair_friction` too.

@@ -174,7 +174,7 @@ TEST(Step, CountsStepsAndNeedsNothingOfWhatAWorkspaceHeld) {
   EXPECT_EQ(clean.step, 50u);
 
   Workspace used;
-  used.force.assign(3, Vec3::Constant(test::kNaN));
+  used.force.assign(3, {Vec3::Constant(test::kNaN), test::kNaN});
   used.velocity.assign(40, {Vec3::Constant(test::kNaN), test::kNaN});
   used.contacts.add(7, 7, 7, test::kNaN);
   used.memory = {{1, 2}, {ContactStatus::kStick, ContactStatus::kStick}, {test::kNaN, test::kNaN}};

@@ -108,6 +108,14 @@ struct PairSearch {
   bool edges_listed = false;               ///< whether the next are of the present lists
   std::vector<ContactKey> edge_candidate;  ///< pairs of sharp edges, in order
   std::vector<Vec3> start;                 ///< x_t0 of the vertices at such edges, m
+  /// A sharp edge as it lies at the predicted positions of a step: made once, for all its crossings.
+  struct EdgeFrame {
+    Real length;   ///< m
+    Vec3 into[2];  ///< in the faces beside it, across it and inwards, unit
+  };
+  std::vector<EdgeFrame> edge_frame;          ///< per sharp edge, of …
+  std::vector<std::uint64_t> edge_framed_at;  ///< … the call that counts as this
+  std::uint64_t edge_calls = 0;
 };
 
 /// Scratch memory of the conjugate directions of friction forces, per contact.
@@ -119,7 +127,7 @@ struct ConjugateScratch {
 /// Scratch memory of a step, kept so that a warm step allocates nothing, and what the last step
 /// did. Nothing in it is needed to continue from a State.
 struct Workspace {
-  std::vector<Vec3> force;         ///< per vertex, N: gravity and elasticity at _t0
+  std::vector<Force> force;        ///< per vertex, N: gravity and elasticity at _t0
   std::vector<Velocity> velocity;  ///< per vertex: v*, corrected in place to v_t1
   OneSidedContacts contacts;       ///< with obstacles, of the last step
   FrictionMemory memory;           ///< the memory being written

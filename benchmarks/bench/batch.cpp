@@ -123,7 +123,7 @@ std::uint64_t Batch::hash() const {
   Fnv1a hash;
   const std::uint64_t state = hash_of(work_.state);
   hash.add(&state, sizeof state);
-  for (const Vec3& force : workspace.force) hash.add(force.data(), sizeof force);
+  for (const Force& force : workspace.force) hash.add(force.f.data(), sizeof force.f);
   for (const Velocity& velocity : workspace.velocity) hash.add(velocity.v.data(), sizeof(Vec3));
   for (const PairContact& pair : workspace.pairs) add(pair, hash);
   for (const EdgeContact& edge : workspace.edges) {

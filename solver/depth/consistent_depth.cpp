@@ -60,10 +60,9 @@ class Pass {
   void begin() {
     if (scratch_.links.scene != scene_.serial) {
       build_links(scene_, scratch_.links);
-      scratch_.walk.visited.assign(scene_.elements.size(), 0);
-      scratch_.walk.walk = 0;
       scratch_.first_contact.assign(scene_.mass.size(), -1);
     }
+    scratch_.walk.begin(scene_.elements.size());
     scratch_.level.assign(pairs_.size(), 0);
     scratch_.front.clear();
     for (std::size_t c = pairs_.size(); c-- > 0;) {

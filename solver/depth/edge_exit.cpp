@@ -26,6 +26,25 @@ struct Heights {
   Real at(Real t) const { return p + t * (q - p); }
 };
 
+FacePlanes face_planes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  using Four = FacePlanes::Four;
+  const auto of_faces = [](const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3) {
+    const auto lanes = [&](int k) { return Four::of(Four::Register{x0[k], x1[k], x2[k], x3[k]}); };
+    return LaneVector<Four>{lanes(0), lanes(1), lanes(2)};
+  };
+  // The corners of the faces, in an order that turns the normals outwards.
+  const LaneVector<Four> first = of_faces(b, a, a, a), second = of_faces(c, d, b, c),
+                         third = of_faces(d, c, d, b);
+  const LaneVector<Four> normal = cross(second - first, third - first);
+  return {first, normal, sqrt(dot(normal, normal))};
+}
+
+// Above the planes, times the lengths of their normals.
+FacePlanes::Four height(const FacePlanes& face, const Vec3& x) {
+  using Four = FacePlanes::Four;
+  return dot(face.normal, LaneVector<Four>{Four(x.x()), Four(x.y()), Four(x.z())} - face.on);
+}
+
 // Angle of the triangle around a point of it, as its distances from the edges a→b, b→c, c→a say:
 // touched or not.
 Real angle_around(const std::array<Vec3, 3>& corner, const std::array<bool, 3>& touched) {
@@ -73,6 +92,13 @@ Exit merge(const std::vector<WalkScratch::Hit>& hits, Real first, Real same) {
 
 }  // namespace
 
+void WalkScratch::begin(std::size_t elements) {
+  ++positions;
+  visited.resize(elements, 0);
+  planes.resize(elements);
+  planes_at.resize(elements, 0);
+}
+
 bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
                const Vec3& p, const Vec3& q, std::int32_t element, Real thin, WalkScratch& scratch,
                Exit& exit) {
@@ -95,27 +121,29 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
     const auto e = static_cast<std::size_t>(scratch.stack.back());
     scratch.stack.pop_back();
     const auto& v = scene.elements[e].vertex;
+    if (scratch.planes_at[e] != scratch.positions) {
+      scratch.planes_at[e] = scratch.positions;
+      scratch.planes[e] = face_planes(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
+    }
+    const FacePlanes& face = scratch.planes[e];
+    const FacePlanes::Four p_height = height(face, p), q_height = height(face, q),
+                           slack = FacePlanes::Four(thin) * face.length;
     // The part [from, to] of the segment that is within `thin` of the tetrahedron.
     Real from = 0.0, to = 1.0;
-    std::array<Real, 4> p_height, q_height, slack;
-    for (std::size_t k = 0; k < 4; ++k) {
-      static constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-      const Vec3& a = at(v[kFace[k][0]]);
-      const Heights h((at(v[kFace[k][1]]) - a).cross(at(v[kFace[k][2]]) - a), a, p, q, thin);
-      if (h.p > h.slack) {
-        from = h.q > h.slack ? 2 : std::max(from, (h.p - h.slack) / (h.p - h.q));
-      } else if (h.q > h.slack) {
-        to = std::min(to, (h.slack - h.p) / (h.q - h.p));
+    for (int k = 0; k < 4; ++k) {
+      if (p_height[k] > slack[k]) {
+        from = q_height[k] > slack[k]
+                   ? 2
+                   : std::max(from, (p_height[k] - slack[k]) / (p_height[k] - q_height[k]));
+      } else if (q_height[k] > slack[k]) {
+        to = std::min(to, (slack[k] - p_height[k]) / (q_height[k] - p_height[k]));
       }
-      p_height[k] = h.p;
-      q_height[k] = h.q;
-      slack[k] = h.slack;
     }
     if (from > to || from > first + same) continue;
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4; ++k) {
       const Real rise = q_height[k] - p_height[k];
       if (std::max(p_height[k] + from * rise, p_height[k] + to * rise) < -slack[k]) continue;
-      const std::int32_t behind = links.behind[e][k];
+      const std::int32_t behind = links.behind[e][static_cast<std::size_t>(k)];
       if (behind >= 0) {
         visit(behind);
         continue;

@@ -5,10 +5,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/lanes/lane_matrix.h"
 #include "solver/mesh/mesh_links.h"
 #include "solver/scene/scene.h"
 
 namespace stiction {
+
+/// The planes of a tetrahedron's four faces side by side: of the face opposite corner k in lane k.
+struct FacePlanes {
+  using Four = Lanes<4 * sizeof(Real)>;
+  LaneVector<Four> on;      ///< a corner of the face, m
+  LaneVector<Four> normal;  ///< outward, m²
+  Four length;              ///< of the normal, m²
+};
 
 /// Scratch memory of walks.
 struct WalkScratch {
@@ -19,8 +28,14 @@ struct WalkScratch {
   };
   std::vector<std::uint64_t> visited;  ///< per element: the last walk that came by
   std::uint64_t walk = 0;
+  std::vector<FacePlanes> planes;        ///< per element, at …
+  std::vector<std::uint64_t> planes_at;  ///< … these positions
+  std::uint64_t positions = 0;           ///< number of times that they have changed
   std::vector<std::int32_t> stack;
   std::vector<Hit> hit;
+
+  /// Before the first walk at new positions, or in another scene with so many elements.
+  void begin(std::size_t elements);
 };
 
 /// Where the segment p → q leaves a body.

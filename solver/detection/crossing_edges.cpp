@@ -41,16 +41,41 @@ const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
   return x[static_cast<std::size_t>(v)];
 }
 
-// Unit vector in a face, from the edge inwards.
-Vec3 into_face(const std::vector<Vec3>& x, const Topology::SharpEdge& edge, int face) {
-  const Vec3 along = (at(x, edge.vertex[1]) - at(x, edge.vertex[0])).normalized();
-  const Vec3 to = at(x, edge.opposite[face]) - at(x, edge.vertex[0]);
-  return (to - along.dot(to) * along).normalized();
+using EdgeFrame = PairSearch::EdgeFrame;
+
+EdgeFrame frame_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge) {
+  EdgeFrame frame;
+  const Vec3 whole = at(x, edge.vertex[1]) - at(x, edge.vertex[0]);
+  const Vec3 along = whole.normalized();
+  frame.length = whole.norm();
+  for (int face = 0; face < 2; ++face) {
+    const Vec3 to = at(x, edge.opposite[face]) - at(x, edge.vertex[0]);
+    frame.into[face] = (to - along.dot(to) * along).normalized();
+  }
+  return frame;
 }
 
-Real length_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge) {
-  return (at(x, edge.vertex[1]) - at(x, edge.vertex[0])).norm();
-}
+// The frames of edges, each made when it is first asked for.
+class EdgeFrames {
+ public:
+  EdgeFrames(const Topology& topology, PairSearch& search) : topology_(topology), search_(search) {
+    ++search.edge_calls;
+    search.edge_frame.resize(topology.sharp_edge.size());
+    search.edge_framed_at.resize(topology.sharp_edge.size(), 0);
+  }
+  const EdgeFrame& operator()(std::int32_t edge) const {
+    const auto e = static_cast<std::size_t>(edge);
+    if (search_.edge_framed_at[e] != search_.edge_calls) {
+      search_.edge_framed_at[e] = search_.edge_calls;
+      search_.edge_frame[e] = frame_of(search_.predicted, topology_.sharp_edge[e]);
+    }
+    return search_.edge_frame[e];
+  }
+
+ private:
+  const Topology& topology_;
+  PairSearch& search_;
+};
 
 // How far a crossing must be from an edge's end, m, where the edge goes on and where it does not.
 struct EndMargins {
@@ -58,18 +83,52 @@ struct EndMargins {
 };
 
 // How far the crossing lies beyond such margins of one edge, m; negative outside.
-Real inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t e, Real along,
+Real inside_ends(const Topology::SharpEdge& edge, Real length, Real along,
                  const EndMargins& margins) {
-  const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
-  const Real length = length_of(x, edge);
   const auto margin = [&](int end) { return edge.goes_on[end] ? margins.joint : margins.corner; };
   return std::min(along * length - margin(0), (1 - along) * length - margin(1));
 }
 
-Real inside_ends(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
-                 std::int32_t b, const EdgeCrossing& crossing, const EndMargins& margins) {
-  return std::min(inside_ends(topology, x, a, crossing.along_a, margins),
-                  inside_ends(topology, x, b, crossing.along_b, margins));
+// The lines of two edges.
+struct LinePair {
+  Vec3 between;  // from the first end of a to that of b, m
+  Vec3 across;   // (edge a) × (edge b), m²
+  Real across2;  // its square, m⁴
+};
+
+// Whether the edges can cross as far as their lines tell, and where: not parallel, not far beyond
+// their ends.
+bool meet(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a, std::int32_t b,
+          LinePair& lines, EdgeCrossing& crossing) {
+  const auto& edge_a = topology.sharp_edge[static_cast<std::size_t>(a)];
+  const auto& edge_b = topology.sharp_edge[static_cast<std::size_t>(b)];
+  const Vec3 u = at(x, edge_a.vertex[1]) - at(x, edge_a.vertex[0]);
+  const Vec3 v = at(x, edge_b.vertex[1]) - at(x, edge_b.vertex[0]);
+  const Vec3 across = u.cross(v);
+  const Real across2 = across.squaredNorm();
+  if (!(across2 > kParallel * kParallel * u.squaredNorm() * v.squaredNorm())) return false;
+  const Vec3 between = at(x, edge_b.vertex[0]) - at(x, edge_a.vertex[0]);
+  crossing.along_a = between.cross(v).dot(across) / across2;
+  crossing.along_b = between.cross(u).dot(across) / across2;
+  lines = {between, across, across2};
+  return !(std::abs(crossing.along_a - Real(0.5)) > 1.0 ||
+           std::abs(crossing.along_b - Real(0.5)) > 1.0);
+}
+
+// … and as far as the faces beside them tell.
+bool face(const LinePair& lines, const EdgeFrame& a, const EdgeFrame& b, EdgeCrossing& crossing) {
+  crossing.normal = lines.across / std::sqrt(lines.across2);
+  if (crossing.normal.dot(b.into[0] + b.into[1]) > 0.0) crossing.normal = -crossing.normal;
+  const auto before = [&](const EdgeFrame& edge, int k) {
+    return crossing.normal.dot(edge.into[k]);
+  };
+  if (std::max(before(b, 0), before(b, 1)) > kBehind) return false;
+  if (crossing.normal.dot(a.into[0] + a.into[1]) <= 0.0 ||
+      std::min(before(a, 0), before(a, 1)) < -kBehind) {
+    return false;
+  }
+  crossing.gap = -crossing.normal.dot(lines.between);
+  return true;
 }
 
 struct Found {
@@ -137,31 +196,11 @@ bool with_edges(const Options& options) {
 
 bool crossing_of(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
                  std::int32_t b, EdgeCrossing& crossing) {
-  const auto& edge_a = topology.sharp_edge[static_cast<std::size_t>(a)];
-  const auto& edge_b = topology.sharp_edge[static_cast<std::size_t>(b)];
-  const Vec3 u = at(x, edge_a.vertex[1]) - at(x, edge_a.vertex[0]);
-  const Vec3 v = at(x, edge_b.vertex[1]) - at(x, edge_b.vertex[0]);
-  const Vec3 across = u.cross(v);
-  const Real across2 = across.squaredNorm();
-  if (!(across2 > kParallel * kParallel * u.squaredNorm() * v.squaredNorm())) return false;
-  const Vec3 between = at(x, edge_b.vertex[0]) - at(x, edge_a.vertex[0]);
-  crossing.along_a = between.cross(v).dot(across) / across2;
-  crossing.along_b = between.cross(u).dot(across) / across2;
-  if (std::abs(crossing.along_a - Real(0.5)) > 1.0 ||
-      std::abs(crossing.along_b - Real(0.5)) > 1.0) {
-    return false;  // far from it, before anything else is computed
-  }
-  crossing.normal = across / std::sqrt(across2);
-  const Vec3 b0 = into_face(x, edge_b, 0), b1 = into_face(x, edge_b, 1);
-  if (crossing.normal.dot(b0 + b1) > 0.0) crossing.normal = -crossing.normal;
-  if (std::max(crossing.normal.dot(b0), crossing.normal.dot(b1)) > kBehind) return false;
-  const Vec3 a0 = into_face(x, edge_a, 0), a1 = into_face(x, edge_a, 1);
-  if (crossing.normal.dot(a0 + a1) <= 0.0 ||
-      std::min(crossing.normal.dot(a0), crossing.normal.dot(a1)) < -kBehind) {
-    return false;
-  }
-  crossing.gap = -crossing.normal.dot(between);
-  return true;
+  LinePair lines;
+  const auto frame = [&](std::int32_t e) {
+    return frame_of(x, topology.sharp_edge[static_cast<std::size_t>(e)]);
+  };
+  return meet(topology, x, a, b, lines, crossing) && face(lines, frame(a), frame(b), crossing);
 }
 
 void crossing_edges(const Scene& scene, const Options& options, const State& state,
@@ -207,16 +246,24 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
     const Real nearing = -relative.dot(pair.crossing.normal);
     return nearing > kNearing * relative.norm() && -pair.crossing.gap <= kJustNow * nearing;
   };
+  const EdgeFrames frame(topology, workspace.search);
   std::vector<Found> found;
   for (const ContactKey key : workspace.search.edge_candidate) {
     Found pair{key, first_of(key), second_of(key), {}};
-    if (!crossing_of(topology, x, pair.a, pair.b, pair.crossing)) continue;
-    const Real gap = pair.crossing.gap;
     const auto lies_within = [&](const EndMargins& margins) {
-      return inside_ends(topology, x, pair.a, pair.b, pair.crossing, margins) >= 0.0;
+      const auto inside = [&](std::int32_t e, Real along) {
+        return inside_ends(topology.sharp_edge[static_cast<std::size_t>(e)], frame(e).length, along,
+                           margins) >= 0.0;
+      };
+      return inside(pair.a, pair.crossing.along_a) && inside(pair.b, pair.crossing.along_b);
     };
+    LinePair lines;
+    if (!meet(topology, x, pair.a, pair.b, lines, pair.crossing) || !lies_within(lasts) ||
+        !face(lines, frame(pair.a), frame(pair.b), pair.crossing)) {
+      continue;
+    }
+    const Real gap = pair.crossing.gap;
     const auto touches = [&] {
-      if (!lies_within(lasts)) return false;
       if (std::binary_search(last.begin(), last.end(), key)) return gap < widest;
       if (!(gap < 0.0)) return false;
       const EndMargins begins{-kOnJoint * topology.mean_edge, std::min(deepest, kFarther * -gap)};

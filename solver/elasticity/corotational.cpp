@@ -160,7 +160,7 @@ STICTION_LANES_INLINE void add_viscous_stress(const ElementGroup<Bytes>& group,
 // Adds the forces of the corners, an element after the other.
 template <int Bytes>
 STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
-                               const std::vector<Velocity>& velocity, std::vector<Vec3>& force) {
+                               const std::vector<Velocity>& velocity, std::vector<Force>& force) {
   using Number = Lanes<Bytes>;
   LaneSymmetric<Number> a;
   LaneMatrix<Number> b;
@@ -171,17 +171,18 @@ STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
   const LaneMatrix<Number> corner = minus_stress * group.inverse.transpose();
   const auto& [f1, f2, f3] = corner.column;
   const LaneVector<Number> minus_f0 = f1 + (f2 + f3);
-  Real forces[4][Number::kCount][4];
+  FourNumbers forces[4][Number::kCount];
   store_records(minus_f0.x, minus_f0.y, minus_f0.z, forces[0]);
   store_records(f1.x, f1.y, f1.z, forces[1]);
   store_records(f2.x, f2.y, f2.z, forces[2]);
   store_records(f3.x, f3.y, f3.z, forces[3]);
   for (int lane = 0; lane < group.count; ++lane) {
-    const auto at = [&](int k) -> Vec3& {
-      return force[static_cast<std::size_t>(group.of[lane]->vertex[k])];
+    const auto at = [&](int k) -> FourNumbers& {
+      const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
+      return reinterpret_cast<FourNumbers&>(force[vertex]);
     };
-    for (int k = 1; k < 4; ++k) at(k) += Eigen::Map<const Vec3>(forces[k][lane]);
-    at(0) -= Eigen::Map<const Vec3>(forces[0][lane]);
+    for (int k = 1; k < 4; ++k) at(k) += forces[k][lane];
+    at(0) -= forces[0][lane];
   }
 }
 
@@ -190,7 +191,7 @@ constexpr int kGroups = 4;
 
 template <int Bytes>
 STICTION_LANES_INLINE void add_forces(const std::vector<Element>& elements, const State& state,
-                                      std::vector<Vec3>& force) {
+                                      std::vector<Force>& force) {
   constexpr std::size_t kLanes = Lanes<Bytes>::kCount;
   for (std::size_t e = 0; e < elements.size();) {
     ElementGroup<Bytes> group[kGroups];
@@ -212,27 +213,27 @@ STICTION_LANES_INLINE void add_forces(const std::vector<Element>& elements, cons
 }
 
 void add_forces_2(const std::vector<Element>& elements, const State& state,
-                  std::vector<Vec3>& force) {
+                  std::vector<Force>& force) {
   add_forces<16>(elements, state, force);
 }
 STICTION_TARGET_4 void add_forces_4(const std::vector<Element>& elements, const State& state,
-                                    std::vector<Vec3>& force) {
+                                    std::vector<Force>& force) {
   add_forces<32>(elements, state, force);
 }
 STICTION_TARGET_8 void add_forces_8(const std::vector<Element>& elements, const State& state,
-                                    std::vector<Vec3>& force) {
+                                    std::vector<Force>& force) {
   add_forces<64>(elements, state, force);
 }
 
 }  // namespace
 
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Vec3>& force, int width) {
+                             std::vector<Force>& force, int width) {
   (width == 8 ? add_forces_8 : width == 4 ? add_forces_4 : add_forces_2)(elements, state, force);
 }
 
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Vec3>& force) {
+                             std::vector<Force>& force) {
   add_corotational_forces(elements, state, force, lane_width());
 }
 

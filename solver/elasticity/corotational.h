@@ -18,11 +18,11 @@ namespace stiction {
 /// strain rate it is zero for every rigid motion, keeps angular momentum to round-off (P Fᵀ is
 /// symmetric) and never creates energy (β · 2μ|Ė|² + λ tr² ≥ 0).
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Vec3>& force);
+                             std::vector<Force>& force);
 
 /// At one of `lane_widths`: the same forces to the bit.
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Vec3>& force, int width);
+                             std::vector<Force>& force, int width);
 
 /// Elastic energy Σ V (μ|S − I|² + ½λ tr²(S − I)), J.
 double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position);

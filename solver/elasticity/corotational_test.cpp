@@ -22,10 +22,16 @@ Scene cube(const Material& material = kMaterial) {
   return build_scene(test::one_body(test::elastic_body(test::cube_mesh(2), material)));
 }
 
+std::vector<Vec3> vectors(const std::vector<Force>& forces) {
+  std::vector<Vec3> vectors;
+  for (const Force& force : forces) vectors.push_back(force.f);
+  return vectors;
+}
+
 std::vector<Vec3> forces(const Scene& scene, const State& state) {
-  std::vector<Vec3> force(state.position.size(), Vec3::Zero());
+  std::vector<Force> force(state.position.size());
   add_corotational_forces(scene.elements, state, force);
-  return force;
+  return vectors(force);
 }
 
 double sum_of_norms(const std::vector<Vec3>& vectors) {
@@ -186,11 +192,11 @@ TEST(ElasticForces, AreAddedToWhatIsThere) {
   const Scene scene = cube();
   const State state = deformed(scene, 3);
   const std::vector<Vec3> alone = forces(scene, state);
-  std::vector<Vec3> force(alone.size(), Vec3(1e9, 0, 0));
+  std::vector<Force> force(alone.size(), {Vec3(1e9, 0, 0)});
   add_corotational_forces(scene.elements, state, force);
   // Sums near 1e9 N are rounded by 1e-7 N, once an element.
   for (std::size_t k = 0; k < alone.size(); ++k) {
-    EXPECT_LT((force[k] - Vec3(1e9, 0, 0) - alone[k]).norm(), 24 * 1.2e-7);
+    EXPECT_LT((force[k].f - Vec3(1e9, 0, 0) - alone[k]).norm(), 24 * 1.2e-7);
   }
 }
 
@@ -228,9 +234,9 @@ struct Separate {
 };
 
 std::vector<Vec3> forces_at(const Scene& scene, const State& state, int width) {
-  std::vector<Vec3> force(state.position.size(), Vec3::Zero());
+  std::vector<Force> force(state.position.size());
   add_corotational_forces(scene.elements, state, force, width);
-  return force;
+  return vectors(force);
 }
 
 void expect_same_bits_at_each_width(const Scene& scene, const State& state) {
@@ -263,11 +269,11 @@ TEST(ElasticForces, OfAnElementDoNotDependOnThoseBesideIt) {
            {false, true, true, false, true, true, false}, {true}, {false, false, true}}) {
     const Separate separate(inverted);
     const std::vector<Vec3> together = forces(separate.scene, separate.state);
-    std::vector<Vec3> alone(together.size(), Vec3::Zero());
+    std::vector<Force> alone(together.size());
     for (const Element& element : separate.scene.elements) {
       add_corotational_forces({element}, separate.state, alone);
     }
-    for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(together[k], alone[k]) << k;
+    for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(together[k], alone[k].f) << k;
   }
 }
 

@@ -13,6 +13,9 @@ struct LaneVector {
   STICTION_LANES_INLINE friend LaneVector operator+(const LaneVector& a, const LaneVector& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
   }
+  STICTION_LANES_INLINE friend LaneVector operator-(const LaneVector& a, const LaneVector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
   STICTION_LANES_INLINE friend LaneVector operator-(const LaneVector& a) {
     return {-a.x, -a.y, -a.z};
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 #include "solver/real.h"
 
@@ -12,6 +13,9 @@
 #define STICTION_LANES_INLINE [[gnu::always_inline]] inline
 
 namespace stiction {
+
+/// A record of four numbers as one value. May stand for any struct of four.
+using FourNumbers = Real __attribute__((vector_size(4 * sizeof(Real)), may_alias));
 
 template <int Bytes>
 struct LaneRegister;
@@ -105,24 +109,30 @@ struct Lanes {
 inline Real choose(bool where, Real yes, Real no) { return where ? yes : no; }
 inline bool all_zero(Real x) { return x == 0; }
 
+// Halves go by way of shuffles: what goes by way of memory, written in halves and read whole, waits
+// for both.
+template <std::size_t kFrom, int Bytes>
+STICTION_LANES_INLINE Lanes<Bytes / 2> half_of(const Lanes<Bytes>& lanes) {
+  return [&]<std::size_t... kLane>(std::index_sequence<kLane...>) __attribute__((always_inline)) {
+    return Lanes<Bytes / 2>::of(
+        __builtin_shufflevector(lanes.value, lanes.value, (kFrom + kLane)...));
+  }
+  (std::make_index_sequence<Lanes<Bytes / 2>::kCount>());
+}
 template <int Bytes>
 STICTION_LANES_INLINE Lanes<Bytes / 2> low_half(const Lanes<Bytes>& lanes) {
-  Lanes<Bytes / 2> half;
-  std::memcpy(&half.value, &lanes.value, Bytes / 2);
-  return half;
+  return half_of<0>(lanes);
 }
 template <int Bytes>
 STICTION_LANES_INLINE Lanes<Bytes / 2> high_half(const Lanes<Bytes>& lanes) {
-  Lanes<Bytes / 2> half;
-  std::memcpy(&half.value, reinterpret_cast<const char*>(&lanes.value) + Bytes / 2, Bytes / 2);
-  return half;
+  return half_of<Lanes<Bytes / 2>::kCount>(lanes);
 }
 template <int Bytes>
 STICTION_LANES_INLINE Lanes<2 * Bytes> joined(const Lanes<Bytes>& low, const Lanes<Bytes>& high) {
-  const typename Lanes<Bytes>::Register halves[2] = {low.value, high.value};
-  Lanes<2 * Bytes> whole;
-  std::memcpy(&whole.value, halves, 2 * Bytes);
-  return whole;
+  return [&]<std::size_t... kLane>(std::index_sequence<kLane...>) __attribute__((always_inline)) {
+    return Lanes<2 * Bytes>::of(__builtin_shufflevector(low.value, high.value, kLane...));
+  }
+  (std::make_index_sequence<Lanes<2 * Bytes>::kCount>());
 }
 
 /// Four numbers of each of as many records as there are lanes, number by number: what `columns[k]`
@@ -165,25 +175,27 @@ STICTION_LANES_INLINE void load_records(const Real* const* record, Lanes<Bytes>*
 /// The way back, of three numbers and a fourth that is 0: record[l] = {x, y, z, 0} of lane l.
 template <int Bytes>
 STICTION_LANES_INLINE void store_records(const Lanes<Bytes>& x, const Lanes<Bytes>& y,
-                                         const Lanes<Bytes>& z, Real (*record)[4]) {
+                                         const Lanes<Bytes>& z, FourNumbers* record) {
   constexpr int kCount = Lanes<Bytes>::kCount;
   using Register = typename Lanes<Bytes>::Register;
+  Real* const to = reinterpret_cast<Real*>(record);
+  const auto store = [to](const Register& numbers, int at) __attribute__((always_inline)) {
+    std::memcpy(to + at, &numbers, Bytes);
+  };
   if constexpr (kCount == 2) {
-    const Register rows[2][2] = {{__builtin_shufflevector(x.value, y.value, 0, 2),
-                                  __builtin_shufflevector(z.value, Register{}, 0, 2)},
-                                 {__builtin_shufflevector(x.value, y.value, 1, 3),
-                                  __builtin_shufflevector(z.value, Register{}, 1, 3)}};
-    std::memcpy(record, rows, sizeof rows);
+    store(__builtin_shufflevector(x.value, y.value, 0, 2), 0);
+    store(__builtin_shufflevector(z.value, Register{}, 0, 2), 2);
+    store(__builtin_shufflevector(x.value, y.value, 1, 3), 4);
+    store(__builtin_shufflevector(z.value, Register{}, 1, 3), 6);
   } else if constexpr (kCount == 4) {
     const auto xy_even = __builtin_shufflevector(x.value, y.value, 0, 4, 2, 6);
     const auto xy_odd = __builtin_shufflevector(x.value, y.value, 1, 5, 3, 7);
     const auto z_even = __builtin_shufflevector(z.value, Register{}, 0, 4, 2, 6);
     const auto z_odd = __builtin_shufflevector(z.value, Register{}, 1, 5, 3, 7);
-    const Register rows[4] = {__builtin_shufflevector(xy_even, z_even, 0, 1, 4, 5),
-                              __builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5),
-                              __builtin_shufflevector(xy_even, z_even, 2, 3, 6, 7),
-                              __builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7)};
-    std::memcpy(record, rows, sizeof rows);
+    store(__builtin_shufflevector(xy_even, z_even, 0, 1, 4, 5), 0);
+    store(__builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5), 4);
+    store(__builtin_shufflevector(xy_even, z_even, 2, 3, 6, 7), 8);
+    store(__builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7), 12);
   } else {
     store_records(low_half(x), low_half(y), low_half(z), record);
     store_records(high_half(x), high_half(y), high_half(z), record + kCount / 2);

@@ -72,7 +72,7 @@ TYPED_TEST(EachRegister, LoadsAndStoresRecords) {
   for (int lane = 0; lane < kCount; ++lane) {
     for (int k = 0; k < 4; ++k) EXPECT_EQ(columns[k][lane], 10 * lane + k) << lane << ", " << k;
   }
-  Real back[kCount][4];
+  FourNumbers back[kCount];
   store_records(columns[0], columns[1], columns[2], back);
   for (int lane = 0; lane < kCount; ++lane) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(back[lane][k], 10 * lane + k) << lane << ", " << k;

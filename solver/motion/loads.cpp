@@ -17,25 +17,25 @@ void for_vertices(const Body& body, const Each& each) {
   }
 }
 
-void add_force(const Scene& scene, const Body& body, const Vec3& load, std::vector<Vec3>& force) {
-  for_vertices(body, [&](std::size_t v) { force[v] += scene.mass[v] / body.mass * load; });
+void add_force(const Scene& scene, const Body& body, const Vec3& load, std::vector<Force>& force) {
+  for_vertices(body, [&](std::size_t v) { force[v].f += scene.mass[v] / body.mass * load; });
 }
 
 void add_couple(const Scene& scene, const State& state, const Body& body,
-                const Eigen::Vector3d& couple, std::vector<Vec3>& force) {
+                const Eigen::Vector3d& couple, std::vector<Force>& force) {
   if (couple.isZero(0.0)) return;
   const Vec3 centre = centre_of_mass(scene, state, body).cast<Real>();
   const Vec3 turning =
       inertia(scene, state, body).completeOrthogonalDecomposition().solve(couple).cast<Real>();
   for_vertices(body, [&](std::size_t v) {
-    force[v] += scene.mass[v] * turning.cross(state.position[v].x - centre);
+    force[v].f += scene.mass[v] * turning.cross(state.position[v].x - centre);
   });
 }
 
 }  // namespace
 
 void add_load_forces(const Scene& scene, double time, const State& state,
-                     std::vector<Vec3>& force) {
+                     std::vector<Force>& force) {
   for (const Load& load : scene.loads) {
     const Body& body = scene.bodies[load.body];
     add_force(scene, body, load.force.at(time).cast<Real>(), force);

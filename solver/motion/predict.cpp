@@ -3,25 +3,25 @@
 
 namespace stiction {
 
-void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force) {
+void gravity_forces(const Scene& scene, double time, std::vector<Force>& force) {
   const Vec3 g = scene.gravity.at(time).cast<Real>();
   force.resize(scene.mass.size());
-  for (std::size_t k = 0; k < force.size(); ++k) force[k] = scene.mass[k] * g;
+  for (std::size_t k = 0; k < force.size(); ++k) force[k] = {scene.mass[k] * g, 0};
 }
 
 void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity>& velocity,
-                     std::vector<Vec3>& force) {
+                     std::vector<Force>& force) {
   const auto rate = static_cast<Real>(scene.drag.at(time));
   if (rate == 0.0) return;
-  for (std::size_t k = 0; k < force.size(); ++k) force[k] -= rate * scene.mass[k] * velocity[k].v;
+  for (std::size_t k = 0; k < force.size(); ++k) force[k].f -= rate * scene.mass[k] * velocity[k].v;
 }
 
-void predict(Real dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
+void predict(Real dt, const std::vector<Force>& force, const std::vector<Velocity>& velocity_t0,
              std::vector<Velocity>& predicted) {
   predicted.resize(velocity_t0.size());
   for (std::size_t k = 0; k < predicted.size(); ++k) {
     const Velocity& old = velocity_t0[k];
-    predicted[k] = {old.v + dt * old.inverse_mass * force[k], old.inverse_mass};
+    predicted[k] = {old.v + dt * old.inverse_mass * force[k].f, old.inverse_mass};
   }
 }
 

@@ -8,14 +8,14 @@ namespace stiction {
 
 /// Fᵢ = mᵢ g(t), N; `force` gets the scene's vertex count. Pinned vertices get a force too; it
 /// moves nothing.
-void gravity_forces(const Scene& scene, double time, std::vector<Vec3>& force);
+void gravity_forces(const Scene& scene, double time, std::vector<Force>& force);
 
 /// Adds −mᵢ c(t) vᵢ, N, while there is drag.
 void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity>& velocity,
-                     std::vector<Vec3>& force);
+                     std::vector<Force>& force);
 
 /// v* = v_t0 + Δt F/m, per vertex; 1/m = 0 where pinned.
-void predict(Real dt, const std::vector<Vec3>& force, const std::vector<Velocity>& velocity_t0,
+void predict(Real dt, const std::vector<Force>& force, const std::vector<Velocity>& velocity_t0,
              std::vector<Velocity>& predicted);
 
 /// Gives the pinned vertices of bodies with a motion the mean velocity of that motion over the step

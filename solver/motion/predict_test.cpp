@@ -14,9 +14,11 @@ TEST(GravityForces, AreMassTimesGravityAtThatTime) {
   SceneDescription description = test::one_body(test::point_masses(points, 2.0));
   description.gravity = {{0.0, 2.0}, {Vec3::Zero(), Vec3(4, 0, -8)}};
   const Scene scene = build_scene(description);
-  std::vector<Vec3> force(7, Vec3::Constant(test::kNaN));  // what it held does not matter
+  std::vector<Force> force(
+      7, {Vec3::Constant(test::kNaN), test::kNaN});  // what it held does not matter
   gravity_forces(scene, 1.0, force);
-  EXPECT_EQ(force, (std::vector<Vec3>{Vec3(4, 0, -8), Vec3(4, 0, -8)}));
+  ASSERT_EQ(force.size(), 2u);
+  for (const Force& each : force) EXPECT_EQ(each.f, Vec3(4, 0, -8));
 }
 
 TEST(DragForces, OpposeTheVelocityWhileTheyLast) {
@@ -25,17 +27,17 @@ TEST(DragForces, OpposeTheVelocityWhileTheyLast) {
   description.drag = {.rate = 3.0, .full_until = 1.0, .ends = 2.0};
   const Scene scene = build_scene(description);
   const std::vector<Velocity> velocity = {{Vec3(1, 0, -2), 0.5}};
-  std::vector<Vec3> force = {Vec3(1, 1, 1)};
+  std::vector<Force> force = {{Vec3(1, 1, 1)}};
   add_drag_forces(scene, 0.5, velocity, force);
-  EXPECT_EQ(force[0], Vec3(-5, 1, 13));
+  EXPECT_EQ(force[0].f, Vec3(-5, 1, 13));
   add_drag_forces(scene, 2.0, velocity, force);
-  EXPECT_EQ(force[0], Vec3(-5, 1, 13));
+  EXPECT_EQ(force[0].f, Vec3(-5, 1, 13));
 }
 
 TEST(Predict, AddsForceOverMassForOneStep) {
   const std::vector<Velocity> start = {{Vec3(1, 2, 3), 0.5}};
   std::vector<Velocity> predicted;
-  predict(0.25, {Vec3(8, 0, -16)}, start, predicted);
+  predict(0.25, {{Vec3(8, 0, -16)}}, start, predicted);
   ASSERT_EQ(predicted.size(), 1u);
   EXPECT_EQ(predicted[0].v, Vec3(2, 2, 1));
   EXPECT_EQ(predicted[0].inverse_mass, 0.5);
@@ -44,7 +46,7 @@ TEST(Predict, AddsForceOverMassForOneStep) {
 TEST(Predict, MovesNoPinnedVertex) {
   const std::vector<Velocity> start = {{Vec3::Zero(), 0.0}};
   std::vector<Velocity> predicted = {{Vec3::Constant(test::kNaN), test::kNaN}};
-  predict(0.25, {Vec3(8, 0, -16)}, start, predicted);
+  predict(0.25, {{Vec3(8, 0, -16)}}, start, predicted);
   EXPECT_EQ(predicted[0].v, Vec3::Zero());
 }
 
