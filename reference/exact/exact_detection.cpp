@@ -24,9 +24,10 @@ using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Gmpq;
 using Rational = CGAL::Simple_cartesian<Exact>;
 using Triangle = Rational::Triangle_3;
-using Iterator = std::vector<Triangle>::const_iterator;
-using Primitive = CGAL::AABB_triangle_primitive<Rational, Iterator>;
-using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Rational, Primitive>>;
+// A tree over doubles says about how far the surface is; rationals decide among what is near.
+using Iterator = std::vector<Filtered::Triangle_3>::const_iterator;
+using Primitive = CGAL::AABB_triangle_primitive<Filtered, Iterator>;
+using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Filtered, Primitive>>;
 using Corners = Eigen::Matrix<double, 3, 4>;
 using Eigen::Index;
 using Eigen::Vector3d;
@@ -129,6 +130,7 @@ Rational::Point_3 combine(const Triangle& t, const std::array<Exact, 3>& w) {
 
 struct ExactBody::Tree {
   std::vector<Triangle> triangles;
+  std::vector<Filtered::Triangle_3> rounded;  ///< the same; what is reckoned from them is rounded
   std::vector<Eigen::AlignedBox3d> boxes;  ///< of the triangles
   AabbTree tree;
 };
@@ -174,9 +176,10 @@ ExactBody::ExactBody(const TetMesh& mesh) : mesh_(mesh), tree_(std::make_unique<
       box.extend(x[static_cast<std::size_t>(k)]);
     }
     tree_->triangles.emplace_back(rational(x[0]), rational(x[1]), rational(x[2]));
+    tree_->rounded.emplace_back(filtered(x[0]), filtered(x[1]), filtered(x[2]));
     tree_->boxes.push_back(box);
   }
-  tree_->tree.rebuild(tree_->triangles.cbegin(), tree_->triangles.cend());
+  tree_->tree.rebuild(tree_->rounded.cbegin(), tree_->rounded.cend());
   tree_->tree.accelerate_distance_queries();
 }
 
@@ -219,28 +222,40 @@ Side ExactBody::side(const Vector3d& point) const {
 ClosestPoint ExactBody::closest_point(const Vector3d& point) const {
   demand(point.allFinite(), "a coordinate is not finite");
   const Rational::Point_3 p = rational(point);
-  const Exact least = tree_->tree.squared_distance(p);
-  ClosestPoint result;
-  result.squared_distance = nearest(least);
-  // Boxes in doubles, with room for their rounding, leave a few triangles to compare exactly.
-  const double reach = result.squared_distance * (1.0 + 1e-12) + 1e-300;
-  Rational::Point_3 first;
+  // Far above the rounding of a distance that doubles say. Boxes within it leave a few triangles to
+  // compare exactly.
+  const double about =
+      std::sqrt(tree_->tree.squared_distance(filtered(point))) * (1.0 + 1e-6) +
+      1e-9 * std::max(point.cwiseAbs().maxCoeff(), mesh_.vertices.cwiseAbs().maxCoeff());
+  struct Near {
+    Index triangle;
+    std::array<Exact, 3> weights;
+    Rational::Point_3 foot;
+    Exact squared_distance;
+  };
+  std::vector<Near> near;
   for (Index f = 0; f < surface_.cols(); ++f) {
     const auto k = static_cast<std::size_t>(f);
-    if (tree_->boxes[k].squaredExteriorDistance(point) > reach) continue;
-    const Triangle& triangle = tree_->triangles[k];
-    const std::array<Exact, 3> weights = closest_weights(p, triangle);
-    const Rational::Point_3 foot = combine(triangle, weights);
-    if (CGAL::squared_distance(p, foot) != least) continue;
-    if (result.triangles.empty()) {
-      first = foot;
-      result.triangle = f;
-      result.point = nearest(foot);
-      for (std::size_t c = 0; c < 3; ++c)
-        result.weights[static_cast<Index>(c)] = nearest(weights[c]);
-    }
-    result.unique_point = result.unique_point && foot == first;
-    result.triangles.push_back(f);
+    if (tree_->boxes[k].squaredExteriorDistance(point) > about * about) continue;
+    const std::array<Exact, 3> weights = closest_weights(p, tree_->triangles[k]);
+    const Rational::Point_3 foot = combine(tree_->triangles[k], weights);
+    near.push_back({f, weights, foot, CGAL::squared_distance(p, foot)});
+  }
+  const auto by_distance = [](const Near& a, const Near& b) {
+    return a.squared_distance < b.squared_distance;
+  };
+  const Near& nearest_one = *std::min_element(near.begin(), near.end(), by_distance);
+  ClosestPoint result;
+  result.squared_distance = nearest(nearest_one.squared_distance);
+  result.triangle = nearest_one.triangle;  // the first of equals
+  result.point = nearest(nearest_one.foot);
+  for (std::size_t c = 0; c < 3; ++c) {
+    result.weights[static_cast<Index>(c)] = nearest(nearest_one.weights[c]);
+  }
+  for (const Near& each : near) {
+    if (each.squared_distance != nearest_one.squared_distance) continue;
+    result.unique_point = result.unique_point && each.foot == nearest_one.foot;
+    result.triangles.push_back(each.triangle);
   }
   return result;
 }

@@ -237,10 +237,9 @@ std::string BallOptions::check() const {
   return {};
 }
 
-TetMesh ball_mesh(const BallOptions& options) {
-  if (const std::string wrong = options.check(); !wrong.empty()) {
-    throw std::invalid_argument("ball mesh: " + wrong);
-  }
+namespace {
+
+TetMesh make_ball(const BallOptions& options) {
   const Icosahedron solid;
   const Vertices vertices(solid, options);
   const std::vector<Tetrahedron> tetrahedra = fill(solid, vertices, options.frequency);
@@ -258,6 +257,32 @@ TetMesh ball_mesh(const BallOptions& options) {
     }
   }
   return mesh;
+}
+
+}  // namespace
+
+TetMesh ball_mesh(const BallOptions& options) {
+  if (const std::string wrong = options.check(); !wrong.empty()) {
+    throw std::invalid_argument("ball mesh: " + wrong);
+  }
+  // Searches ask for the same few balls in each of their simulations.
+  struct Kept {
+    BallOptions options;
+    TetMesh mesh;
+  };
+  constexpr std::size_t kMost = 8;
+  thread_local std::vector<Kept> kept;  // the last asked for at the end
+  const auto found = std::find_if(kept.begin(), kept.end(), [&](const Kept& one) {
+    return one.options.radius == options.radius && one.options.frequency == options.frequency &&
+           one.options.rotation == options.rotation;
+  });
+  if (found != kept.end()) {
+    std::rotate(found, found + 1, kept.end());
+  } else {
+    kept.push_back({options, make_ball(options)});
+    if (kept.size() > kMost) kept.erase(kept.begin());
+  }
+  return kept.back().mesh;
 }
 
 Eigen::Matrix3d turned_down(const Vector3d& from) {

@@ -83,8 +83,7 @@ double mann_whitney_p(const std::vector<double>& a, const std::vector<double>& b
 
 double median(std::vector<double> values) {
   if (values.empty()) throw std::invalid_argument("An empty sample has no median.");
-  std::sort(values.begin(), values.end());
-  return gsl_stats_median_from_sorted_data(values.data(), 1, values.size());
+  return gsl_stats_median(values.data(), 1, values.size());
 }
 
 Interval bootstrap_median_ratio(const std::vector<double>& a, const std::vector<double>& b,
