@@ -62,7 +62,7 @@ class Pass {
       build_links(scene_, scratch_.links);
       scratch_.first_contact.assign(scene_.mass.size(), -1);
     }
-    scratch_.walk.begin(scene_.elements.size());
+    scratch_.walk.begin(scene_.elements.size(), scene_.topology.triangle.size());
     scratch_.level.assign(pairs_.size(), 0);
     scratch_.front.clear();
     for (std::size_t c = pairs_.size(); c-- > 0;) {

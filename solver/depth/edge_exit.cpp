@@ -17,15 +17,6 @@ constexpr Real kPi = 3.14159265358979323846;
 // common edge, rounding is divided by the sine of the segment's slope to them.
 constexpr Real kSame = 16.0;
 
-// Heights of the ends of a segment above a plane, times the length of the plane's normal.
-struct Heights {
-  Real p, q, slack;
-
-  Heights(const Vec3& normal, const Vec3& on_plane, const Vec3& from, const Vec3& to, Real thin)
-      : p(normal.dot(from - on_plane)), q(normal.dot(to - on_plane)), slack(thin * normal.norm()) {}
-  Real at(Real t) const { return p + t * (q - p); }
-};
-
 FacePlanes face_planes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   using Four = FacePlanes::Four;
   const auto of_faces = [](const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3) {
@@ -56,22 +47,30 @@ Real angle_around(const std::array<Vec3, 3>& corner, const std::array<bool, 3>& 
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-void hit_triangle(const std::array<Vec3, 3>& corner, const Vec3& p, const Vec3& q, Real thin,
-                  std::vector<WalkScratch::Hit>& hits) {
-  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  const Heights h(normal, corner[0], p, q, thin);
-  if (!(h.p <= h.slack && h.q > h.slack)) return;
+TrianglePlane plane_of(const std::array<Vec3, 3>& corner) {
+  TrianglePlane plane;
+  plane.normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  plane.length = plane.normal.norm();
+  plane.unit = plane.normal.normalized();
+  for (std::size_t k = 0; k < 3; ++k) plane.edge[k] = (corner[(k + 1) % 3] - corner[k]).norm();
+  return plane;
+}
+
+// `length`: of the segment p → q, m.
+void hit_triangle(const std::array<Vec3, 3>& corner, const TrianglePlane& plane, const Vec3& p,
+                  const Vec3& q, Real length, Real thin, std::vector<WalkScratch::Hit>& hits) {
+  const Real p_height = plane.normal.dot(p - corner[0]), q_height = plane.normal.dot(q - corner[0]);
+  if (const Real slack = thin * plane.length; !(p_height <= slack && q_height > slack)) return;
   const Vec3 along = q - p;
   std::array<bool, 3> touched = {};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 &a = corner[k], &b = corner[(k + 1) % 3];
-    const Real side = along.dot((a - p).cross(b - p));
-    const Real slack = thin * along.norm() * (b - a).norm();
+    const Real side = along.dot((corner[k] - p).cross(corner[(k + 1) % 3] - p));
+    const Real slack = thin * length * plane.edge[k];
     if (!(side >= -slack)) return;
     touched[k] = side <= slack;
   }
-  hits.push_back(
-      {std::max(Real(0), -h.p / (h.q - h.p)), normal.normalized(), angle_around(corner, touched)});
+  hits.push_back({std::max(Real(0), -p_height / (q_height - p_height)), plane.unit,
+                  angle_around(corner, touched)});
 }
 
 // One crossing of those that are as near as the nearest.
@@ -92,8 +91,10 @@ Exit merge(const std::vector<WalkScratch::Hit>& hits, Real first, Real same) {
 
 }  // namespace
 
-void WalkScratch::begin(std::size_t elements) {
+void WalkScratch::begin(std::size_t elements, std::size_t triangles) {
   ++positions;
+  triangle.resize(triangles);
+  triangle_at.resize(triangles, 0);
   visited.resize(elements, 0);
   planes.resize(elements);
   planes_at.resize(elements, 0);
@@ -148,8 +149,14 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
         visit(behind);
         continue;
       }
-      const auto& c = scene.topology.triangle[static_cast<std::size_t>(-1 - behind)].vertex;
-      hit_triangle({at(c[0]), at(c[1]), at(c[2])}, p, q, thin, scratch.hit);
+      const auto t = static_cast<std::size_t>(-1 - behind);
+      const auto& c = scene.topology.triangle[t].vertex;
+      const std::array<Vec3, 3> corner = {at(c[0]), at(c[1]), at(c[2])};
+      if (scratch.triangle_at[t] != scratch.positions) {
+        scratch.triangle_at[t] = scratch.positions;
+        scratch.triangle[t] = plane_of(corner);
+      }
+      hit_triangle(corner, scratch.triangle[t], p, q, length, thin, scratch.hit);
     }
     for (const WalkScratch::Hit& hit : scratch.hit) first = std::min(first, hit.t);
   }

@@ -19,6 +19,14 @@ struct FacePlanes {
   Four length;              ///< of the normal, m²
 };
 
+/// … and of a surface triangle.
+struct TrianglePlane {
+  Vec3 normal;   ///< outward, m²
+  Real length;   ///< of the normal, m²
+  Vec3 unit;     ///< the normal over that
+  Real edge[3];  ///< lengths of its edges, m
+};
+
 /// Scratch memory of walks.
 struct WalkScratch {
   struct Hit {
@@ -30,12 +38,15 @@ struct WalkScratch {
   std::uint64_t walk = 0;
   std::vector<FacePlanes> planes;        ///< per element, at …
   std::vector<std::uint64_t> planes_at;  ///< … these positions
-  std::uint64_t positions = 0;           ///< number of times that they have changed
+  std::vector<TrianglePlane> triangle;   ///< per surface triangle, at …
+  std::vector<std::uint64_t> triangle_at;  ///< … these
+  std::uint64_t positions = 0;             ///< number of times that they have changed
   std::vector<std::int32_t> stack;
   std::vector<Hit> hit;
 
-  /// Before the first walk at new positions, or in another scene with so many elements.
-  void begin(std::size_t elements);
+  /// Before the first walk at new positions, or in another scene, with so many elements and surface
+  /// triangles.
+  void begin(std::size_t elements, std::size_t triangles);
 };
 
 /// Where the segment p → q leaves a body.

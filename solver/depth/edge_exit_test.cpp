@@ -48,7 +48,7 @@ struct Walked {
     scene = build_scene(description);
     for (const Position& at : initial_state(scene).position) x.push_back(at.x);
     build_links(scene, links);
-    scratch.begin(scene.elements.size());
+    scratch.begin(scene.elements.size(), scene.topology.triangle.size());
   }
   std::int32_t element_at(const Vec3& p) const {
     for (std::size_t e = 0; e < scene.elements.size(); ++e) {
