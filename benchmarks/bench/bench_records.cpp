@@ -45,7 +45,7 @@ Record workload_record(const Measure::Settled& settled, const std::vector<Result
     record.cost.phase_seconds[kPhaseNames[static_cast<std::size_t>(chosen.timed.phase)]] =
         result.seconds * static_cast<double>(settled.steps);
     if (chosen.timed.phase == Phase::kNormalForce || chosen.timed.phase == Phase::kFriction) {
-      record.cost.ns_per_contact_update += 1e9 * result.seconds / result.contacts;
+      record.cost.contact_phases.median += 1e9 * result.seconds / result.contacts;
     }
   }
   record.verdict = verdict_of(record);

@@ -86,6 +86,15 @@ double median(std::vector<double> values) {
   return gsl_stats_median(values.data(), 1, values.size());
 }
 
+Quartiles quartiles(std::vector<double> values) {
+  if (values.empty()) throw std::invalid_argument("An empty sample has no quartiles.");
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return gsl_stats_quantile_from_sorted_data(values.data(), 1, values.size(), share);
+  };
+  return {at(0.25), at(0.5), at(0.75)};
+}
+
 Interval bootstrap_median_ratio(const std::vector<double>& a, const std::vector<double>& b,
                                 double level, int resamples, std::uint64_t seed) {
   if (a.empty() || b.empty()) throw std::invalid_argument("A ratio needs two samples.");

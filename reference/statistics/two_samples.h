@@ -30,6 +30,13 @@ Interval bootstrap_median_ratio(const std::vector<double>& a, const std::vector<
 /// The middle value, or the mean of the two in the middle. Throws std::invalid_argument when empty.
 double median(std::vector<double> values);
 
+struct Quartiles {
+  double lower = 0.0, median = 0.0, upper = 0.0;
+};
+
+/// By linear interpolation between the sorted values. Throws as `median`.
+Quartiles quartiles(std::vector<double> values);
+
 /// How far apart the medians of two halves of one sample stand: |ln ratio|, of which `level` of all
 /// balanced ways to halve it are not above; of an odd count the middle one in order is left out.
 /// What a comparison of the sample with itself shows, so what no effect may be claimed below.

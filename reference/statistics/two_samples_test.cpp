@@ -136,6 +136,18 @@ TEST(TwoSamples, RefuseWhatTheyCannotJudge) {
   EXPECT_THROW(split_half_noise({1, 2, 3}, 0.95, 1), std::invalid_argument);
   EXPECT_THROW(split_half_noise({1, 2, 3, -4}, 0.95, 1), std::invalid_argument);
   EXPECT_THROW(median({}), std::invalid_argument);
+  EXPECT_THROW(quartiles({}), std::invalid_argument);
+}
+
+TEST(Quartiles, LieBetweenTheSortedValues) {
+  const Quartiles of_five = quartiles({5.0, 1.0, 4.0, 2.0, 3.0});
+  EXPECT_EQ(of_five.lower, 2.0);
+  EXPECT_EQ(of_five.median, 3.0);
+  EXPECT_EQ(of_five.upper, 4.0);
+  const Quartiles of_two = quartiles({2.0, 1.0});
+  EXPECT_EQ(of_two.lower, 1.25);
+  EXPECT_EQ(of_two.median, 1.5);
+  EXPECT_EQ(of_two.upper, 1.75);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ constexpr std::string_view kHeader =
     "case,title,engine,configuration,settings,case_verdict,case_error,"
     "quantity,unit,claim,formula,source,kind,value,expected,error,relative,scale,tolerance,reason,"
     "of_tolerance,digits,worst,band_low,band_high,cause,because,verdict,"
-    "cpu_seconds,steps,contact_updates,ns_per_contact_update,state_hash,"
+    "cpu_seconds,simulated_seconds,steps,contact_updates,ns_per_contact_update,"
+    "ns_per_contact_step,state_hash,"
     "revision,toolchain,machine,date";
 
 std::string cell(std::string_view text) {
@@ -82,8 +83,9 @@ std::string figure_cells(const Figure& figure) {
 std::string run_cells(const Record& record) {
   const Cost& cost = record.cost;
   const Environment& environment = record.environment;
-  return row({format_exact(cost.cpu_seconds), std::to_string(cost.steps),
-              std::to_string(cost.contact_updates), format_exact(cost.ns_per_contact_update),
+  return row({format_exact(cost.cpu_seconds), format_exact(cost.simulated_seconds),
+              std::to_string(cost.steps), std::to_string(cost.contact_updates),
+              format_exact(cost.contact_phases.median), format_exact(cost.whole_step.median),
               record.state_hash, environment.revision, environment.toolchain, environment.machine,
               environment.date});
 }

@@ -131,8 +131,10 @@ constexpr const char* kHowToRead =
     "- *for information*: reported beside the verdicts, deciding none; *not applicable* means that "
     "the "
     "engine cannot do what the case asks.\n"
-    "- A CPU time counts the engine's steps; ns per contact update counts the contact phases only. "
-    "Equal state hashes mean bit-identical end states.\n";
+    "- A CPU time counts the engine's steps. Nanoseconds are wall-clock times of a step over its "
+    "contacts, median and quartiles over the steps that were timed, other cases running beside it; "
+    "contact phases are normal force and friction. Equal state hashes mean bit-identical end "
+    "states.\n";
 
 }  // namespace
 

@@ -188,22 +188,33 @@ std::string mesh_lines(const Family& family) {
   return text.empty() ? text : text + "\n";
 }
 
+std::string rate_text(const Cost& cost) {
+  return cost.simulated_seconds > 0.0 ? format_seconds(cost.cpu_seconds / cost.simulated_seconds)
+                                      : std::string();
+}
+
+std::string contact_time_text(const ContactTime& time) {
+  return time.median > 0.0 ? fmt::format("{} ({} to {})", format_seconds(time.median),
+                                         format_seconds(time.lower), format_seconds(time.upper))
+                           : std::string();
+}
+
 std::string cost_table(const Family& family) {
   MarkdownTable table({{"case"},
                        {"verdict"},
                        {"CPU s", kRight},
+                       {"CPU s per simulated s", kRight},
                        {"steps", kRight},
                        {"contact updates", kRight},
-                       {"ns per contact update", kRight},
+                       {"whole step, ns per contact", kRight},
+                       {"contact phases, ns per contact", kRight},
                        {"state hash"}});
   for (const Record* record : family.records) {
     const Cost& cost = record->cost;
-    table.add_row(
-        {markdown_escaped(family.label(*record)), markdown_verdict(record->verdict),
-         format_seconds(cost.cpu_seconds), format_count(cost.steps),
-         format_count(cost.contact_updates),
-         cost.ns_per_contact_update == 0.0 ? "" : fmt::format("{:.3g}", cost.ns_per_contact_update),
-         markdown_escaped(record->state_hash)});
+    table.add_row({markdown_escaped(family.label(*record)), markdown_verdict(record->verdict),
+                   format_seconds(cost.cpu_seconds), rate_text(cost), format_count(cost.steps),
+                   format_count(cost.contact_updates), contact_time_text(cost.whole_step),
+                   contact_time_text(cost.contact_phases), markdown_escaped(record->state_hash)});
   }
   return "**Runs and what they cost.**\n\n" + table.text();
 }

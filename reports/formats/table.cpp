@@ -103,7 +103,7 @@ std::string not_applicable_block(const std::vector<Record>& records, const Scree
 
 std::string table_header(const Screen& screen) {
   const Layout layout = layout_of(screen);
-  return spread("case  configuration", "ns/contact", screen.width) +
+  return spread("case  configuration", "contact phases of step", screen.width) +
          check_line({padded_right("", kVerdictWidth),
                      {"quantity [unit]"},
                      "measured",
@@ -116,9 +116,14 @@ std::string table_header(const Screen& screen) {
 }
 
 std::string table_rows(const Record& record, const Screen& screen) {
-  const double ns = record.cost.ns_per_contact_update;
-  std::string rows = spread(one_line(record.case_name) + "  " + configuration_text(record),
-                            ns > 0.0 ? fmt::format("{:.3g} ns", ns) : std::string(), screen.width);
+  const Cost& cost = record.cost;
+  std::string rows =
+      spread(one_line(record.case_name) + "  " + configuration_text(record),
+             cost.whole_step.median > 0.0
+                 ? fmt::format("{} of {} ns", format_seconds(cost.contact_phases.median),
+                               format_seconds(cost.whole_step.median))
+                 : std::string(),
+             screen.width);
   for (const Judgement& check : record.checks) {
     rows +=
         check_line({verdict_cell(check.verdict, screen), quantity_cell(check, screen),

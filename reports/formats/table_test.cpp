@@ -41,7 +41,7 @@ TEST(Table, ALinePerCheckUnderItsCase) {
   const auto lines = lines_of(table_rows(test::failing_record(), kWide));
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].starts_with("incline/below/mu=0.3  paper, fixed point, kappa=0.7"));
-  EXPECT_TRUE(lines[0].ends_with("41.5 ns"));
+  EXPECT_TRUE(lines[0].ends_with("41.5 of 325 ns"));
   EXPECT_TRUE(lines[1].starts_with("  FAIL     stopping distance [m]"));
   for (const char* part : {"0.31", "0.3", "0.01", "1.5", "100 ×"}) EXPECT_TRUE(has(lines[1], part));
   EXPECT_TRUE(lines[2].starts_with("  pass     critical slope, tan θ [1]"));

@@ -47,13 +47,21 @@ struct Mesh {
   double min_altitude = 0.0;        ///< shortest of any tetrahedron, m
 };
 
+/// Wall-clock time of a step over its contacts, ns: median and quartiles over the steps that were
+/// timed. All zero when none was.
+struct ContactTime {
+  double median = 0.0, lower = 0.0, upper = 0.0;
+};
+
 /// What a run cost. All zero when nothing was counted.
 struct Cost {
-  double cpu_seconds = 0.0;       ///< process or thread CPU time of the engine's steps, s
-  double told_cpu_seconds = 0.0;  ///< what an engine of its own process says of itself; 0: nothing
-  std::uint64_t steps = 0;        ///< time steps
-  std::uint64_t contact_updates = 0;   ///< contacts summed over steps, whatever the sweeps
-  double ns_per_contact_update = 0.0;  ///< contact phases only, ns; 0 when not timed
+  double cpu_seconds = 0.0;        ///< process or thread CPU time of the engine's steps, s
+  double told_cpu_seconds = 0.0;   ///< what an engine of its own process says of itself; 0: nothing
+  std::uint64_t steps = 0;         ///< time steps
+  double simulated_seconds = 0.0;  ///< Δt summed over steps, s; 0: not told
+  std::uint64_t contact_updates = 0;  ///< contacts summed over steps, whatever the sweeps
+  ContactTime contact_phases{};       ///< normal force and friction
+  ContactTime whole_step{};           ///< all phases
   std::map<std::string, double> phase_seconds{};  ///< wall-clock, s; empty when not timed
 };
 

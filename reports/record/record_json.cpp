@@ -98,13 +98,21 @@ OrderedJson mesh_json(const Mesh& mesh) {
           {"min_altitude", number(mesh.min_altitude)}};
 }
 
+OrderedJson quartiles_json(const ContactTime& time) {
+  return OrderedJson::array({number(time.lower), number(time.upper)});
+}
+
 OrderedJson cost_json(const Cost& cost) {
   OrderedJson phases = OrderedJson::object();
   for (const auto& [phase, seconds] : cost.phase_seconds) phases[phase] = number(seconds);
   return {{"cpu_seconds", number(cost.cpu_seconds)},
           {"steps", cost.steps},
           {"contact_updates", cost.contact_updates},
-          {"ns_per_contact_update", number(cost.ns_per_contact_update)},
+          {"simulated_seconds", number(cost.simulated_seconds)},
+          {"ns_per_contact_update", number(cost.contact_phases.median)},
+          {"ns_per_contact_update_quartiles", quartiles_json(cost.contact_phases)},
+          {"ns_per_contact_step", number(cost.whole_step.median)},
+          {"ns_per_contact_step_quartiles", quartiles_json(cost.whole_step)},
           {"told_cpu_seconds", number(cost.told_cpu_seconds)},
           {"phase_seconds", std::move(phases)}};
 }
@@ -194,12 +202,26 @@ Mesh read_mesh(const JsonField& field) {
           field["min_altitude"].real()};
 }
 
+void read_quartiles(const JsonField& cost, const char* name, ContactTime& time) {
+  if (!cost.has(name)) return;
+  const std::vector<double> two = cost[name].list(read_real);
+  if (two.size() != 2) cost[name].fail("two quartiles are required");
+  time.lower = two[0];
+  time.upper = two[1];
+}
+
 Cost read_cost(const JsonField& field) {
   Cost cost;
   cost.cpu_seconds = field["cpu_seconds"].real();
   cost.steps = field["steps"].count();
   cost.contact_updates = field["contact_updates"].count();
-  cost.ns_per_contact_update = field["ns_per_contact_update"].real();
+  cost.contact_phases.median = field["ns_per_contact_update"].real();
+  read_quartiles(field, "ns_per_contact_update_quartiles", cost.contact_phases);
+  if (field.has("ns_per_contact_step")) {
+    cost.whole_step.median = field["ns_per_contact_step"].real();
+    read_quartiles(field, "ns_per_contact_step_quartiles", cost.whole_step);
+  }
+  if (field.has("simulated_seconds")) cost.simulated_seconds = field["simulated_seconds"].real();
   if (field.has("told_cpu_seconds")) cost.told_cpu_seconds = field["told_cpu_seconds"].real();
   if (field.has("phase_seconds")) cost.phase_seconds = field["phase_seconds"].map(read_real);
   return cost;

@@ -53,7 +53,14 @@ TEST(RecordJson, EveryFieldArrives) {
   EXPECT_EQ(out.cost.cpu_seconds, in.cost.cpu_seconds);
   EXPECT_EQ(out.cost.steps, in.cost.steps);
   EXPECT_EQ(out.cost.contact_updates, in.cost.contact_updates);
-  EXPECT_EQ(out.cost.ns_per_contact_update, in.cost.ns_per_contact_update);
+  EXPECT_EQ(out.cost.simulated_seconds, in.cost.simulated_seconds);
+  const auto expect_same = [](const ContactTime& a, const ContactTime& b) {
+    EXPECT_EQ(a.median, b.median);
+    EXPECT_EQ(a.lower, b.lower);
+    EXPECT_EQ(a.upper, b.upper);
+  };
+  expect_same(out.cost.contact_phases, in.cost.contact_phases);
+  expect_same(out.cost.whole_step, in.cost.whole_step);
   EXPECT_EQ(out.cost.told_cpu_seconds, in.cost.told_cpu_seconds);
   EXPECT_EQ(out.cost.phase_seconds, in.cost.phase_seconds);
   EXPECT_EQ(out.environment.revision, in.environment.revision);

@@ -78,8 +78,10 @@ inline Record passing_record(const std::string& case_name = "incline/threshold/m
   record.cost = {.cpu_seconds = 0.25,
                  .told_cpu_seconds = 0.2,
                  .steps = 12000,
+                 .simulated_seconds = 1.2,
                  .contact_updates = 96000,
-                 .ns_per_contact_update = 41.5,
+                 .contact_phases = {41.5, 40.0, 44.0},
+                 .whole_step = {325.0, 320.0, 350.0},
                  .phase_seconds = {{"friction", 0.1}, {"detect", 0.02}}};
   record.state_hash = "0123456789abcdef";
   record.environment = {"4f2a9c1+", "g++ 12.2.0 release", "Example CPU, 2 cores",

@@ -18,7 +18,7 @@ std::string format_error(double error);
 /// Digits of agreement, one decimal.
 std::string format_digits(double digits);
 
-/// CPU time, s: three significant digits, no exponent from 1 ms up.
+/// A time, s or ns: three significant digits, no exponent from 0.001 up.
 std::string format_seconds(double seconds);
 
 /// A duration: "45 s", "2 min 05 s", "1 h 20 min".

@@ -169,12 +169,20 @@ void CaseRun::bill(const Cost& cost) {
   total.cpu_seconds += cost.cpu_seconds;
   total.told_cpu_seconds += cost.told_cpu_seconds;
   total.steps += cost.steps;
+  total.simulated_seconds += cost.simulated_seconds;
   total.contact_updates += cost.contact_updates;
   for (const auto& [phase, seconds] : cost.phase_seconds) total.phase_seconds[phase] += seconds;
-  if (cost.ns_per_contact_update > 0.0) {
+  if (cost.whole_step.median > 0.0) {
+    // Of several simulations each counts by its contacts.
     const auto updates = static_cast<double>(cost.contact_updates);
     timed_contacts_ += updates;
-    contact_seconds_ += 1e-9 * cost.ns_per_contact_update * updates;
+    const auto add = [&](const ContactTime& time, ContactTime& sum) {
+      sum.median += time.median * updates;
+      sum.lower += time.lower * updates;
+      sum.upper += time.upper * updates;
+    };
+    add(cost.contact_phases, contact_phases_);
+    add(cost.whole_step, whole_step_);
   }
 }
 
@@ -190,7 +198,12 @@ void CaseRun::passed(const std::vector<std::string>& passages, bool noted) {
 Record CaseRun::record() const {
   Record record = record_;
   if (timed_contacts_ > 0.0) {
-    record.cost.ns_per_contact_update = 1e9 * contact_seconds_ / timed_contacts_;
+    const auto mean = [this](const ContactTime& sum) -> ContactTime {
+      return {sum.median / timed_contacts_, sum.lower / timed_contacts_,
+              sum.upper / timed_contacts_};
+    };
+    record.cost.contact_phases = mean(contact_phases_);
+    record.cost.whole_step = mean(whole_step_);
   }
   if (record.cost.steps > 0) record.state_hash = fmt::format("{:016x}", hash_.value());
   record.verdict = verdict_of(record);

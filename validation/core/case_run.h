@@ -105,9 +105,9 @@ class CaseRun {
   std::optional<Recording> recording_;
   Fnv1a hash_;
   std::vector<std::string> passages_;
-  std::set<std::string> faults_;  // of arithmetic
-  double timed_contacts_ = 0.0;   // contact updates of engines that timed them
-  double contact_seconds_ = 0.0;
+  std::set<std::string> faults_;             // of arithmetic
+  double timed_contacts_ = 0.0;              // contact updates of engines that timed them
+  ContactTime contact_phases_, whole_step_;  // × those, ns
 };
 
 }  // namespace stiction

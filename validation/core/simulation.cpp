@@ -32,6 +32,7 @@ Simulated Simulation::outcome() noexcept {
   try {
     outcome.faults = faults_;
     outcome.cost = engine_->cost();
+    outcome.cost.simulated_seconds = static_cast<double>(outcome.cost.steps) * engine_->time_step();
     if (engine_->steps_done() > 0) watch_->look(*engine_, true);
     outcome.passages = watch_->found();
     outcome.state_hash = engine_->state_hash();
@@ -60,7 +61,7 @@ void Simulation::advance(std::uint64_t steps) {
       engine_->advance(step - engine_->steps_done());
       if (faults_.empty()) faults_ = arithmetic.found();
     }
-    if (engine_->cost().cpu_seconds > cpu_limit_) {
+    if (engine_->cpu_seconds() > cpu_limit_) {
       throw InputError(fmt::format("gave up at t = {:.3g} s: its CPU time is used up", time()));
     }
   };

@@ -124,6 +124,8 @@ class Engine {
   virtual int fineness() const { return 0; }
   virtual Settings settings() const = 0;  ///< as resolved, Δt included
   virtual Cost cost() const = 0;          ///< of all steps so far
+  /// `cost().cpu_seconds`, for who asks after each step.
+  virtual double cpu_seconds() const { return cost().cpu_seconds; }
   virtual std::uint64_t state_hash() const = 0;
   /// With Manifest::snapshots alone.
   virtual Snapshot save() const { throw NotApplicable("the engine has no snapshots"); }

@@ -47,6 +47,13 @@ const open = async (name, options) => {
   return page;
 };
 
+test("the page says what the whole step cost, and how that spread", async () => {
+  const page = await open("slope/case");
+  const row = await page.locator("table.costs tbody tr").first().innerText();
+  assert.match(row, /210 \(205 to 220\)\s+25 \(24 to 27\)/);
+  assert.match(row, /0\.25\s+2\.5\s/); // CPU s, and of each of 0.1 simulated seconds
+});
+
 test("the page says what the problem is", async () => {
   const page = await open("slope/case");
   assert.equal(await page.locator("svg.sketch").count(), 1);

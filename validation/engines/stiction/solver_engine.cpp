@@ -169,6 +169,7 @@ class StictionEngine final : public Engine {
   }
 
   Cost cost() const override { return cost_.total(workspace_.contact_updates); }
+  double cpu_seconds() const override { return cost_.cpu_seconds(); }
 
   std::uint64_t state_hash() const override { return hash_of(state_); }
   Snapshot save() const override { return std::make_shared<const State>(state_); }

@@ -2,6 +2,7 @@
 #include "validation/engines/stiction/step_cost.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "reference/statistics/two_samples.h"
 
@@ -41,15 +42,30 @@ void StepCost::add_step(const Workspace& workspace) {
   note_contact_time(workspace.contacts.size() + workspace.pairs.size() + workspace.edges.size());
 }
 
-// Normal force and friction of the step just timed, per contact, less what reading the clock costs.
+// The step just timed, per contact, less what reading the clock costs.
 void StepCost::note_contact_time(std::size_t contacts) {
-  const double seconds = phase_seconds_[static_cast<std::size_t>(Phase::kNormalForce)] +
-                         phase_seconds_[static_cast<std::size_t>(Phase::kFriction)];
-  const double spent = seconds - contact_seconds_ - 2.0 * overhead_;
-  contact_seconds_ = seconds;
+  const auto since = [](double now, double& last, double phases, double overhead) {
+    const double spent = now - last - phases * overhead;
+    last = now;
+    return spent;
+  };
+  const auto of = [this](Phase phase) { return phase_seconds_[static_cast<std::size_t>(phase)]; };
+  const double contact =
+      since(of(Phase::kNormalForce) + of(Phase::kFriction), contact_seconds_, 2.0, overhead_);
+  const double all = since(std::accumulate(phase_seconds_.begin(), phase_seconds_.end(), 0.0),
+                           all_seconds_, static_cast<double>(phase_seconds_.size()), overhead_);
   if (contacts == 0 || with_contacts_++ % stride_ != 0) return;
   if (seconds_per_contact_.size() == kMostTimes) thin_out();
-  seconds_per_contact_.push_back(spent / static_cast<double>(contacts));
+  const auto count = static_cast<double>(contacts);
+  seconds_per_contact_.push_back({contact / count, all / count});
+}
+
+ContactTime StepCost::time_of(double PerContact::*part) const {
+  if (seconds_per_contact_.empty()) return {};
+  std::vector<double> ns;
+  for (const PerContact& seconds : seconds_per_contact_) ns.push_back(1e9 * (seconds.*part));
+  const reference::Quartiles quartiles = reference::quartiles(std::move(ns));
+  return {quartiles.median, quartiles.lower, quartiles.upper};
 }
 
 // Every other one stays, and from now on every other one is kept.
@@ -74,9 +90,8 @@ Cost StepCost::total(std::uint64_t contact_updates) const {
         timed_steps_ == 0 ? 0.0
                           : net * static_cast<double>(steps_) / static_cast<double>(timed_steps_);
   }
-  if (!seconds_per_contact_.empty()) {
-    cost.ns_per_contact_update = 1e9 * reference::median(seconds_per_contact_);
-  }
+  cost.contact_phases = time_of(&PerContact::contact_phases);
+  cost.whole_step = time_of(&PerContact::whole_step);
   return cost;
 }
 

@@ -22,11 +22,17 @@ class StepCost {
   void add_step(const Workspace& workspace);
 
   void add_cpu(double seconds) { cpu_seconds_ += seconds; }
+  double cpu_seconds() const { return cpu_seconds_; }
   std::uint64_t steps() const { return steps_; }
   Cost total(std::uint64_t contact_updates) const;
 
  private:
+  struct PerContact {
+    double contact_phases, whole_step;  // s
+  };
+
   void note_contact_time(std::size_t contacts);
+  ContactTime time_of(double PerContact::*part) const;
   void thin_out();
 
   double overhead_;  // what an empty PhaseTimer adds, s
@@ -34,9 +40,10 @@ class StepCost {
   double cpu_seconds_ = 0.0;
   std::uint64_t steps_ = 0;
   std::uint64_t timed_steps_ = 0;
-  double contact_seconds_ = 0.0;  // of the timed steps so far
+  // Of the timed steps so far.
+  double contact_seconds_ = 0.0, all_seconds_ = 0.0;
   // Of timed steps, one of every `stride_` and kMostTimes at most: the median shrugs off interrupts.
-  std::vector<double> seconds_per_contact_;
+  std::vector<PerContact> seconds_per_contact_;
   std::uint64_t stride_ = 1;
   std::uint64_t with_contacts_ = 0;  // timed steps that had some
 };

@@ -181,7 +181,12 @@ TEST(StictionEngine, BillsStepsContactsAndPhases) {
   EXPECT_GT(cost.contact_updates, 64u * 3u);
   EXPECT_LE(cost.contact_updates, 64u * 9u);
   EXPECT_GT(cost.cpu_seconds, 0.0);
-  EXPECT_GT(cost.ns_per_contact_update, 0.0);
+  EXPECT_GT(cost.contact_phases.median, 0.0);
+  for (const ContactTime& time : {cost.contact_phases, cost.whole_step}) {
+    EXPECT_LE(time.lower, time.median);
+    EXPECT_LE(time.median, time.upper);
+  }
+  EXPECT_GT(cost.whole_step.median, 2 * cost.contact_phases.median);
   EXPECT_EQ(cost.phase_seconds.size(), kPhaseNames.size());
 }
 

@@ -10,6 +10,20 @@ const settings_text = (settings) =>
     .map(([name, value]) => `${name}=${value}`)
     .join(" ");
 
+const rate_text = ({ cpu_seconds, simulated_seconds = 0 }) =>
+  to_number(simulated_seconds) > 0
+    ? format_seconds(to_number(cpu_seconds) / to_number(simulated_seconds))
+    : "–";
+
+// Median over the timed steps, and its quartiles where the record has them.
+function time_text(cost, name) {
+  const short = (value) => format_value(Number(to_number(value).toPrecision(3)));
+  const median = to_number(cost[name] ?? 0);
+  if (!(median > 0)) return "–";
+  const [lower, upper] = (cost[`${name}_quartiles`] ?? [0, 0]).map(to_number);
+  return upper > 0 ? `${short(median)} (${short(lower)} to ${short(upper)})` : short(median);
+}
+
 /** `entries`: [{record, label, run}]; without settings each is told by its configuration. */
 export function cost_table(entries, { with_settings = true } = {}) {
   const heading = (name, unit, number = true) =>
@@ -34,9 +48,11 @@ export function cost_table(entries, { with_settings = true } = {}) {
           heading("Verdict", "", false),
           heading(with_settings ? "Engine and settings" : "Configuration", "", false),
           heading("CPU", "s"),
+          heading("CPU a simulated second", "s"),
           heading("Steps"),
           heading("Contact updates"),
-          heading("Per contact update", "ns"),
+          heading("Whole step, per contact", "ns"),
+          heading("Contact phases, per contact", "ns"),
           heading("State hash", "", false),
         ),
       ),
@@ -59,15 +75,11 @@ export function cost_table(entries, { with_settings = true } = {}) {
                 : configuration_name({ record, label }),
             ),
             h("td", { class: "number" }, format_seconds(to_number(record.cost.cpu_seconds))),
+            h("td", { class: "number" }, rate_text(record.cost)),
             h("td", { class: "number" }, format_count(record.cost.steps)),
             h("td", { class: "number" }, format_count(record.cost.contact_updates)),
-            h(
-              "td",
-              { class: "number" },
-              to_number(record.cost.ns_per_contact_update) > 0
-                ? format_value(Number(to_number(record.cost.ns_per_contact_update).toPrecision(3)))
-                : "–",
-            ),
+            h("td", { class: "number" }, time_text(record.cost, "ns_per_contact_step")),
+            h("td", { class: "number" }, time_text(record.cost, "ns_per_contact_update")),
             h("td", {}, h("code", {}, record.state_hash || "–")),
           ),
         ),
