@@ -131,7 +131,7 @@ Rational::Point_3 combine(const Triangle& t, const std::array<Exact, 3>& w) {
 struct ExactBody::Tree {
   std::vector<Triangle> triangles;
   std::vector<Filtered::Triangle_3> rounded;  ///< the same; what is reckoned from them is rounded
-  std::vector<Eigen::AlignedBox3d> boxes;  ///< of the triangles
+  std::vector<Eigen::AlignedBox3d> boxes;     ///< of the triangles
   AabbTree tree;
 };
 

@@ -111,6 +111,19 @@ void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
   constexpr auto kValues = static_cast<std::size_t>(Rule::kValues);
   const std::size_t count = side.size();
   memory.key.resize(count);
+  if (STICTION_HAS_FRICTION_MEMORY && old.key.size() == count &&
+      old.value.size() == count * kValues) {
+    bool same = true;  // as in most steps: all is carried as it is
+    for (std::size_t c = 0; c < count; ++c) {
+      memory.key[c] = side.key(c);
+      same = same && memory.key[c] == old.key[c];
+    }
+    if (same) {
+      memory.status = old.status;
+      memory.value = old.value;
+      return;
+    }
+  }
   memory.status.resize(count);
   memory.value.resize(count * kValues);
   std::size_t from = 0;
