@@ -75,8 +75,10 @@ std::vector<Record> scaling_records(const std::vector<Scaling>& scalings) {
       records.push_back(new_record(name, "cost of each phase over the number of contacts"));
     }
     Record& record = records.back();
-    record.notes.push_back(fmt::format("{}: exponent {:.3f}, 95 % interval ± {:.3f}", scaling.part,
-                                       scaling.law.exponent, scaling.law.exponent_margin));
+    record.figures.push_back(
+        {"exponent, " + scaling.part, "1", "time ∝ contactsᵖ, p", scaling.law.exponent});
+    record.figures.push_back({"margin of the exponent, " + scaling.part, "1",
+                              "half the 95 % interval of p", scaling.law.exponent_margin});
     Series series{scaling.part + " per contact", "s", "contacts", "1", scaling.contacts, {}};
     for (std::size_t k = 0; k < scaling.seconds.size(); ++k) {
       series.y.push_back(scaling.seconds[k] / scaling.contacts[k]);
@@ -102,9 +104,9 @@ Record feature_record(const std::vector<FeatureCost>& features) {
                .reason = "one test a contact and phase, of the hundreds of instructions that "
                          "each of these takes"},
               feature.unused / feature.without));
-    record.notes.push_back(fmt::format("{}: used ÷ without {:.3f}, {:.0f} instructions without",
-                                       feature.title, feature.used / feature.without,
-                                       feature.without));
+    record.figures.push_back({"instructions of a step, " + feature.title + ": used ÷ without", "1",
+                              fmt::format("{:.0f} instructions without", feature.without),
+                              feature.used / feature.without});
   }
   record.verdict = verdict_of(record);
   return record;

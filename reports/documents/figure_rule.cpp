@@ -69,6 +69,24 @@ class Reader {
     return all;
   }
 
+  // One number, or a list of them.
+  std::vector<double> numbers(const std::string& key) {
+    std::vector<double> all;
+    const toml::node* found = node(key);
+    if (found == nullptr) return all;
+    const auto add = [&](const toml::node& element) {
+      const auto number = element.value<double>();
+      if (!number) refuse(element, fmt::format("'{}' is a number or a list of numbers", key));
+      all.push_back(*number);
+    };
+    if (found->is_array()) {
+      for (const toml::node& element : *found->as_array()) add(element);
+    } else {
+      add(*found);
+    }
+    return all;
+  }
+
   std::vector<std::string> texts(const std::string& key) {
     std::vector<std::string> all;
     const toml::node* found = node(key);
@@ -131,7 +149,7 @@ FigureStyle read_style(Reader& reader) {
   return style;
 }
 
-// A rule is a figure, or one a column.
+// A rule is a figure, or one a column: of settings, or of places in a series.
 void read_figure(Reader& reader, const std::string& name, const toml::node& node,
                  const std::map<std::string, Settings>& columns, FigureRules& rules) {
   FigureRule rule;
@@ -141,7 +159,7 @@ void read_figure(Reader& reader, const std::string& name, const toml::node& node
   reader.read("except", rule.except);
   reader.read("quantity", rule.quantity);
   reader.read("series", rule.series);
-  reader.read("at", rule.at);
+  const std::vector<double> at = reader.numbers("at");
   reader.read("within", rule.within);
   reader.read("over", rule.over);
   reader.read("may-lack", rule.may_lack);
@@ -155,6 +173,23 @@ void read_figure(Reader& reader, const std::string& name, const toml::node& node
   }
   const std::vector<std::string> each = reader.texts("each");
   reader.finish();
+  if (rule.series.empty() != at.empty()) {
+    reader.refuse(node, fmt::format("'{}' needs 'at' with a series, and with nothing else", name));
+  }
+  if (at.size() > 1) {
+    if (!each.empty()) {
+      reader.refuse(node, fmt::format("'{}' has columns by 'at' and by 'each'", name));
+    }
+    for (const double x : at) {
+      FigureRule one = rule;
+      one.at = x;
+      rules.columns[name].push_back(fmt::format("{:.0f}", x));
+      one.name = name + "@" + rules.columns[name].back();
+      rules.figures.push_back(std::move(one));
+    }
+    return;
+  }
+  if (!at.empty()) rule.at = at.front();
   if (each.empty()) {
     rules.figures.push_back(std::move(rule));
     return;

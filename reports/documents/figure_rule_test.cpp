@@ -53,7 +53,36 @@ within = "most"
   EXPECT_EQ(rules.columns.at("drift"), (std::vector<std::string>{"quiet", "old"}));
 }
 
+TEST_F(FigureRuleFile, HasAFigureAPlaceInASeries) {
+  const FigureRules rules = read(R"(
+[figure.step]
+case = "bench/slab/scaling"
+series = "step per contact"
+at = [100, 1e6]
+[figure.one]
+case = "bench/slab/scaling"
+series = "step per contact"
+at = 1000
+)");
+  ASSERT_EQ(rules.figures.size(), 3u);
+  EXPECT_EQ(rules.figures[0].name, "one");
+  EXPECT_EQ(rules.figures[0].at, 1000.0);
+  EXPECT_EQ(rules.figures[1].name, "step@100");
+  EXPECT_EQ(rules.figures[2].name, "step@1000000");
+  EXPECT_EQ(rules.figures[2].at, 1e6);
+  EXPECT_EQ(rules.columns.at("step"), (std::vector<std::string>{"100", "1000000"}));
+}
+
 TEST_F(FigureRuleFile, RefusesWithTheLine) {
+  EXPECT_EQ(refusal("[figure.step]\ncase = \"a\"\nseries = \"s\"\n"),
+            "validate.toml:1: 'step' needs 'at' with a series, and with nothing else");
+  EXPECT_EQ(refusal("[figure.step]\ncase = \"a\"\nquantity = \"q\"\nat = 1\n"),
+            "validate.toml:1: 'step' needs 'at' with a series, and with nothing else");
+  EXPECT_EQ(refusal("[figure.step]\ncase = \"a\"\nseries = \"s\"\nat = [1, \"x\"]\n"),
+            "validate.toml:4: 'at' is a number or a list of numbers");
+  EXPECT_EQ(refusal("[columns]\nc = {}\n[figure.step]\ncase = \"a\"\nseries = \"s\"\nat = [1, 2]\n"
+                    "each = [\"c\"]\n"),
+            "validate.toml:3: 'step' has columns by 'at' and by 'each'");
   EXPECT_EQ(refusal("[figure.drift]\nquantity = \"drift\"\n"),
             "validate.toml:1: 'drift' names no case");
   EXPECT_EQ(refusal("[figure.drift]\ncase = \"a\"\n"),
