@@ -88,7 +88,8 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   // Contacts and groups are both in the order of their keys.
   auto group = workspace.search.group.begin();
   const auto last_group = workspace.search.group.end();
-  for (PairContact contact : workspace.pairs) {
+  for (std::size_t c = 0; c < workspace.pairs.size(); ++c) {
+    PairContact& contact = workspace.pairs[c];
     while (group != last_group && group->key < contact.key) ++group;
     const bool known = group != last_group && group->key == contact.key;
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
@@ -142,7 +143,8 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
           contact.weight[k] * contact.weight[k] * inverse_mass(contact.partner[k]);
     }
     immovable = immovable || contact.inverse_mass == 0.0;
-    workspace.pairs[kept++] = contact;
+    if (kept != c) workspace.pairs[kept] = contact;
+    ++kept;
   }
   workspace.pairs.resize(kept);
   if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
