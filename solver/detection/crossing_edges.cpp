@@ -138,19 +138,47 @@ struct Found {
 };
 
 // One edge crosses another body in two directions at once where that body has a corner: the one
-// that is the deeper is an artefact of straight lines.
-bool outdone(const Topology& topology, const std::vector<Found>& all, const Found& found) {
-  const auto body = [&](std::int32_t e) {
-    return topology.vertex_body[static_cast<std::size_t>(
-        topology.sharp_edge[static_cast<std::size_t>(e)].vertex[0])];
-  };
-  return std::any_of(all.begin(), all.end(), [&](const Found& other) {
-    const bool same = (other.a == found.a && body(other.b) == body(found.b)) ||
-                      (other.b == found.b && body(other.a) == body(found.a));
-    return same && other.crossing.gap > found.crossing.gap &&
+// that is the deeper is an artefact of straight lines. Says of which crossings that is so.
+class Outdone {
+ public:
+  // `all` in the order of their keys, so that those of one edge a stand together.
+  Outdone(const Topology& topology, const std::vector<Found>& all)
+      : topology_(topology), all_(all) {
+    for (const Found& found : all) by_b_.push_back(&found);
+    std::stable_sort(by_b_.begin(), by_b_.end(),
+                     [](const Found* one, const Found* other) { return one->b < other->b; });
+  }
+
+  bool operator()(const Found& found) const {
+    const auto of_a =
+        std::equal_range(all_.begin(), all_.end(), found,
+                         [](const Found& one, const Found& other) { return one.a < other.a; });
+    const auto of_b =
+        std::equal_range(by_b_.begin(), by_b_.end(), &found,
+                         [](const Found* one, const Found* other) { return one->b < other->b; });
+    return std::any_of(of_a.first, of_a.second,
+                       [&](const Found& other) {
+                         return body(other.b) == body(found.b) && outdoes(other, found);
+                       }) ||
+           std::any_of(of_b.first, of_b.second, [&](const Found* other) {
+             return body(other->a) == body(found.a) && outdoes(*other, found);
+           });
+  }
+
+ private:
+  std::int32_t body(std::int32_t edge) const {
+    return topology_.vertex_body[static_cast<std::size_t>(
+        topology_.sharp_edge[static_cast<std::size_t>(edge)].vertex[0])];
+  }
+  static bool outdoes(const Found& other, const Found& found) {
+    return other.crossing.gap > found.crossing.gap &&
            other.crossing.normal.dot(found.crossing.normal) < 0.5;
-  });
-}
+  }
+
+  const Topology& topology_;
+  const std::vector<Found>& all_;
+  std::vector<const Found*> by_b_;
+};
 
 EdgeContact contact_of(const Scene& scene, const State& state, const Workspace& workspace,
                        const Found& found) {
@@ -272,8 +300,9 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
     if (touches()) found.push_back(pair);
   }
   workspace.edges.clear();
+  const Outdone outdone(topology, found);
   for (const Found& pair : found) {
-    if (outdone(topology, found, pair)) continue;
+    if (outdone(pair)) continue;
     const EdgeContact contact = contact_of(scene, state, workspace, pair);
     if (contact.inverse_mass == 0.0) continue;
     note_too_deep(topology, contact.vertex[0],
