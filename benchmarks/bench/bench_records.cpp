@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/record/environment.h"
 #include "validation/engines/stiction/stiction_method.h"
@@ -55,6 +56,7 @@ Record workload_record(const Measure::Settled& settled, const std::vector<Result
 }
 
 Judgement exponent_check(const Scaling& scaling) {
+  const double decades = std::log10(scaling.contacts.back() / scaling.contacts.front());
   return judge(
       {.quantity = "exponent of cost over contacts, " + scaling.part,
        .unit = "1",
@@ -63,9 +65,10 @@ Judgement exponent_check(const Scaling& scaling) {
        .source = "one pass over contacts a phase, and overlap regions for the search",
        .kind = ReferenceKind::kAnalytic,
        .expected = 1.0,
-       .tolerance = 0.2,
-       .reason = "from cache to memory a contact may cost four times as much: log₁₀ 4 over "
-                 "three decades"},
+       .tolerance = std::log10(4.0) / decades,
+       .reason = fmt::format("from cache to memory a contact may cost four times as much: log₁₀ 4 "
+                             "over {:.1f} decades",
+                             decades)},
       scaling.law.exponent);
 }
 
