@@ -14,6 +14,7 @@
 
 #include "reports/formats/csv.h"
 #include "reports/formats/markdown.h"
+#include "reports/formats/work_precision.h"
 #include "reports/record/record_store.h"
 #include "reports/screen/help_page.h"
 #include "reports/screen/progress_line.h"
@@ -144,9 +145,9 @@ void define(CLI::App& app, Arguments& arguments) {
       ->type_name("RULE")
       ->group(which);
   app.add_option("--contacts", arguments.contacts,
-                 "Only the contacts of this method, paper or quiet; repeatable")
+                 "Only the contacts of this method, paper, quiet or old; repeatable")
       ->type_name("METHOD")
-      ->check(CLI::IsMember({"paper", "quiet"}))
+      ->check(CLI::IsMember({"paper", "quiet", "old"}))
       ->group(which);
   app.add_flag("--quick", arguments.quick,
                "Under 20 seconds: three scenes, every rule, and one load")
@@ -325,7 +326,8 @@ int compare(Arguments& arguments) {
   std::string text = "\n## Findings\n\n";
   for (const std::string& sentence : found.notes) text += "- " + sentence + "\n";
   if (arguments.verbose) fmt::print("{}\n", text);
-  store.write_file("comparison.md", "# Iteration rules side by side\n" + text + tables.text());
+  store.write_file("comparison.md", "# Iteration rules side by side\n" + text +
+                                        work_precision_markdown(records) + tables.text());
   store.write_file("report.md", markdown_report(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();

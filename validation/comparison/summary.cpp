@@ -12,6 +12,7 @@
 #include <set>
 #include <tuple>
 
+#include "reports/formats/work_precision.h"
 #include "reports/text/check_text.h"
 #include "reports/text/number.h"
 #include "reports/text/text.h"
@@ -224,7 +225,7 @@ std::vector<Placing> placings(const std::vector<Record>& records, std::size_t pl
 
 std::string comparison_summary(const std::vector<Record>& records, const Record& found,
                                const Screen& screen) {
-  std::string text;
+  std::string text = cheapest_settings_screen(records, screen);
   std::vector<Placing> placed = placings(records, 1);
   const bool few = rules_in(records) <= kFew && !placed.empty();
   if (few) placed = placings(records, std::max<std::size_t>(1, kPlaced / placed.size()));

@@ -74,6 +74,8 @@ class CaseRun {
   CaseRun nested(const Case& which, EngineKind engine, Settings settings) const;
   /// Takes over the notes and passages of a part, its state hash, and its cost if this run `pays`.
   void include(const Record& part, bool pays);
+  /// Takes over the cost of a part alone.
+  void pay(const Cost& cost) { bill(cost); }
 
   const EngineKind& engine() const { return engine_; }
   const Settings& settings() const { return settings_; }

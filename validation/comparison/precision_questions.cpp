@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The questions of work-precision/: scenes of validation/problems/, each asked for one number.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "reference/motion/incline.h"
+#include "solver/demand.h"
+#include "validation/comparison/precision_question.h"
+#include "validation/problems/oscillator_problem.h"
+#include "validation/problems/piles/stack_problem.h"
+#include "validation/problems/slopes/membrane_problem.h"
+#include "validation/problems/slopes/slab_problem.h"
+#include "validation/protocols/incline_run.h"
+#include "validation/protocols/incline_threshold.h"
+#include "validation/protocols/membrane_slide.h"
+
+namespace stiction {
+
+namespace {
+
+constexpr double kUlp = std::numeric_limits<double>::epsilon();
+using PartOf = std::function<CaseRun(const Settings&)>;
+
+// Half a unit in the last place of a coordinate of so many metres in each step, all to one side: the
+// speed (m/s) that rounding alone may give what rests.
+std::function<double(double)> rounding_of_rest(double coordinate) {
+  return [coordinate](double dt) { return 0.5 * kUlp * coordinate / dt; };
+}
+
+PrecisionReference exact(double value, std::string words) {
+  return {.value = value, .uncertainty = 0.0, .words = std::move(words)};
+}
+
+// Simulated with `quiet` on the last two of these refinements, at Δt, Δt/2 and Δt/4 (s).
+PrecisionReference self_converged(const PrecisionQuestion& question, const PartOf& part,
+                                  const std::vector<int>& cells, double dt) {
+  std::vector<std::vector<double>> answers;
+  std::vector<double> h;
+  for (const int one : cells) {
+    h.push_back(1.0 / one);
+    answers.emplace_back();
+    for (const double finer : {1.0, 2.0, 4.0}) {
+      CaseRun run = part({{"method", "quiet"}, {"dt", fmt::format("{}", dt / finer)}});
+      answers.back().push_back(question.answer(run, one));
+    }
+  }
+  PrecisionReference found = extrapolated(answers, h);
+  found.words = fmt::format(
+      "Δt → 0 and h → 0 from quiet on {} and {} cells at Δt = {}, half and a quarter of it s",
+      cells[0], cells[1], step_text(dt));
+  return found;
+}
+
+// The cube of slope/*, on half-spaces.
+InclineSetup cube() {
+  InclineSetup setup;
+  setup.shape = BoxShape{Vec3::Constant(0.2)};
+  setup.azimuth = radians(30.0);
+  return setup;
+}
+
+constexpr double kThresholdWidth = 1e-9;  // of the bracket on tan θ, to μ
+
+PrecisionQuestion threshold() {
+  InclineSetup setup = cube();
+  setup.yaw = radians(20.0);
+  const double mu = setup.friction;
+  // Below 1e-9 m/s a box counts as resting (incline_holds): after 0.7 s of full load that is
+  // g (sin θ − μ cos θ) · 0.7 s.
+  const double slow = 1e-9 / (kStandardGravity * std::cos(std::atan(mu)) * 0.7);
+  return {.name = "threshold",
+          .title = "the slope (tan θ) at which a box begins to slide",
+          .unit = "1",
+          .scale = mu,
+          .cells = {1, 2, 4},
+          .seconds = 14.0,
+          .problem = [=](int) { return settled_incline_problem(setup); },
+          .answer =
+              [=](CaseRun& run, int cells) {
+                return incline_threshold(run, setup, kThresholdWidth * mu, {.fineness = cells})
+                    .middle();
+              },
+          .resolution = [=](double) { return 0.5 * kThresholdWidth * mu + slow; },
+          .reference = [=](const PartOf&) { return exact(mu, "tan θ = μ, exact"); }};
+}
+
+PrecisionQuestion creep() {
+  constexpr double kFrom = 2.0, kTo = 4.0;  // s
+  const auto setup = [](int cells) {
+    SlabSetup one = slab_at_20_degrees();
+    one.cells = cells;
+    one.slab_cells = cells + 1;
+    return one;
+  };
+  return {.name = "creep",
+          .title = "the speed at which a box at rest on a deformable slab creeps",
+          .unit = "m/s",
+          .lost = 0.5 * setup(2).box_size.x() / (kTo - kFrom),
+          .cells = {2, 3, 4},
+          .seconds = kTo,
+          .problem = [=](int cells) { return slab_problem(setup(cells)); },
+          .answer =
+              [=](CaseRun& run, int cells) {
+                SlabRun slab(run, setup(cells));
+                slab.advance_to(kFrom);
+                const Vec3 before = slab.travel();
+                slab.advance_to(kTo);
+                return (slab.travel() - before).norm() / (kTo - kFrom);
+              },
+          .resolution = rounding_of_rest(0.1),
+          .reference = [](const PartOf&) { return exact(0.0, "v = 0, exact"); }};
+}
+
+PrecisionQuestion acceleration() {
+  InclineSetup setup = cube();
+  setup.tan_slope = 1.2 * setup.friction;
+  setup.speed = 1.0;
+  const double expected = reference::sliding_acceleration(
+      {std::atan(setup.tan_slope), setup.friction, kStandardGravity});
+  return {.name = "acceleration",
+          .title = "the acceleration of a box that slides down",
+          .unit = "m/s²",
+          .scale = expected,
+          .cells = {1, 2, 4},
+          .seconds = 2.0,
+          .problem = [=](int) { return incline_problem(setup); },
+          .answer =
+              [=](CaseRun& run, int cells) {
+                InclineRun slide(run, setup, incline_problem(setup), {.fineness = cells});
+                slide.advance_to(1.0);
+                const double from = slide.time(), before = slide.speed();
+                slide.advance_to(2.0);
+                return (slide.speed() - before) / (slide.time() - from);
+              },
+          // A unit in the last place of a velocity of 2.7 m/s in each step.
+          .resolution = [](double dt) { return kUlp * 2.7 / dt; },
+          .reference =
+              [=](const PartOf&) { return exact(expected, "a = g(sin θ − μ cos θ), exact"); }};
+}
+
+PrecisionQuestion stopping_distance() {
+  InclineSetup setup = cube();
+  setup.speed = 2.0;
+  PrecisionQuestion question{
+      .name = "stopping-distance",
+      .title = "the distance in which a box thrown over level ground stops",
+      .unit = "m",
+      .scale = reference::stopping_distance({0.0, setup.friction, kStandardGravity}, setup.speed),
+      .cells = {1, 2, 4},
+      .seconds = 1.0,
+      .problem = [=](int) { return incline_problem(setup); },
+      .answer =
+          [=](CaseRun& run, int cells) {
+            InclineRun stopping(run, setup, incline_problem(setup), {.fineness = cells});
+            stopping.advance_to(1.0);
+            return stopping.travel();
+          },
+      .resolution = [](double dt) { return 0.5 * kUlp * 0.4 / dt; }};
+  question.reference = [question](const PartOf& part) {
+    return self_converged(question, part, {4, 8}, 2e-5);
+  };
+  return question;
+}
+
+PrecisionQuestion stack() {
+  constexpr double kWindow = 2.0;  // s
+  const auto setup = [](int cells) {
+    StackSetup one;
+    one.boxes = 3;
+    one.cells = cells;
+    one.ground = Ground::kSlab;
+    one.tan_slope = std::tan(radians(2.0));
+    return one;
+  };
+  return {.name = "stack",
+          .title = "the speed at which a stack of three boxes at rest creeps",
+          .unit = "m/s",
+          .lost = 0.5 * setup(1).size.x() / kWindow,
+          .cells = {1, 2},
+          .seconds = kStackSettled + kWindow,
+          .problem = [=](int cells) { return stack_problem(setup(cells)); },
+          .answer =
+              [=](CaseRun& run, int cells) {
+                const auto simulation = run.simulate(stack_problem(setup(cells)));
+                const auto places = [&] {
+                  std::vector<Vec3> all;
+                  for (int k = 0; k < setup(cells).boxes; ++k) {
+                    all.push_back(simulation->engine().body(static_cast<std::size_t>(k)).position);
+                  }
+                  return all;
+                };
+                simulation->advance_to(kStackSettled);
+                const std::vector<Vec3> before = places();
+                simulation->advance_to(kStackSettled + kWindow);
+                const std::vector<Vec3> after = places();
+                double farthest = 0.0;
+                for (std::size_t k = 0; k < before.size(); ++k) {
+                  const double way = (after[k] - before[k]).norm();
+                  if (!(way <= farthest)) farthest = way;  // NaN too
+                }
+                return farthest / kWindow;
+              },
+          .resolution = rounding_of_rest(0.3),
+          .reference = [](const PartOf&) { return exact(0.0, "v = 0, exact"); }};
+}
+
+PrecisionQuestion oscillator() {
+  OscillatorSetup setup;
+  setup.stretch = 5.3;
+  // Five half-swings, then rest.
+  const double seconds = 5.0 * std::numbers::pi / oscillator_rate(setup) + 0.5;
+  PrecisionQuestion question{.name = "oscillator",
+                             .title = "the stretch with which a box on a spring comes to rest",
+                             .unit = "m",
+                             .scale = oscillator_offset(setup),
+                             .cells = {1, 2, 4},
+                             .seconds = seconds,
+                             .problem = [=](int) { return oscillator_problem(setup); },
+                             .resolution = [](double dt) { return 0.5 * kUlp * 0.2 / dt; }};
+  question.answer = [=](CaseRun& run, int cells) {
+    const auto simulation = run.simulate(oscillator_problem(setup), {.fineness = cells});
+    simulation->advance_to(seconds);
+    return simulation->engine().body(0).position.dot(oscillator_axis(setup)) +
+           setup.stretch * oscillator_offset(setup);
+  };
+  question.reference = [question](const PartOf& part) {
+    return self_converged(question, part, {4, 8}, 2e-5);
+  };
+  return question;
+}
+
+PrecisionQuestion membrane() {
+  const auto setup = [](int cells) {
+    MembraneSetup one;
+    one.cells_along = cells;
+    one.cells_across = std::max(1, cells / 12);
+    return one;
+  };
+  PrecisionQuestion question{
+      .name = "membrane",
+      .title = "the place where a box that slides down a membrane stops",
+      .unit = "m",
+      .scale = setup(12).length,
+      .cells = {12, 24},
+      .fineness = 3,  // as slide_down_membrane() asks for
+      .seconds = membrane_problem(setup(12)).duration,
+      .problem = [=](int cells) { return membrane_problem(setup(cells)); },
+      .answer =
+          [=](CaseRun& run, int cells) {
+            return slide_down_membrane(run, setup(cells)).place.back();
+          },
+      .resolution = [](double dt) { return 0.5 * kUlp * 0.8 / dt; }};
+  question.reference = [question](const PartOf& part) {
+    return self_converged(question, part, {24, 36}, 8e-5);
+  };
+  return question;
+}
+
+}  // namespace
+
+std::vector<PrecisionQuestion> precision_questions() {
+  return {threshold(),         creep(), acceleration(), stopping_distance(),
+          stack(), oscillator(), membrane()};
+}
+
+}  // namespace stiction
