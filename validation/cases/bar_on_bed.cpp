@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "validation/core/case_run.h"
-#include "validation/problems/slopes/incline_problem.h"
+#include "validation/problems/bar_problem.h"
 
 namespace stiction {
 
@@ -33,42 +33,15 @@ namespace {
 // acts h/2 below the axis: a couple τh/2 per length, which the weight carries to the ends of the
 // sliding part as forces ± τh/2 on the bed. Each is as much traction as μh/2 of bar: kFlexure of
 // length.
-constexpr double kLength = 1.0, kSide = 0.0125;      // m
-constexpr double kModulus = 5e5, kDensity = 1000.0;  // Pa, kg/m³
-constexpr double kFriction = 0.5;                    // μ
-constexpr double kSlipLength = 0.5;                  // a, m, of which the rest follows
-constexpr double kArea = kSide * kSide;              // A, m²
-constexpr double kStiffness = kModulus * kArea;      // EA, N
-constexpr double kTraction = kFriction * kDensity * kStandardGravity * kArea;         // τ, N/m
-constexpr double kPush = kTraction * kSlipLength * kSlipLength / (2.0 * kStiffness);  // U, m
-constexpr double kFlexure = kFriction * kSide;  // μh/2 at both ends, m
-constexpr int kCells = 80;                      // along the bar
-constexpr double kDamping = 2e-4;               // β, s
-
-constexpr double kSettled = 0.2, kRamp = 0.6, kHold = 0.2;  // s
-constexpr double kTurn = kRamp + kHold;  // s, from one end of a stroke to another
-
-Problem bar() {
-  Problem problem;
-  problem.name = "bar on a frictional bed";
-  ProblemBody body{
-      .name = "bar",
-      .shape = BoxShape{{kLength, kSide, kSide}},
-      .mass = kDensity * kArea * kLength,
-      .elasticity = {.youngs_modulus = kModulus, .poisson_ratio = 0.0, .damping_time = kDamping},
-      .position = {0.5 * kLength, 0.0, 0.5 * kSide}};
-  body.held = HeldPart{Vec3(-0.5 * kLength, 0.0, 0.0), Vec3::UnitX()};
-  const Vec3 pushed = kPush * Vec3::UnitX();
-  const double t = kSettled;
-  body.motion = {
-      {t, t + kRamp, t + kTurn, t + kTurn + kRamp, t + 2.0 * kTurn, t + 2.0 * kTurn + kRamp},
-      {Vec3::Zero(), pushed, pushed, Vec3::Zero(), Vec3::Zero(), pushed}};
-  problem.bodies = {body};
-  problem.obstacles = {{.name = "bed", .friction = kFriction}};
-  problem.gravity = {{0.0, 0.1}, {Vec3::Zero(), -kStandardGravity * Vec3::UnitZ()}};
-  problem.duration = kSettled + 3.0 * kTurn;
-  return problem;
-}
+constexpr BarSetup kBar;
+constexpr double kLength = kBar.length;                   // m
+constexpr double kStiffness = bar_stiffness(kBar);        // EA, N
+constexpr double kTraction = bar_traction(kBar);          // τ, N/m
+constexpr double kSlipLength = kBar.slip_length;          // a, m
+constexpr double kPush = bar_push(kBar);                  // U, m
+constexpr double kFlexure = kBar.friction * kBar.side;    // μh/2 at both ends, m
+constexpr int kCells = 80;                                // along the bar
+constexpr double kTurn = bar_turn(kBar);                  // s, from one end of a stroke to another
 
 using Places = std::map<std::int64_t, Vec3>;  // of vertices, by their numbers, m
 
@@ -214,7 +187,7 @@ void check_cycle(CaseRun& run, const std::vector<Stroke>& strokes, double cell) 
              .tolerance = 3e-3,
              .reason = fmt::format("viscous loss β/T = {:.0e} of the elastic energy with a factor "
                                    "of the ramp's shape, and inertia, 1.3e-3",
-                                   kDamping / kRamp)},
+                                   kBar.damping_time / kBar.ramp)},
             friction);
   run.note(
       fmt::format("reaction {:.5f} N (closed form {:.5f}; of a bar without half a cell on the held "
@@ -226,7 +199,7 @@ void check_cycle(CaseRun& run, const std::vector<Stroke>& strokes, double cell) 
 }
 
 void run_bar(CaseRun& run) {
-  const Problem problem = bar();
+  const Problem problem = bar_problem(kBar);
   const CaseRun::Running simulation = run.simulate(problem, {.fineness = kCells});
   const double cells = simulation->engine().fineness();
   const Engine& engine = simulation->engine();
@@ -236,14 +209,14 @@ void run_bar(CaseRun& run) {
   Series slip{"fastest contact slip", "m/s", "time", "s", {}, {}};
   Series loop{"reaction of the bed", "N", "displacement of the end", "m", {}, {}};
 
-  simulation->advance_to(kSettled);
+  simulation->advance_to(kBar.settled);
   const Places start = bed_of(engine).places;
   Places pushed;
   std::vector<Stroke> strokes;
   const int every = static_cast<int>(std::llround(kTurn / dt / 60.0));
   for (int s = 0; s < 3; ++s) {
     Stroke stroke;
-    const double end = kSettled + (s + 1) * kTurn;
+    const double end = kBar.settled + (s + 1) * kTurn;
     while (simulation->time() < end - 0.5 * dt) {
       const double before = motion.at(simulation->time()).x();
       simulation->advance(1);

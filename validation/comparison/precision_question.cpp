@@ -55,18 +55,23 @@ std::string step_text(double dt) {
   return fmt::format("{}e{}", mantissa, std::stoi(text.substr(text.find('e') + 1)));
 }
 
-PrecisionReference extrapolated(const std::vector<std::vector<double>>& f,
+PrecisionReference extrapolated(const std::vector<std::array<double, 2>>& f,
                                 const std::vector<double>& h) {
-  demand(f.size() == 2 && h.size() == 2 && h[0] > h[1], "two meshes, the finer one behind");
-  const auto without_step = [](double coarse, double fine) { return 2.0 * fine - coarse; };
-  const double coarse = without_step(f[0].at(1), f[0].at(2));
-  const double fine = without_step(f[1].at(1), f[1].at(2));
-  const double ratio = h[0] / h[1];
-  const double first = (fine - coarse) / (ratio - 1.0);
-  const double second = (fine - coarse) / (ratio * ratio - 1.0);
-  return {.value = fine + 0.5 * (first + second),
-          .uncertainty = 0.5 * std::abs(first - second) +
-                         std::abs(fine - without_step(f[1].at(0), f[1].at(1)))};
+  demand(f.size() == 3 && h.size() == 3 && h[0] > h[1] && h[1] > h[2], "three meshes, ever finer");
+  std::array<double, 3> g{};
+  for (std::size_t m = 0; m < g.size(); ++m) g[m] = 2.0 * f[m][1] - f[m][0];
+  const double of_step = std::abs(g[2] - f[2][1]);
+  const double ratio = (g[1] - g[0]) / (g[2] - g[1]);
+  const auto ratio_of = [&](double p) {
+    return (std::pow(h[0], p) - std::pow(h[1], p)) / (std::pow(h[1], p) - std::pow(h[2], p));
+  };
+  if (!(ratio >= ratio_of(1.0) && ratio <= ratio_of(2.0))) {
+    return {.value = g[2],
+            .uncertainty = std::max(std::abs(g[0] - g[2]), std::abs(g[1] - g[2])) + of_step};
+  }
+  const auto rest_of = [&](double p) { return (g[2] - g[1]) / (std::pow(h[1] / h[2], p) - 1.0); };
+  return {.value = g[2] + 0.5 * (rest_of(1.0) + rest_of(2.0)),
+          .uncertainty = 0.5 * std::abs(rest_of(1.0) - rest_of(2.0)) + of_step};
 }
 
 }  // namespace stiction

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -59,15 +60,19 @@ std::vector<double> time_steps_about(double limit, double finest);
 /// "2e-4", "3.14e-4": three digits at most, as a setting and in a case's name.
 std::string step_text(double dt);
 
-/// The answer for Δt → 0 and h → 0, from simulations alone. Answers of first order in Δt; of an order
-/// between the first and the second in h (linear tetrahedra: bending and contact at vertices of the
-/// first, deflections of the second). f[m][k]: with h[m] and Δt/2ᵏ, k = 0, 1, 2; h falls.
+/// The answer for Δt → 0 and h → 0, from simulations alone: f[m] = {with Δt, with Δt/2} on three
+/// meshes whose cells h[m] fall. First order in Δt:
 ///
-///   g[m] = 2 f[m][2] − f[m][1],   value = g[1] + ½ (r₁ + r₂),   r_p = (g[1] − g[0])/((h₀/h₁)ᵖ − 1)
+///   g[m] = 2 f[m][1] − f[m][0]
 ///
-/// Its uncertainty: ½ |r₁ − r₂| between the two orders in h, and what the last halving of Δt changed
-/// in its extrapolation, |g[1] − (2 f[1][1] − f[1][0])|.
-PrecisionReference extrapolated(const std::vector<std::vector<double>>& f,
+/// Where the g[m] differ as an order p of 1 to 2 in h would have it (linear tetrahedra: bending and
+/// contact at vertices of the first, deflections of the second),
+///
+///   value = g[2] + ½ (r₁ + r₂),   r_p = (g[2] − g[1])/((h₁/h₂)ᵖ − 1),   uncertain by ½ |r₁ − r₂|;
+///
+/// else the value is g[2], uncertain by the largest |g[m] − g[2]|. And by all that Δt → 0 has
+/// changed, |g[2] − f[2][1]|.
+PrecisionReference extrapolated(const std::vector<std::array<double, 2>>& f,
                                 const std::vector<double>& h);
 
 }  // namespace stiction

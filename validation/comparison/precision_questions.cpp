@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include "reference/motion/incline.h"
 #include "solver/demand.h"
 #include "validation/comparison/precision_question.h"
+#include "validation/problems/bar_problem.h"
 #include "validation/problems/oscillator_problem.h"
 #include "validation/problems/piles/stack_problem.h"
 #include "validation/problems/slopes/membrane_problem.h"
@@ -35,23 +37,22 @@ PrecisionReference exact(double value, std::string words) {
   return {.value = value, .uncertainty = 0.0, .words = std::move(words)};
 }
 
-// Simulated with `quiet` on the last two of these refinements, at Δt, Δt/2 and Δt/4 (s).
+// Simulated with `quiet` on three refinements, at Δt and Δt/2 (s).
 PrecisionReference self_converged(const PrecisionQuestion& question, const PartOf& part,
-                                  const std::vector<int>& cells, double dt) {
-  std::vector<std::vector<double>> answers;
+                                  const std::array<int, 3>& cells, double dt) {
+  std::vector<std::array<double, 2>> answers;
   std::vector<double> h;
   for (const int one : cells) {
+    const auto with = [&](double step) {
+      CaseRun run = part({{"method", "quiet"}, {"dt", fmt::format("{}", step)}});
+      return question.answer(run, one);
+    };
     h.push_back(1.0 / one);
-    answers.emplace_back();
-    for (const double finer : {1.0, 2.0, 4.0}) {
-      CaseRun run = part({{"method", "quiet"}, {"dt", fmt::format("{}", dt / finer)}});
-      answers.back().push_back(question.answer(run, one));
-    }
+    answers.push_back({with(dt), with(0.5 * dt)});
   }
   PrecisionReference found = extrapolated(answers, h);
-  found.words = fmt::format(
-      "Δt → 0 and h → 0 from quiet on {} and {} cells at Δt = {}, half and a quarter of it s",
-      cells[0], cells[1], step_text(dt));
+  found.words = fmt::format("Δt → 0 and h → 0 from quiet, {} cells, Δt = {} s and half of it",
+                            fmt::join(cells, ", "), step_text(dt));
   return found;
 }
 
@@ -88,24 +89,26 @@ PrecisionQuestion threshold() {
           .reference = [=](const PartOf&) { return exact(mu, "tan θ = μ, exact"); }};
 }
 
+// A box on a slab of cells about as large as its own.
+SlabSetup slab_of(int cells) {
+  SlabSetup one = slab_at_20_degrees();
+  one.cells = cells;
+  one.slab_cells = cells + 1;
+  return one;
+}
+
 PrecisionQuestion creep() {
   constexpr double kFrom = 2.0, kTo = 4.0;  // s
-  const auto setup = [](int cells) {
-    SlabSetup one = slab_at_20_degrees();
-    one.cells = cells;
-    one.slab_cells = cells + 1;
-    return one;
-  };
   return {.name = "creep",
           .title = "the speed at which a box at rest on a deformable slab creeps",
           .unit = "m/s",
-          .lost = 0.5 * setup(2).box_size.x() / (kTo - kFrom),
+          .lost = 0.5 * slab_of(2).box_size.x() / (kTo - kFrom),
           .cells = {2, 3, 4},
           .seconds = kTo,
-          .problem = [=](int cells) { return slab_problem(setup(cells)); },
+          .problem = [](int cells) { return slab_problem(slab_of(cells)); },
           .answer =
               [=](CaseRun& run, int cells) {
-                SlabRun slab(run, setup(cells));
+                SlabRun slab(run, slab_of(cells));
                 slab.advance_to(kFrom);
                 const Vec3 before = slab.travel();
                 slab.advance_to(kTo);
@@ -113,6 +116,30 @@ PrecisionQuestion creep() {
               },
           .resolution = rounding_of_rest(0.1),
           .reference = [](const PartOf&) { return exact(0.0, "v = 0, exact"); }};
+}
+
+PrecisionQuestion slip() {
+  constexpr double kFrom = 3.8, kTo = 4.0, kEvery = 0.01;  // s
+  return {.name = "slip",
+          .title = "the speed of the fastest contact of a box at rest on a deformable slab",
+          .unit = "m/s",
+          .cells = {2, 3, 4},
+          .seconds = kTo,
+          .problem = [](int cells) { return slab_problem(slab_of(cells)); },
+          .answer =
+              [=](CaseRun& run, int cells) {
+                SlabRun slab(run, slab_of(cells));
+                double fastest = 0.0;
+                for (double time = kFrom; time < kTo + 0.5 * kEvery; time += kEvery) {
+                  slab.advance_to(time);
+                  const double now = slab.sample().fastest_slip;
+                  if (!(now <= fastest)) fastest = now;  // NaN too
+                }
+                return fastest;
+              },
+          // Some hundred roundings of velocities of g Δt.
+          .resolution = [](double dt) { return 100.0 * kUlp * kStandardGravity * dt; },
+          .reference = [](const PartOf&) { return exact(0.0, "u = 0, exact"); }};
 }
 
 PrecisionQuestion acceleration() {
@@ -142,11 +169,11 @@ PrecisionQuestion acceleration() {
               [=](const PartOf&) { return exact(expected, "a = g(sin θ − μ cos θ), exact"); }};
 }
 
-PrecisionQuestion stopping_distance() {
+PrecisionQuestion stopping() {
   InclineSetup setup = cube();
   setup.speed = 2.0;
   PrecisionQuestion question{
-      .name = "stopping-distance",
+      .name = "stopping",
       .title = "the distance in which a box thrown over level ground stops",
       .unit = "m",
       .scale = reference::stopping_distance({0.0, setup.friction, kStandardGravity}, setup.speed),
@@ -161,7 +188,7 @@ PrecisionQuestion stopping_distance() {
           },
       .resolution = [](double dt) { return 0.5 * kUlp * 0.4 / dt; }};
   question.reference = [question](const PartOf& part) {
-    return self_converged(question, part, {4, 8}, 2e-5);
+    return self_converged(question, part, {2, 4, 6}, 2e-5);
   };
   return question;
 }
@@ -228,7 +255,7 @@ PrecisionQuestion oscillator() {
            setup.stretch * oscillator_offset(setup);
   };
   question.reference = [question](const PartOf& part) {
-    return self_converged(question, part, {4, 8}, 2e-5);
+    return self_converged(question, part, {2, 4, 8}, 2e-5);
   };
   return question;
 }
@@ -244,8 +271,9 @@ PrecisionQuestion membrane() {
       .name = "membrane",
       .title = "the place where a box that slides down a membrane stops",
       .unit = "m",
-      .scale = setup(12).length,
-      .cells = {12, 24},
+      .scale = 0.5 * setup(12).length,  // about the way that it slides
+      .lost = 0.5,
+      .cells = {12, 24, 40},
       .fineness = 3,  // as slide_down_membrane() asks for
       .seconds = membrane_problem(setup(12)).duration,
       .problem = [=](int cells) { return membrane_problem(setup(cells)); },
@@ -255,7 +283,37 @@ PrecisionQuestion membrane() {
           },
       .resolution = [](double dt) { return 0.5 * kUlp * 0.8 / dt; }};
   question.reference = [question](const PartOf& part) {
-    return self_converged(question, part, {24, 36}, 8e-5);
+    return self_converged(question, part, {24, 40, 60}, 5e-5);
+  };
+  return question;
+}
+
+PrecisionQuestion bar() {
+  const BarSetup setup;
+  const double seconds = setup.settled + bar_turn(setup);
+  PrecisionQuestion question{
+      .name = "bar",
+      .title = "the force that pushes a bar over a frictional bed",
+      .unit = "N",
+      .scale = bar_traction(setup) * setup.slip_length,
+      .cells = {20, 40, 80},
+      .seconds = seconds,
+      .problem = [=](int) { return bar_problem(setup); },
+      .answer =
+          [=](CaseRun& run, int cells) {
+            const auto simulation = run.simulate(bar_problem(setup), {.fineness = cells});
+            simulation->advance_to(seconds);
+            double force = 0.0;
+            for (const ContactSample& contact : simulation->engine().contacts()) {
+              force -= contact.friction_force.x();
+            }
+            return force;
+          },
+      // A unit in the last place of a velocity of U̇ in each step, times the bar's mass.
+      .resolution =
+          [=](double dt) { return kUlp * bar_push(setup) / setup.ramp / dt; }};
+  question.reference = [question](const PartOf& part) {
+    return self_converged(question, part, {40, 80, 110}, 5e-5);
   };
   return question;
 }
@@ -263,8 +321,8 @@ PrecisionQuestion membrane() {
 }  // namespace
 
 std::vector<PrecisionQuestion> precision_questions() {
-  return {threshold(),         creep(), acceleration(), stopping_distance(),
-          stack(), oscillator(), membrane()};
+  return {threshold(), creep(),      slip(),     acceleration(), stopping(),
+          stack(),     oscillator(), membrane(), bar()};
 }
 
 }  // namespace stiction
