@@ -212,6 +212,14 @@ SampleRule read_sample(Reader& reader, const std::string& name, const toml::node
   reader.read("run-of", sample.run_of);
   if (sample.run_of.empty())
     reader.refuse(node, fmt::format("'{}' names no case in 'run-of'", name));
+  std::string shows = "summary";
+  reader.read("shows", shows);
+  if (shows == "cheapest-settings") {
+    sample.shows = Shown::kCheapestSettings;
+  } else if (shows != "summary") {
+    reader.refuse(node,
+                  fmt::format("'shows' is one of summary, cheapest-settings, not '{}'", shows));
+  }
   reader.finish();
   return sample;
 }

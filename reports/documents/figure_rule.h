@@ -54,11 +54,18 @@ struct FigureRule {
   FigureStyle style{};
 };
 
-/// A run's summary screen, which a document shows.
+/// What a document shows of a whole run.
+enum class Shown {
+  kSummary,           ///< "summary": the summary screen
+  kCheapestSettings,  ///< "cheapest-settings": of each question, in Markdown (formats/work_precision.h)
+};
+
+/// Lines that are made of a run's records.
 struct SampleRule {
   std::string name{};
   std::string where{};
   std::string run_of{};  ///< a case that the run has
+  Shown shows = Shown::kSummary;
 };
 
 /// One program's figures: reports/documents/figures/<program>.toml.

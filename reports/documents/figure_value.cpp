@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "reports/formats/summary.h"
+#include "reports/formats/work_precision.h"
 #include "reports/text/number.h"
 
 namespace stiction {
@@ -226,6 +227,7 @@ std::string sample_of(const SampleRule& rule, const std::vector<std::vector<Reco
       return record.case_name == rule.run_of;
     });
     if (!is_it) continue;
+    if (rule.shows == Shown::kCheapestSettings) return cheapest_settings_markdown(*run);
     std::string screen = summary_screen(*run, {.width = 80});
     while (screen.ends_with("\n\n")) screen.pop_back();
     return screen;

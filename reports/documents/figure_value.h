@@ -24,7 +24,7 @@ bool is_of(const FigureRule& rule, const Record& record);
 /// nothing about several.
 FigureValue value_of(const FigureRule& rule, const std::vector<Record>& records);
 
-/// The summary screen of the last run that has a record of the rule's case. Throws as above.
+/// What the rule shows of the last run that has a record of its case. Throws as above.
 std::string sample_of(const SampleRule& rule, const std::vector<std::vector<Record>>& runs);
 
 /// How the value stands in a document: "3e-4", "0.0057", "7 to 205", "never", "slips out".

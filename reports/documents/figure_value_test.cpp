@@ -206,5 +206,20 @@ TEST(Sample, IsTheSummaryOfTheLastRunThatHasItsCase) {
             "validate.toml:9: sample 'summary': no run has a record of 'slab/rest'");
 }
 
+TEST(Sample, MayBeTheTableOfCheapestSettings) {
+  Record run = record("work-precision/creep/cells=2/dt=1e-4", "quiet", 1.0);
+  run.checks.clear();
+  run.configuration = "quiet";
+  run.figures = {{"error at most", "m/s", "", 2e-7}, {"CPU time", "s/s", "", 0.05}};
+  const SampleRule rule{.name = "cheapest",
+                        .where = "work-precision.toml:9",
+                        .run_of = run.case_name,
+                        .shows = Shown::kCheapestSettings};
+  const std::string text = sample_of(rule, {{run}});
+  EXPECT_NE(text.find("| creep, m/s | 1e-3…1e-6 | quiet | 2 | 1e-4 | 0.05 | 2e-07 |  |\n"),
+            std::string::npos)
+      << text;
+}
+
 }  // namespace
 }  // namespace stiction

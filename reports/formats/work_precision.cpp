@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <sstream>
 
+#include "reports/formats/summary_table.h"
 #include "reports/text/configuration_text.h"
 #include "reports/text/family.h"
 #include "reports/text/number.h"
-#include "reports/text/text.h"
 
 namespace stiction {
 
@@ -17,6 +19,9 @@ namespace {
 
 // An error that is less than this many times its doubt is told as an upper bound.
 constexpr double kTold = 2.0;
+
+// Costs of one setting differ by as much from run to run even where its repetitions agree.
+constexpr double kLeastNoise = 1.1;
 
 double figure_of(const Record& record, const char* quantity) {
   for (const Figure& one : record.figures) {
@@ -36,13 +41,15 @@ WorkPoint point_of(const Record& record) {
   const std::string family = family_name(record.case_name);
   WorkPoint point;
   point.question = family.substr(std::string(kWorkPrecision).size());
-  point.setting = record.case_name.substr(std::min(family.size() + 1, record.case_name.size()));
-  std::replace(point.setting.begin(), point.setting.end(), '/', ' ');
+  std::istringstream rest(record.case_name.substr(family.size()));
+  for (std::string part; std::getline(rest, part, '/');) {
+    const std::size_t is = part.find('=');
+    if (is == std::string::npos) continue;
+    point.parameters.emplace_back(part.substr(0, is), part.substr(is + 1));
+  }
   point.method = configuration_name(record);
   const auto sweeps = record.settings.find("sweeps");
-  if (sweeps != record.settings.end()) {
-    point.method += ", " + counted(std::stoul(sweeps->second), "sweep");
-  }
+  if (sweeps != record.settings.end()) point.method += " ×" + sweeps->second;
   point.seconds = figure_of(record, kWorkTime);
   point.error = figure_of(record, kErrorAtMost);
   point.doubt = figure_of(record, kErrorDoubt);
@@ -56,25 +63,36 @@ WorkPoint point_of(const Record& record) {
 
 std::string error_text(const WorkPoint& point) {
   const bool bound = point.error < kTold * point.doubt;
-  return with_unit((bound ? "≤ " : "") + fmt::format("{:.1e}", point.error), point.unit);
+  return (bound ? "≤ " : "") + fmt::format("{:.0e}", point.error);
 }
 
-std::vector<std::string> row_of(const std::string& question, const std::string& precisions,
-                                const WorkPoint& point, bool reached) {
-  return {question,
-          precisions,
-          reached ? point.method : "none; best: " + point.method,
-          point.setting,
-          fmt::format("{:.2g}", point.seconds),
-          error_text(point)};
+std::string bound_text(double precision) { return fmt::format("1e{:.0f}", std::log10(precision)); }
+
+std::string question_text(const WorkPoint& point) {
+  return point.question + (point.unit == "1" ? "" : ", " + point.unit);
 }
 
-// "12 of 140 runs broke: 7 the time step … is above the stability limit …": reasons without their
-// numbers are the same reason.
-std::string broken_text(const std::vector<WorkPoint>& points) {
-  const auto broke = std::count_if(points.begin(), points.end(),
-                                   [](const WorkPoint& one) { return !one.broken.empty(); });
-  return fmt::format("{} of {}", broke, points.size());
+void add_parameters(std::vector<std::string>& row, const WorkPoint& point, bool names) {
+  for (const auto& [name, value] : point.parameters) row.push_back(names ? name : value);
+}
+
+std::size_t broken_among(const std::vector<WorkPoint>& points) {
+  return static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(), [](const WorkPoint& one) { return !one.broken.empty(); }));
+}
+
+std::string markdown_table(const Cells& rows) {
+  std::string text;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    text += "|";
+    for (const std::string& cell : rows[r]) text += " " + cell + " |";
+    text += "\n";
+    if (r > 0) continue;
+    text += "|";
+    for (std::size_t c = 0; c < rows[r].size(); ++c) text += " --- |";
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -85,16 +103,17 @@ std::vector<std::vector<WorkPoint>> work_points(const std::vector<Record>& recor
     if (!record.case_name.starts_with(kWorkPrecision)) continue;
     if (record.verdict == Verdict::kNotApplicable) continue;
     WorkPoint point = point_of(record);
-    const auto same =
-        std::find_if(questions.begin(), questions.end(), [&](const std::vector<WorkPoint>& one) {
-          return one.front().question == point.question;
-        });
+    const auto same = std::find_if(
+        questions.begin(), questions.end(),
+        [&](const std::vector<WorkPoint>& one) { return one.front().question == point.question; });
     if (same == questions.end()) {
       questions.push_back({std::move(point)});
     } else {
       same->push_back(std::move(point));
     }
   }
+  std::sort(questions.begin(), questions.end(),
+            [](const auto& a, const auto& b) { return a.front().question < b.front().question; });
   return questions;
 }
 
@@ -120,84 +139,108 @@ std::optional<WorkPoint> cheapest_setting(const std::vector<WorkPoint>& points, 
   return std::nullopt;
 }
 
-Cells cheapest_settings(const std::vector<Record>& records) {
-  Cells rows{{"question", "error ≤", "cheapest", "setting", "CPU s/s", "error"}};
-  for (const std::vector<WorkPoint>& points : work_points(records)) {
+std::vector<std::string> as_cheap(const std::vector<WorkPoint>& points, const WorkPoint& chosen,
+                                  double precision) {
+  std::set<std::string> methods;
+  for (const WorkPoint& one : points) {
+    if (!one.broken.empty() || !(one.error <= precision) || one.method == chosen.method) continue;
+    const double noise = std::max({kLeastNoise, one.spread, chosen.spread});
+    if (one.seconds <= noise * chosen.seconds) methods.insert(one.method);
+  }
+  return {methods.begin(), methods.end()};
+}
+
+Cells cheapest_settings(const std::vector<Record>& records, bool ties) {
+  const std::vector<std::vector<WorkPoint>> questions = work_points(records);
+  if (questions.empty()) return {};
+  std::vector<std::string> heading{"question", "error ≤", "method"};
+  add_parameters(heading, questions.front().front(), true);
+  heading.insert(heading.end(), {"CPU s/s", "error"});
+  if (ties) heading.push_back("as cheap");
+  Cells rows{heading};
+  for (const std::vector<WorkPoint>& points : questions) {
     const std::vector<WorkPoint> front = work_front(points);
     if (front.empty()) {
-      rows.push_back({points.front().question, "", "every run broke", "", "", ""});
+      rows.push_back({question_text(points.front()), "", "all broke"});
+      rows.back().resize(heading.size());
       continue;
     }
     const WorkPoint* last = nullptr;
-    bool reached = true;
-    std::string name = points.front().question;
-    for (const double precision : kPrecisions) {
-      if (!reached) break;
+    for (std::size_t k = 0; k < kPrecisions.size(); ++k) {
       const auto found = std::find_if(front.begin(), front.end(), [&](const WorkPoint& one) {
-        return one.error <= precision;
+        return one.error <= kPrecisions[k];
       });
-      reached = found != front.end();
-      const WorkPoint& point = reached ? *found : front.back();
-      const std::string words = fmt::format("1e{:.0f}", std::log10(precision));
-      if (&point == last && reached) {
-        rows.back()[1] += ", " + words;
+      const bool none = found == front.end();
+      const WorkPoint& point = none ? front.back() : *found;
+      const std::string bound = bound_text(kPrecisions[k]);
+      if (&point == last && !none) {
+        std::string& bounds = rows.back()[1];
+        bounds = bounds.substr(0, bounds.find("…")) + "…" + bound;
         continue;
       }
-      rows.push_back(row_of(name, words, point, reached));
-      name.clear();
+      rows.push_back(
+          {k == 0 ? question_text(point) : "", bound + (none ? " none, best" : ""), point.method});
+      add_parameters(rows.back(), point, false);
+      rows.back().push_back(fmt::format("{:.2g}", point.seconds));
+      rows.back().push_back(error_text(point));
+      if (ties) {
+        rows.back().push_back(fmt::format(
+            "{}", fmt::join(as_cheap(points, point, none ? point.error : kPrecisions[k]), "; ")));
+      }
+      if (none) break;  // none for a smaller error either
       last = &point;
     }
   }
-  return rows.size() > 1 ? rows : Cells{};
+  return rows;
 }
 
 std::string cheapest_settings_screen(const std::vector<Record>& records, const Screen& screen) {
   const Cells rows = cheapest_settings(records);
   if (rows.empty()) return "";
-  std::string text = plain_table(rows, {0, 1, 2, 3}, screen.width);
+  std::string text = plain_table(rows, {0, 1, 2}, screen.width, screen.width < kRoomy ? 1 : 2);
   std::string broken;
   double spread = 1.0;
   for (const std::vector<WorkPoint>& points : work_points(records)) {
-    broken += fmt::format("{}{} {}", broken.empty() ? "" : ", ", points.front().question,
-                          broken_text(points));
+    broken += fmt::format("{}{} {} of {}", broken.empty() ? "" : ", ", points.front().question,
+                          broken_among(points), points.size());
     for (const WorkPoint& one : points) {
-      if (one.broken.empty()) spread = std::max(spread, one.spread);
+      if (one.broken.empty() && one.spread > spread) spread = one.spread;
     }
   }
-  text += bullet("Broke, and is on no front: " + broken + ".", screen.width);
-  text += bullet(fmt::format("CPU s/s: of the thread, a simulated second; median of repetitions, "
-                             "which differ by up to × {:.2g}.",
+  text += bullet("Broke, and on no front: " + broken + ".", screen.width);
+  text += bullet(fmt::format("CPU s/s: CPU time of the thread for a simulated second, median of "
+                             "repetitions that differ by up to × {:.2g}. Errors are relative where "
+                             "a question has no unit; ≤: not told from none. ×8: sweeps.",
                              spread),
                  screen.width);
   return text;
 }
 
+std::string cheapest_settings_markdown(const std::vector<Record>& records) {
+  return markdown_table(cheapest_settings(records, true));
+}
+
 std::string work_precision_markdown(const std::vector<Record>& records) {
-  const auto table = [](const Cells& rows) {
-    std::string text;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      text += "|";
-      for (const std::string& cell : rows[r]) text += " " + cell + " |";
-      text += "\n";
-      if (r > 0) continue;
-      text += "|";
-      for (std::size_t c = 0; c < rows[r].size(); ++c) text += " --- |";
-      text += "\n";
-    }
-    return text;
-  };
-  const Cells cheapest = cheapest_settings(records);
-  if (cheapest.empty()) return "";
-  std::string text = "\n## The cheapest setting for an error\n\n" + table(cheapest);
-  for (const std::vector<WorkPoint>& points : work_points(records)) {
-    text += fmt::format("\n### Front of {} ({} runs broke)\n\n", points.front().question,
-                        broken_text(points));
-    Cells rows{{"method", "setting", "CPU s/s", "slowest ÷ fastest", "error"}};
+  const std::vector<std::vector<WorkPoint>> questions = work_points(records);
+  if (questions.empty()) return "";
+  std::string text =
+      "\n## The cheapest setting for an error\n\n" + cheapest_settings_markdown(records);
+  for (const std::vector<WorkPoint>& points : questions) {
+    text += fmt::format("\n### Front of {}: {} of {} runs broke\n\n", points.front().question,
+                        broken_among(points), points.size());
+    std::vector<std::string> heading{"method"};
+    add_parameters(heading, points.front(), true);
+    heading.insert(heading.end(), {"CPU s/s", "slowest ÷ fastest", "error", "of which uncertain"});
+    Cells rows{heading};
     for (const WorkPoint& one : work_front(points)) {
-      rows.push_back({one.method, one.setting, fmt::format("{:.2g}", one.seconds),
-                      fmt::format("{:.2g}", one.spread), error_text(one)});
+      rows.push_back({one.method});
+      add_parameters(rows.back(), one, false);
+      rows.back().push_back(fmt::format("{:.2g}", one.seconds));
+      rows.back().push_back(fmt::format("{:.2g}", one.spread));
+      rows.back().push_back(with_unit(fmt::format("{:.2g}", one.error), one.unit));
+      rows.back().push_back(fmt::format("{:.1g}", one.doubt));
     }
-    text += table(rows);
+    text += markdown_table(rows);
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/record/record.h"
@@ -31,8 +32,9 @@ inline constexpr std::array<double, 3> kPrecisions{1e-3, 1e-6, 1e-9};
 /// One run of a question.
 struct WorkPoint {
   std::string question;  ///< "stopping-distance"
-  std::string method;    ///< "quiet, 8 sweeps"
-  std::string setting;   ///< "cells=2, dt=1e-4"
+  std::string method;    ///< "quiet", "quiet ×8": with so many sweeps, not with its own number
+  /// Those of the case's name, in its order: {"cells", "2"}, {"dt", "1e-4"}.
+  std::vector<std::pair<std::string, std::string>> parameters;
   double seconds = 0.0;  ///< CPU time a simulated second
   double error = 0.0;    ///< at most; in `unit`
   double doubt = 0.0;    ///< of which uncertain
@@ -41,7 +43,7 @@ struct WorkPoint {
   std::string broken;    ///< why it is no answer; empty: it is one
 };
 
-/// Those of the records that are such runs, by question in the order in which they first come.
+/// Those of the records that are such runs, a list a question, sorted by its name.
 std::vector<std::vector<WorkPoint>> work_points(const std::vector<Record>& records);
 
 /// The Pareto front of one question's runs, cheapest first: none is both cheaper and as precise, and
@@ -51,14 +53,24 @@ std::vector<WorkPoint> work_front(const std::vector<WorkPoint>& points);
 /// The cheapest whose error is `precision` at most; none where nothing that did not break is.
 std::optional<WorkPoint> cheapest_setting(const std::vector<WorkPoint>& points, double precision);
 
-/// A row a question and precision: the cheapest setting, its CPU time and its error; or "none", with
-/// the most precise setting. The first row is the heading. Empty without such records.
-Cells cheapest_settings(const std::vector<Record>& records);
+/// Methods that are as precise as asked for too, and no dearer than `chosen` by more than costs
+/// differ from one repetition to the next; `chosen`'s own left out.
+std::vector<std::string> as_cheap(const std::vector<WorkPoint>& points, const WorkPoint& chosen,
+                                  double precision);
+
+/// A row a question and the precisions that one setting is cheapest for: its CPU time, error and
+/// parameters; where no setting has such an error "none, best" and the most precise one. The first row
+/// is the heading. Empty without such records.
+/// With `ties` a last column names the methods that are as cheap.
+Cells cheapest_settings(const std::vector<Record>& records, bool ties = false);
 
 /// The same for a terminal, with what broke below it.
 std::string cheapest_settings_screen(const std::vector<Record>& records, const Screen& screen);
 
-/// The same as a table in Markdown, then the front of each question.
+/// The same as a table in Markdown.
+std::string cheapest_settings_markdown(const std::vector<Record>& records);
+
+/// That under a heading, then the front of each question. Empty without such records.
 std::string work_precision_markdown(const std::vector<Record>& records);
 
 }  // namespace stiction

@@ -34,14 +34,14 @@ namespace {
 // sliding part as forces ± τh/2 on the bed. Each is as much traction as μh/2 of bar: kFlexure of
 // length.
 constexpr BarSetup kBar;
-constexpr double kLength = kBar.length;                   // m
-constexpr double kStiffness = bar_stiffness(kBar);        // EA, N
-constexpr double kTraction = bar_traction(kBar);          // τ, N/m
-constexpr double kSlipLength = kBar.slip_length;          // a, m
-constexpr double kPush = bar_push(kBar);                  // U, m
-constexpr double kFlexure = kBar.friction * kBar.side;    // μh/2 at both ends, m
-constexpr int kCells = 80;                                // along the bar
-constexpr double kTurn = bar_turn(kBar);                  // s, from one end of a stroke to another
+constexpr double kLength = kBar.length;                 // m
+constexpr double kStiffness = bar_stiffness(kBar);      // EA, N
+constexpr double kTraction = bar_traction(kBar);        // τ, N/m
+constexpr double kSlipLength = kBar.slip_length;        // a, m
+constexpr double kPush = bar_push(kBar);                // U, m
+constexpr double kFlexure = kBar.friction * kBar.side;  // μh/2 at both ends, m
+constexpr int kCells = 80;                              // along the bar
+constexpr double kTurn = bar_turn(kBar);                // s, from one end of a stroke to another
 
 using Places = std::map<std::int64_t, Vec3>;  // of vertices, by their numbers, m
 

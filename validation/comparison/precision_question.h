@@ -28,7 +28,8 @@ struct PrecisionQuestion {
   /// From this error on a run did not hold, or threw the scene away: it is told as broken, however
   /// little it cost. In the unit of errors.
   double lost = 1.0;
-  std::vector<int> cells{};  ///< refinements: elements along the longest edge of the body asked about
+  std::vector<int>
+      cells{};           ///< refinements: elements along the longest edge of the body asked about
   int fineness = 0;      ///< of bodies that bring no mesh of their own; 0: as the refinement says
   double seconds = 0.0;  ///< simulated for one answer, about, s
   std::function<Problem(int cells)> problem{};

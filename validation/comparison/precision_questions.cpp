@@ -148,25 +148,25 @@ PrecisionQuestion acceleration() {
   setup.speed = 1.0;
   const double expected = reference::sliding_acceleration(
       {std::atan(setup.tan_slope), setup.friction, kStandardGravity});
-  return {.name = "acceleration",
-          .title = "the acceleration of a box that slides down",
-          .unit = "m/s²",
-          .scale = expected,
-          .cells = {1, 2, 4},
-          .seconds = 2.0,
-          .problem = [=](int) { return incline_problem(setup); },
-          .answer =
-              [=](CaseRun& run, int cells) {
-                InclineRun slide(run, setup, incline_problem(setup), {.fineness = cells});
-                slide.advance_to(1.0);
-                const double from = slide.time(), before = slide.speed();
-                slide.advance_to(2.0);
-                return (slide.speed() - before) / (slide.time() - from);
-              },
-          // A unit in the last place of a velocity of 2.7 m/s in each step.
-          .resolution = [](double dt) { return kUlp * 2.7 / dt; },
-          .reference =
-              [=](const PartOf&) { return exact(expected, "a = g(sin θ − μ cos θ), exact"); }};
+  return {
+      .name = "acceleration",
+      .title = "the acceleration of a box that slides down",
+      .unit = "m/s²",
+      .scale = expected,
+      .cells = {1, 2, 4},
+      .seconds = 2.0,
+      .problem = [=](int) { return incline_problem(setup); },
+      .answer =
+          [=](CaseRun& run, int cells) {
+            InclineRun slide(run, setup, incline_problem(setup), {.fineness = cells});
+            slide.advance_to(1.0);
+            const double from = slide.time(), before = slide.speed();
+            slide.advance_to(2.0);
+            return (slide.speed() - before) / (slide.time() - from);
+          },
+      // A unit in the last place of a velocity of 2.7 m/s in each step.
+      .resolution = [](double dt) { return kUlp * 2.7 / dt; },
+      .reference = [=](const PartOf&) { return exact(expected, "a = g(sin θ − μ cos θ), exact"); }};
 }
 
 PrecisionQuestion stopping() {
@@ -277,10 +277,8 @@ PrecisionQuestion membrane() {
       .fineness = 3,  // as slide_down_membrane() asks for
       .seconds = membrane_problem(setup(12)).duration,
       .problem = [=](int cells) { return membrane_problem(setup(cells)); },
-      .answer =
-          [=](CaseRun& run, int cells) {
-            return slide_down_membrane(run, setup(cells)).place.back();
-          },
+      .answer = [=](CaseRun& run,
+                    int cells) { return slide_down_membrane(run, setup(cells)).place.back(); },
       .resolution = [](double dt) { return 0.5 * kUlp * 0.8 / dt; }};
   question.reference = [question](const PartOf& part) {
     return self_converged(question, part, {24, 40, 60}, 5e-5);
@@ -310,8 +308,7 @@ PrecisionQuestion bar() {
             return force;
           },
       // A unit in the last place of a velocity of U̇ in each step, times the bar's mass.
-      .resolution =
-          [=](double dt) { return kUlp * bar_push(setup) / setup.ramp / dt; }};
+      .resolution = [=](double dt) { return kUlp * bar_push(setup) / setup.ramp / dt; }};
   question.reference = [question](const PartOf& part) {
     return self_converged(question, part, {40, 80, 110}, 5e-5);
   };

@@ -12,13 +12,13 @@ namespace stiction {
 ///
 ///   a = √(2 E A U/τ),   F = τ a.
 struct BarSetup {
-  double length = 1.0, side = 0.0125;     ///< m
+  double length = 1.0, side = 0.0125;      ///< m
   double modulus = 5e5, density = 1000.0;  ///< Pa, kg/m³
-  double friction = 0.5;                  ///< μ
-  double slip_length = 0.5;               ///< a, m
-  double damping_time = 2e-4;             ///< β, s
-  double settled = 0.2;                   ///< when the first stroke begins, s
-  double ramp = 0.6, hold = 0.2;          ///< of a stroke, s
+  double friction = 0.5;                   ///< μ
+  double slip_length = 0.5;                ///< a, m
+  double damping_time = 2e-4;              ///< β, s
+  double settled = 0.2;                    ///< when the first stroke begins, s
+  double ramp = 0.6, hold = 0.2;           ///< of a stroke, s
 };
 
 constexpr double bar_stiffness(const BarSetup& bar) {  ///< EA, N

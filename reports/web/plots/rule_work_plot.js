@@ -43,7 +43,7 @@ function points_of(entries, precision) {
   });
 }
 
-function axes_of(points, precision) {
+function axes_of(points, precision, work) {
   const seconds = points.map((point) => point.seconds).filter((value) => value > 0);
   const [low, high] = [Math.min(...seconds), Math.max(...seconds)];
   const range =
@@ -52,8 +52,8 @@ function axes_of(points, precision) {
   const y = quantity_axis("y", precision.quantity, precision.unit, { log: true, domain: y_domain });
   // Room for the names of the front, where no point can be.
   const x = (room) =>
-    quantity_axis("x", WORK, "s", { log: true, domain: [range.low / room, range.high] });
-  return { x, y, y_domain, range };
+    quantity_axis("x", WORK, work.unit, { log: true, domain: [range.low / room, range.high] });
+  return { x, y, y_domain, range, unit: work.unit };
 }
 
 const words_of = ({ variant }) => [variant.name, variant.contacts].filter(Boolean).join(", ");
@@ -71,11 +71,11 @@ function rows_of(points, channels, { range, y_domain }) {
   }));
 }
 
-function layers(rows, encoding, channels, overall_view) {
+function layers(rows, encoding, channels, unit, overall_view) {
   const tooltip = [
     tip("who", "rule"),
     tip("case", "case"),
-    tip_number("x", "CPU s"),
+    tip_number("x", `CPU ${unit}`),
     tip_number("y", encoding.y.axis.title.trim()),
   ];
   const held = rows.filter(({ failure }) => !failure);
@@ -131,7 +131,7 @@ function layers(rows, encoding, channels, overall_view) {
 
 const marks_words = (contacts, failed) =>
   [
-    contacts.length > 1 && `Hollow: ${contacts[0]} contacts; filled: ${contacts[1]}.`,
+    contacts.length > 1 && `Hollow: ${contacts[0]} contacts; filled: ${contacts.slice(1).join(", ")}.`,
     failed > 0 ? `✕ at the upper edge: ${failed} failed.` : "None failed.",
   ]
     .filter(Boolean)
@@ -160,7 +160,7 @@ function overall(rows, channels, axes, precision, at) {
     label_place: moved[i],
   }));
   const told = labels.map(
-    ({ name, x, y }) => `${name} (${format_seconds(x)} s, ${Number(y.toPrecision(2))})`,
+    ({ name, x, y }) => `${name} (${format_seconds(x)} ${axes.unit}, ${Number(y.toPrecision(2))})`,
   );
   const encoding = { x: axes.x(ROOM), y: axes.y };
   const failed = rows.length - candidates.length;
@@ -177,7 +177,7 @@ function overall(rows, channels, axes, precision, at) {
     spec: {
       height,
       layer: [
-        ...layers(rows, encoding, channels, true),
+        ...layers(rows, encoding, channels, axes.unit, true),
         {
           data: { values: front },
           mark: { type: "line", color: "$ink", strokeWidth: 1.6, interpolate: "step-after" },
@@ -219,7 +219,7 @@ function panel(line, rows, channels, axes) {
     spec: {
       height,
       layer: [
-        ...layers(rows, encoding, channels, false),
+        ...layers(rows, encoding, channels, axes.unit, false),
         ...end_labels(ends, { domain: axes.y_domain, height, color: channels.color }),
       ],
     },
@@ -230,13 +230,13 @@ function panel(line, rows, channels, axes) {
 export function rule_work_plots(all) {
   // What was not there to be run, such as a build, has no place.
   const entries = all.filter(({ record }) => record.verdict !== "not-applicable");
-  const [precision] = compared_quantities(entries.map(({ record }) => record)).filter(
-    ({ quantity }) => quantity !== WORK,
-  );
-  if (!precision) return [];
+  const quantities = compared_quantities(entries.map(({ record }) => record));
+  const work = quantities.find(({ quantity }) => quantity === WORK);
+  const precision = quantities.find(({ quantity }) => quantity !== WORK);
+  if (!precision || !work) return [];
   const points = points_of(entries, precision.quantity);
   const channels = rule_channels(entries.map(({ variant }) => variant));
-  const axes = axes_of(points, precision);
+  const axes = axes_of(points, precision, work);
   const rows = rows_of(points, channels, axes);
   const lines = group_by(points, ({ line }) => line);
   const at = points[0].at.split("=")[0];

@@ -209,6 +209,36 @@ test("work and precision: a line a variant and mesh, the front, failures at the 
   assert.match(overall.caption, /56 runs.*values of dt.*4 failed/);
 });
 
+test("work a simulated second: its unit, and what broke is on no front however cheap and precise", () => {
+  const entries = [
+    ["2e-4", 0.02, 1e-5, ""],
+    ["1e-4", 0.04, 1e-7, ""],
+    ["5e-4", 0.001, 1e-12, "it did not hold"],
+  ].map(([dt, seconds, error, reason]) => ({
+    record: record({
+      case: `work-precision/creep/cells=2/dt=${dt}`,
+      settings: { method: "quiet", rule: "conjugate-vector", dt },
+      checks: [],
+      figures: [figure("error at most", "m/s", error), figure("CPU time", "s/s", seconds)],
+      failures: reason ? [{ reason, parameter: "", values: [] }] : [],
+    }),
+    run: 0,
+  }));
+  const [overall] = family_plots("work-precision/creep", entries, RUNS);
+  const [lines, , crosses, front] = overall.spec.layer.map(({ data }) => data.values);
+  assert.equal(lines.length, 2);
+  assert.deepEqual(
+    crosses.map(({ failure }) => failure),
+    ["it did not hold"],
+  );
+  assert.deepEqual(
+    front.map(({ y }) => y),
+    [1e-5, 1e-7],
+  );
+  assert.match(overall.spec.layer[0].encoding.x.axis.title, /CPU time.*s\/s/);
+  assert.match(overall.description, /s\/s/);
+});
+
 test("what broke off before it was timed is drawn too", () => {
   const entries = entries_of(/^work/);
   entries[0].record = {

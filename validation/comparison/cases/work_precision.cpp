@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work and precision of a person's questions: CPU time a simulated second against the error of the
 // answer, for each method × sweeps × Δt up to the stable limit × refinement.
+#include "reports/formats/work_precision.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <mutex>
 #include <optional>
 
-#include "reports/formats/work_precision.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 #include "validation/comparison/comparison.h"
@@ -26,7 +27,7 @@ namespace {
 constexpr double kMostWork = 5e6;
 
 // What took less CPU time in all (s) is run again, up to so many times; the median of the times counts.
-constexpr double kEnough = 0.3;
+constexpr double kEnough = 0.15;
 constexpr int kMostRepeats = 5;
 
 // A question's reference, computed by the first run that asks.
@@ -96,8 +97,8 @@ void run_question(CaseRun& run, KnownReference& known, int cells) {
   if (found.broken.empty()) {
     const PrecisionReference& reference = known.get(run);
     const double unit = question.scale > 0.0 ? question.scale : 1.0;
-    const double dt = found.record.cost.simulated_seconds /
-                      static_cast<double>(found.record.cost.steps);
+    const double dt =
+        found.record.cost.simulated_seconds / static_cast<double>(found.record.cost.steps);
     error = std::abs(found.value - reference.value) / unit;
     doubt = (reference.uncertainty + question.resolution(dt)) / unit;
     run.note(fmt::format("{} {:.10g} {}, reference {:.10g} ± {:.1e} ({})", question.title,
