@@ -150,6 +150,12 @@ std::vector<std::string> as_cheap(const std::vector<WorkPoint>& points, const Wo
   return {methods.begin(), methods.end()};
 }
 
+std::optional<WorkPoint> most_precise_setting(const std::vector<WorkPoint>& points) {
+  const std::vector<WorkPoint> front = work_front(points);
+  if (front.empty()) return std::nullopt;
+  return cheapest_setting(front, front.back().error + front.back().doubt);
+}
+
 Cells cheapest_settings(const std::vector<Record>& records, bool ties) {
   const std::vector<std::vector<WorkPoint>> questions = work_points(records);
   if (questions.empty()) return {};
@@ -159,36 +165,33 @@ Cells cheapest_settings(const std::vector<Record>& records, bool ties) {
   if (ties) heading.push_back("as cheap");
   Cells rows{heading};
   for (const std::vector<WorkPoint>& points : questions) {
-    const std::vector<WorkPoint> front = work_front(points);
-    if (front.empty()) {
+    const std::optional<WorkPoint> best = most_precise_setting(points);
+    if (!best) {
       rows.push_back({question_text(points.front()), "", "all broke"});
       rows.back().resize(heading.size());
       continue;
     }
-    const WorkPoint* last = nullptr;
-    for (std::size_t k = 0; k < kPrecisions.size(); ++k) {
-      const auto found = std::find_if(front.begin(), front.end(), [&](const WorkPoint& one) {
-        return one.error <= kPrecisions[k];
-      });
-      const bool none = found == front.end();
-      const WorkPoint& point = none ? front.back() : *found;
-      const std::string bound = bound_text(kPrecisions[k]);
-      if (&point == last && !none) {
+    std::optional<WorkPoint> last;
+    for (const double precision : kPrecisions) {
+      const std::optional<WorkPoint> found = cheapest_setting(points, precision);
+      const WorkPoint& point = found ? *found : *best;
+      const std::string bound = bound_text(precision);
+      if (found && last && found->method == last->method && found->parameters == last->parameters) {
         std::string& bounds = rows.back()[1];
         bounds = bounds.substr(0, bounds.find("…")) + "…" + bound;
         continue;
       }
-      rows.push_back(
-          {k == 0 ? question_text(point) : "", bound + (none ? " none, best" : ""), point.method});
+      rows.push_back({precision == kPrecisions.front() ? question_text(point) : "",
+                      bound + (found ? "" : " none, best"), point.method});
       add_parameters(rows.back(), point, false);
       rows.back().push_back(fmt::format("{:.2g}", point.seconds));
       rows.back().push_back(error_text(point));
       if (ties) {
-        rows.back().push_back(fmt::format(
-            "{}", fmt::join(as_cheap(points, point, none ? point.error : kPrecisions[k]), "; ")));
+        const double met = found ? precision : point.error;
+        rows.back().push_back(fmt::format("{}", fmt::join(as_cheap(points, point, met), "; ")));
       }
-      if (none) break;  // none for a smaller error either
-      last = &point;
+      if (!found) break;  // none for a smaller error either
+      last = found;
     }
   }
   return rows;

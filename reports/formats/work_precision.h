@@ -53,13 +53,17 @@ std::vector<WorkPoint> work_front(const std::vector<WorkPoint>& points);
 /// The cheapest whose error is `precision` at most; none where nothing that did not break is.
 std::optional<WorkPoint> cheapest_setting(const std::vector<WorkPoint>& points, double precision);
 
+/// Where there is none: the cheapest that can't be told from the most precise, by what that one's
+/// error is uncertain. None where every run broke.
+std::optional<WorkPoint> most_precise_setting(const std::vector<WorkPoint>& points);
+
 /// Methods that are as precise as asked for too, and no dearer than `chosen` by more than costs
 /// differ from one repetition to the next; `chosen`'s own left out.
 std::vector<std::string> as_cheap(const std::vector<WorkPoint>& points, const WorkPoint& chosen,
                                   double precision);
 
 /// A row a question and the precisions that one setting is cheapest for: its CPU time, error and
-/// parameters; where no setting has such an error "none, best" and the most precise one. The first row
+/// parameters; where no setting has such an error "none, best" and most_precise_setting(). The first row
 /// is the heading. Empty without such records.
 /// With `ties` a last column names the methods that are as cheap.
 Cells cheapest_settings(const std::vector<Record>& records, bool ties = false);

@@ -103,6 +103,15 @@ TEST(WorkPrecision, TheTableMergesPrecisionsAndSaysNoneWithTheBest) {
   EXPECT_THAT(rows[3], ElementsAre("", "1e-6 none, best", "quiet", "2", "1e-5", "2", "1e-05"));
 }
 
+TEST(WorkPrecision, TheBestIsTheCheapestThatIsNotToldFromTheMostPrecise) {
+  const std::vector<Record> records{run_of("stop", "4e-4", 0.1, 3.2e-5, 1e-5),
+                                    run_of("stop", "2e-4", 0.2, 2.9e-5, 1e-5),
+                                    run_of("stop", "1e-4", 0.4, 2e-5, 1e-5)};
+  EXPECT_EQ(most_precise_setting(points_of(records))->seconds, 0.2);
+  EXPECT_FALSE(
+      most_precise_setting(points_of({broken_run("stop", "1e-3", 0.1, 1e-9)})).has_value());
+}
+
 TEST(WorkPrecision, MethodsAreAsCheapWhereCostsDifferByNoMoreThanRepetitionsDo) {
   const auto of = [](const char* method, double seconds, double error) {
     Record one = run_of("stop", "1e-4", seconds, error);

@@ -24,7 +24,7 @@ namespace stiction {
 namespace {
 
 // Of one run, vertices × steps: a second of CPU time, more or less. It ends the ladder of time steps.
-constexpr double kMostWork = 5e6;
+constexpr double kMostWork = 3e6;
 
 // What took less CPU time in all (s) is run again, up to so many times; the median of the times counts.
 constexpr double kEnough = 0.15;
