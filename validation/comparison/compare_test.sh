@@ -58,6 +58,27 @@ for words in 'Work in single precision beside' 'speed ×' 'way slipped ×'; do
 done
 passed "its error and speed stand beside double's"
 
+# A person's question: the cheapest setting on the screen and in comparison.md; a step beyond the stable limit
+# is refused by the engine, a result and no error, and on no front.
+holds 0 "cheapest settings" env COLUMNS=80 "$compare" --scene 'work-precision/acceleration/cells=1/dt=*e-[34]' \
+  --contacts quiet --out cheapest
+for words in 'acceleration 1e-3' 'quiet' 'Broke, and on no front: acceleration 3 of' 'CPU s/s'; do
+  grep -qF -- "$words" out || failed "cheapest settings" "stdout lacks $words"
+done
+[ "$(LC_ALL=C.UTF-8 awk 'length($0) > 80 && !/comparison.md/' out | wc -l)" -eq 0 ] ||
+  failed "cheapest settings" "a line is wider than 80 columns"
+grep -q '^### Front of acceleration: 3 of' cheapest/latest/comparison.md ||
+  failed "cheapest settings" "comparison.md has no front"
+python3 - cheapest/latest/records.jsonl <<'PY' || failed "cheapest settings" "the records do not tell what it cost"
+import json, sys
+records = [json.loads(line) for line in open(sys.argv[1])]
+refused = [r for r in records if r["case"].endswith("/dt=1e-3")]
+ran = [r for r in records if r not in refused]
+sys.exit(not (len(refused) == 3 and all("stability limit" in r["failures"][0]["reason"] for r in refused)
+              and ran and all(r["cost"]["simulated_seconds"] > 0 and r["cost"]["cpu_seconds"] > 0 for r in ran)))
+PY
+passed "cheapest settings stand on the screen; what the engine refuses is on no front"
+
 # At each effort at which double stands on a curve, so does single precision.
 holds 0 "engines in single precision" env COLUMNS=80 "$compare" engines --quick --engine stiction \
   --engine stiction_single --question accelerates --out engines

@@ -64,7 +64,7 @@ InclineSetup cube() {
   return setup;
 }
 
-constexpr double kThresholdWidth = 1e-9;  // of the bracket on tan θ, to μ
+constexpr double kThresholdWidth = 2e-10;  // of the bracket on tan θ, to μ
 
 PrecisionQuestion threshold() {
   InclineSetup setup = cube();

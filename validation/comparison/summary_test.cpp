@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "reports/formats/work_precision.h"
 #include "reports/text/text.h"
 #include "validation/comparison/comparison.h"
 
@@ -62,6 +63,23 @@ TEST(ComparisonSummary, NeverLetsOneThatFailedWin) {
   const std::string text = comparison_summary(records, Record{}, Screen{});
   EXPECT_THAT(text,
               HasSubstr("2 of 10 runs do not hold their scene, which is a result: secant 2."));
+}
+
+TEST(ComparisonSummary, OfWorkAndPrecisionTellsTheCheapestSettingAndWhatBroke) {
+  Record one;
+  one.case_name = std::string(kWorkPrecision) + "creep/cells=2/dt=1e-4";
+  one.configuration = "quiet";
+  one.settings = {{"method", "quiet"}, {"rule", "conjugate-vector"}};
+  one.figures = {{kErrorAtMost, "m/s", "", 2e-7},
+                 {kErrorDoubt, "m/s", "", 1e-13},
+                 {kWorkTime, "s/s", "", 0.05},
+                 {kWorkSpread, "1", "", 1.0}};
+  Record broken = one;
+  broken.failures.push_back({.reason = "it did not hold"});
+  const std::string text = comparison_summary({one, broken}, Record{}, Screen{});
+  EXPECT_THAT(text, HasSubstr("creep, m/s  1e-3…1e-6"));
+  EXPECT_THAT(text, HasSubstr("creep 1 of 2"));
+  EXPECT_THAT(text, Not(HasSubstr("do not hold their scene")));
 }
 
 TEST(ComparisonSummary, TellsWhatBrokeOffWholeAndHowToRunItAgain) {
