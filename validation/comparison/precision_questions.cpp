@@ -93,7 +93,8 @@ PrecisionQuestion threshold() {
 double worst_of(const std::vector<double>& answers) {
   double worst = 0.0;
   for (const double one : answers) {
-    if (!(one <= worst)) worst = one;  // NaN too
+    if (std::isnan(one)) return one;
+    worst = std::max(worst, one);
   }
   return worst;
 }
@@ -160,7 +161,6 @@ PrecisionQuestion slip() {
         }
         return worst_of(slips);
       });
-  question.lost = 1.0;
   // Some hundred roundings of velocities of g Δt.
   question.resolution = [](double dt) { return 100.0 * kUlp * kStandardGravity * dt; };
   return question;

@@ -77,7 +77,7 @@ TEST(ComparisonSummary, OfWorkAndPrecisionTellsTheCheapestSettingAndWhatBroke) {
   Record broken = one;
   broken.failures.push_back({.reason = "it did not hold"});
   const std::string text = comparison_summary({one, broken}, Record{}, Screen{});
-  EXPECT_THAT(text, HasSubstr("creep, m/s  1e-3…1e-6"));
+  EXPECT_THAT(text, HasSubstr("creep, m/s 1e-3…1e-6"));
   EXPECT_THAT(text, HasSubstr("creep 1 of 2"));
   EXPECT_THAT(text, Not(HasSubstr("do not hold their scene")));
 }

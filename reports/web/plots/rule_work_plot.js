@@ -131,7 +131,8 @@ function layers(rows, encoding, channels, unit, overall_view) {
 
 const marks_words = (contacts, failed) =>
   [
-    contacts.length > 1 && `Hollow: ${contacts[0]} contacts; filled: ${contacts.slice(1).join(", ")}.`,
+    contacts.length > 1 &&
+      `Hollow: ${contacts[0]} contacts; filled: ${contacts.slice(1).join(", ")}.`,
     failed > 0 ? `✕ at the upper edge: ${failed} failed.` : "None failed.",
   ]
     .filter(Boolean)

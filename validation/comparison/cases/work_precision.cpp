@@ -23,7 +23,8 @@ namespace stiction {
 
 namespace {
 
-// Of one run, vertices × steps: a second of CPU time, more or less. It ends the ladder of time steps.
+// Of one run, vertices × steps: a quarter of a second of CPU time, more or less, and twice that where
+// bodies touch. It ends the ladder of time steps.
 constexpr double kMostWork = 3e6;
 
 // What took less CPU time in all (s) is run again, up to so many times; the median of the times counts.
