@@ -21,17 +21,21 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
   const double time = static_cast<double>(state.step) * dt;
   switch (phase) {
     case Phase::kForces:
-      gravity_forces(scene, time, workspace.force);
+      gravity_forces(scene, time, workspace.force, workspace.team);
       add_drag_forces(scene, time, state.velocity, workspace.force);
       add_load_forces(scene, time, state, workspace.force);
       if constexpr (STICTION_HAS_ELASTICITY) {
-        add_corotational_forces(scene.elements, state, workspace.force);
+        if (workspace.team != nullptr) {
+          add_corotational_forces(scene, state, *workspace.team, workspace.shares, workspace.force);
+        } else {
+          add_corotational_forces(scene.elements, state, workspace.force);
+        }
       }
       return;
     case Phase::kPredict: {
       const bool half = options.integrator == Integrator::kVerlet && state.step == 0;
       predict(static_cast<Real>(half ? 0.5 * dt : dt), workspace.force, state.velocity,
-              workspace.velocity);
+              workspace.velocity, workspace.team);
       if (scene.anything_moves_by_plan) follow_motions(scene, time, dt, workspace.velocity);
       return;
     }
@@ -46,15 +50,15 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
     case Phase::kNormalForce:
       if (!workspace.pairs.empty() || !workspace.edges.empty())
         pair_normal_forces(scene, options, workspace, state.obstacle_friction);
-      normal_forces(scene, dt, state.position, workspace.velocity, workspace.contacts, time);
+      normal_forces(scene, dt, state, workspace);
       return;
     case Phase::kFriction:
       friction_forces(scene, options, state, workspace);
       return;
     case Phase::kIntegrate:
       if (scene.pairs_possible)
-        remember_pairs(workspace.pairs, scene.topology, state.pair_geometry);
-      integrate(options.dt(), workspace.velocity, state);
+        remember_pairs(workspace.pairs, scene.topology, state.pair_geometry, workspace.team);
+      integrate(options.dt(), workspace.velocity, state, workspace.team);
       return;
   }
 }

@@ -7,11 +7,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/contact/contact_order.h"
 #include "solver/contact/contacts.h"
 #include "solver/contact/edge_contacts.h"
 #include "solver/contact/pair_contacts.h"
 #include "solver/depth/consistent_scratch.h"
 #include "solver/detection/spatial_hash.h"
+#include "solver/elasticity/element_shares.h"
+#include "solver/parallel/team.h"
 #include "solver/state.h"
 
 namespace stiction {
@@ -61,6 +64,7 @@ struct PairSearch {
     std::int32_t element;
   };
   std::vector<Candidate> candidate;  ///< by key, then element
+  std::vector<std::int32_t> holds;   ///< of each group: the element that holds its vertex, or −1
   /// The candidates of one key and, once it is in contact, the triangles that may be nearest.
   struct Group {
     ContactKey key;
@@ -118,10 +122,17 @@ struct PairSearch {
   std::uint64_t edge_calls = 0;
 };
 
+/// What a sweep changed.
+struct SweepChange {
+  Real power = 0.0;  ///< Σ w |r|², r the change of a contact's force, W
+  Real slip2 = 0.0;  ///< max (w |r|)², m²/s²: the slip that the sweep took away, squared
+};
+
 /// Scratch memory of the conjugate directions of friction forces, per contact.
 struct ConjugateScratch {
   std::vector<Vec3> change;     ///< r, of f by the last sweep, N
   std::vector<Vec3> direction;  ///< p, N
+  std::vector<SweepChange> of_chunk;  ///< of the chunks of the contacts' order
 };
 
 /// Scratch memory of a step, kept so that a warm step allocates nothing, and what the last step
@@ -137,11 +148,15 @@ struct Workspace {
   FrictionMemory edge_friction;    ///< the memory being written
   ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
   std::vector<Real> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
+  ContactOrder pair_order, obstacle_order, edge_order;
+  ElementShares shares;
   PairSearch search;
   ConsistentScratch consistent;
   std::uint64_t contact_updates = 0;      ///< summed over steps
   std::uint64_t sweeps = 0;               ///< of the friction phase, summed over steps
   PhaseSeconds* phase_seconds = nullptr;  ///< where to add times; null: nothing is timed
+  /// Threads that do a step side by side, to the same bits; null: none but the caller's.
+  const Team* team = nullptr;
 };
 
 }  // namespace stiction

@@ -22,8 +22,8 @@
 #include "reports/text/number.h"
 #include "reports/text/text.h"
 #include "solver/demand.h"
+#include "solver/environment.h"
 #include "solver/friction/catalog.h"
-#include "solver/lanes/lane_width.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 #include "validation/comparison/engines/compare_engines.h"
@@ -370,7 +370,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
-    stiction::lane_width();  // one that the processor lacks is refused before anything runs
+    stiction::check_environment();  // what cannot be had is refused before anything runs
     if (of_engines->parsed()) return stiction::compare_engines(engines);
     return stiction::compare(arguments);
   } catch (const std::exception& error) {

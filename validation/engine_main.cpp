@@ -9,7 +9,7 @@
 #include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 #include "solver/demand.h"
-#include "solver/lanes/lane_width.h"
+#include "solver/environment.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/engine/conformance/conformance.h"
@@ -189,7 +189,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
-    stiction::lane_width();  // one that the processor lacks is refused before anything runs
+    stiction::check_environment();  // what cannot be had is refused before anything runs
     stiction::set_program_limits(arguments.limits);
     const stiction::ExitCode code = list->parsed()   ? stiction::list_engines()
                                     : show->parsed() ? stiction::show(arguments)

@@ -27,7 +27,7 @@
 #include "reports/screen/screen.h"
 #include "reports/text/configuration_text.h"
 #include "solver/demand.h"
-#include "solver/lanes/lane_width.h"
+#include "solver/environment.h"
 #include "validation/core/console.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
@@ -164,6 +164,15 @@ void define(CLI::App& app, Arguments& arguments) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str()
+      ->group("How it runs");
+  app.add_option_function<std::string>(
+         "--threads",
+         // Programs that run as engines hear of it too.
+         [](const std::string& wanted) { ::setenv("STICTION_THREADS", wanted.c_str(), 1); },
+         "Threads inside a step of this project's solver [1]: for scenes of more than some 5000 "
+         "contacts; the digits are the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads()))
       ->group("How it runs");
   app.add_option("--tolerance-scale", arguments.tolerance_scale,
                  "Multiplies every tolerance; 0 fails whatever is not exact and so shows every "
@@ -310,7 +319,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
-    stiction::lane_width();  // one that the processor lacks is refused before anything runs
+    stiction::check_environment();  // what cannot be had is refused before anything runs
     return stiction::validate(arguments);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction validate: {}\n", error.what());

@@ -110,7 +110,8 @@ void Batch::restore() {
   }
 }
 
-void Batch::run() {
+void Batch::run(const Team* team) {
+  work_.workspace.team = team;
   if (timed_.whole_step) {
     step(*work_.scene, work_.options, work_.state, work_.workspace);
   } else {

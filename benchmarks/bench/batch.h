@@ -32,7 +32,8 @@ class Batch {
   Batch(const Workload& settled, const Timed& timed);
 
   void restore();  ///< undoes what `run` changed; not to be timed
-  void run();      ///< one batch: the part of the step, once
+  /// One batch: the part of the step, once, by the threads of a team if there is one.
+  void run(const Team* team = nullptr);
 
   /// Of all that the part wrote, with the state: equal hashes, equal work.
   std::uint64_t hash() const;

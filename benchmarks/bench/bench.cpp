@@ -22,7 +22,7 @@
 #include "reports/text/exit_code.h"
 #include "reports/text/number.h"
 #include "solver/demand.h"
-#include "solver/lanes/lane_width.h"
+#include "solver/environment.h"
 
 namespace stiction::bench {
 
@@ -35,6 +35,7 @@ struct Arguments {
   bool full = false;
   bool no_features = false;
   bool verbose = false;
+  int threads = 1;
   bool list_fixed = false;
   bool machine = false;
   std::string fixed;
@@ -54,6 +55,13 @@ void define(CLI::App& app, Arguments& arguments) {
       ->group(which);
   app.add_flag("--no-features", arguments.no_features,
                "Leave out what optional features cost (as --benchmark_filter does)")
+      ->group(which);
+  app.add_option("--threads", arguments.threads,
+                 "Beside one thread, as many inside a step: how much faster, and whether to the "
+                 "same bits")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads()))
+      ->capture_default_str()
       ->group(which);
   app.add_flag("--list,--benchmark_list_tests", arguments.list, "Show the names and end")
       ->group(which);
@@ -109,6 +117,8 @@ void define(CLI::App& app, Arguments& arguments) {
        .examples = {{"./stiction bench", "everything, three minutes"},
                     {"./stiction bench --benchmark_filter=friction/slab --verbose",
                      "friction alone, rule by rule, on one family"},
+                    {"./stiction bench --threads 2 --benchmark_filter=^step/",
+                     "whole steps on one thread and on two, in turn"},
                     {"./stiction bench --full --no-features", "up to a million contacts"}},
        .see_also = {"./stiction help track", "benchmarks/README.md"}});
 }
@@ -152,7 +162,8 @@ int bench(const Arguments& arguments, bool given_min_time) {
   benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
   benchmark::AddCustomContext("flops_per_second", fmt::format("{}", machine.flops_per_second));
   const auto began = std::chrono::steady_clock::now();
-  Measure measure(machine);
+  const Team team(arguments.threads);
+  Measure measure(machine, team.size() > 1 ? &team : nullptr);
   register_all(chosen, measure, given_min_time);
   const bool with_features = !arguments.no_features && arguments.filter.empty();
   std::vector<std::string> names;
@@ -246,7 +257,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
   }
   try {
-    stiction::lane_width();  // one that the processor lacks is refused before anything is measured
+    stiction::check_environment();  // what cannot be had is refused before anything is measured
     return bench(arguments, given_min_time);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stiction bench: {}\n", error.what());

@@ -23,6 +23,25 @@ Record new_record(const std::string& name, const std::string& title) {
   return record;
 }
 
+void add_speed_up(const std::string& part, const SpeedUp& speed_up, Record& record) {
+  record.figures.push_back(
+      {fmt::format("speed-up by {} threads, {}", speed_up.threads, part), "1",
+       fmt::format("wall-clock time of one over that of all, in turn; half of the ratios lie from "
+                   "{:.2f} to {:.2f}",
+                   speed_up.ratio.lower, speed_up.ratio.upper),
+       speed_up.ratio.median});
+  record.checks.push_back(judge({.quantity = "batches that threads leave in another state, " + part,
+                                 .unit = "1",
+                                 .statement = "threads inside a step don't change a bit",
+                                 .formula = "0 if the hashes are the same, else 1",
+                                 .source = "the same batch by one thread, in turn",
+                                 .kind = ReferenceKind::kExactComputed,
+                                 .expected = 0.0,
+                                 .tolerance = 0.0,
+                                 .reason = "each sum has its terms in the same order"},
+                                speed_up.same_hash ? 0.0 : 1.0));
+}
+
 Record workload_record(const Measure::Settled& settled, const std::vector<Result>& results) {
   Record record = new_record(fmt::format("bench/{}/contacts={}", settled.family, settled.size), "");
   record.settings = method_settings(settled.options, true);
@@ -42,6 +61,7 @@ Record workload_record(const Measure::Settled& settled, const std::vector<Result
         chosen.timed.name, 1e9 * result.seconds / result.contacts,
         result.cost.bytes / result.contacts, result.cost.flops / result.contacts, result.error,
         result.hash & 0xffffffffu));
+    if (result.speed_up) add_speed_up(chosen.timed.name, *result.speed_up, record);
     const bool usual = chosen.timed.rule == settled.options.rule && !chosen.timed.afresh;
     if (chosen.timed.whole_step || !usual) continue;
     // Of a step, times the steps done: the cost table shows shares.

@@ -74,6 +74,25 @@ std::string exponent(const std::vector<Scaling>& fits, const std::string& family
   return "–";
 }
 
+// "1.85 (1.80–1.88)": of a whole step.
+std::vector<std::string> speed_up_row(const std::vector<Result>& results, const std::string& family,
+                                      const std::set<int>& sizes) {
+  std::vector<std::string> row = {""};
+  for (const int size : sizes) {
+    row.emplace_back("–");
+    for (const Result& one : results) {
+      if (one.chosen.family.name != family || one.chosen.size != size ||
+          !one.chosen.timed.whole_step || !one.speed_up) {
+        continue;
+      }
+      row.front() = fmt::format("  {:<6}… {} threads, × faster", family, one.speed_up->threads);
+      row.back() = fmt::format("{:.2f}", one.speed_up->ratio.median);
+    }
+  }
+  row.emplace_back("");
+  return row;
+}
+
 std::vector<std::string> families_of(const std::vector<Result>& results) {
   std::vector<std::string> families;
   for (const Result& one : results) {
@@ -102,6 +121,8 @@ Cells cost_table(const std::vector<Result>& results, const std::vector<Scaling>&
       row.push_back(exponent(fits, family, what));
       if (measured) rows.push_back(std::move(row));
     }
+    std::vector<std::string> speed_up = speed_up_row(results, family, sizes);
+    if (!speed_up.front().empty()) rows.push_back(std::move(speed_up));
   }
   return rows;
 }

@@ -50,6 +50,18 @@ TEST(BenchSummary, TellsWhatAContactCostsAndHowThatGrows) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 80u) << line;
 }
 
+TEST(BenchSummary, TellsHowMuchFasterThreadsDoAWholeStep) {
+  std::vector<Result> results = three_sizes();
+  EXPECT_THAT(bench_summary(results, {}, {}, {}, Screen{}), Not(HasSubstr("threads")));
+  for (Result& one : results) {
+    one.chosen.timed.whole_step = one.chosen.timed.name == "step";
+    const double ratio = one.chosen.timed.whole_step ? 1.9 : 1.2;
+    if (one.chosen.size > 100) one.speed_up = SpeedUp{4, {ratio - 0.1, ratio, ratio + 0.1}};
+  }
+  EXPECT_THAT(bench_summary(results, {}, {}, {}, Screen{}),
+              testing::ContainsRegex("slab +… 4 threads, × faster +– +1.90 +1.90"));
+}
+
 TEST(BenchSummary, OfPartsAloneEachIsTold) {
   const std::vector<Result> results = {result("friction:secant", 100, 35)};
   const std::string text = bench_summary(results, {}, {}, {}, Screen{});

@@ -2,6 +2,7 @@
 #include "benchmarks/bench/measure.h"
 
 #include <algorithm>
+#include <chrono>
 #include <regex>
 
 #include "reference/statistics/two_samples.h"
@@ -35,6 +36,35 @@ std::vector<Chosen> choose(const std::string& filter, bool full) {
   return chosen;
 }
 
+namespace {
+
+// A B A B, at least so many times and so long.
+SpeedUp speed_up_of(Batch& batch, const Team& team) {
+  constexpr std::size_t kFewest = 11;
+  constexpr double kLeastSeconds = 0.1;
+  const auto seconds_with = [&](const Team* with) {
+    batch.restore();
+    const auto start = std::chrono::steady_clock::now();
+    batch.run(with);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  SpeedUp found{.threads = team.size()};
+  seconds_with(&team);  // wakes the threads, and allocates
+  std::vector<double> ratios;
+  for (double spent = 0.0; ratios.size() < kFewest || spent < kLeastSeconds;) {
+    const double alone = seconds_with(nullptr);
+    const std::uint64_t hash = batch.hash();
+    const double together = seconds_with(&team);
+    found.same_hash = found.same_hash && batch.hash() == hash;
+    ratios.push_back(alone / together);
+    spent += alone + together;
+  }
+  found.ratio = reference::quartiles(std::move(ratios));
+  return found;
+}
+
+}  // namespace
+
 void Measure::run(benchmark::State& state, const Chosen& chosen) {
   Batch& batch = batch_of(chosen);
   std::vector<double> seconds;
@@ -51,7 +81,9 @@ void Measure::run(benchmark::State& state, const Chosen& chosen) {
                 reference::median(std::move(seconds)),
                 modelled_cost(chosen.timed, batch.work()),
                 batch.hash(),
-                batch.work().error()};
+                batch.work().error(),
+                {}};
+  if (team_ != nullptr) result.speed_up = speed_up_of(batch, *team_);
   state.counters["contacts"] = result.contacts;
   state.counters["time_per_contact"] = result.seconds / result.contacts;
   // 32 bits of it, which a double holds exactly.

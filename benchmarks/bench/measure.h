@@ -5,12 +5,15 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "benchmarks/bench/batch.h"
 #include "benchmarks/bench/cost_model.h"
 #include "benchmarks/bench/machine_peak.h"
+#include "reference/statistics/two_samples.h"
+#include "solver/parallel/team.h"
 
 namespace stiction::bench {
 
@@ -22,6 +25,13 @@ struct Chosen {
   std::string name;
 };
 
+/// How much faster threads do the same batches, which they do in turn with one alone.
+struct SpeedUp {
+  int threads = 1;
+  reference::Quartiles ratio{};  ///< of the wall-clock times, dimensionless
+  bool same_hash = true;       ///< both have written the same bits
+};
+
 /// What was measured of one.
 struct Result {
   Chosen chosen;
@@ -30,6 +40,7 @@ struct Result {
   ModelledCost cost;     ///< of a batch, by the model
   std::uint64_t hash = 0;
   double error = 0.0;  ///< of the workload with the part's friction rule, dimensionless
+  std::optional<SpeedUp> speed_up;  ///< with --threads
 };
 
 /// All benchmarks, or those whose name holds a match of the regular expression (not those, when it
@@ -41,7 +52,9 @@ std::vector<Chosen> choose(const std::string& filter, bool full);
 /// holds only the last, so order them by workload.
 class Measure {
  public:
-  explicit Measure(const MachinePeak& machine) : machine_(machine), overhead_(clock_overhead()) {}
+  /// Each part is measured on one thread, and with a team of more beside it if there is one.
+  explicit Measure(const MachinePeak& machine, const Team* team = nullptr)
+      : machine_(machine), team_(team), overhead_(clock_overhead()) {}
 
   void run(benchmark::State& state, const Chosen& chosen);
 
@@ -66,6 +79,7 @@ class Measure {
   void keep(Result result);
 
   MachinePeak machine_;
+  const Team* team_;
   double overhead_;
   std::unique_ptr<Workload> workload_;
   std::unique_ptr<Batch> batch_;

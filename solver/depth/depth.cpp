@@ -2,11 +2,14 @@
 #include "solver/depth/depth.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 
 #include "solver/depth/consistent_depth.h"
 #include "solver/depth/face_choice.h"
 #include "solver/detection/detect_pairs.h"
+#include "solver/detection/pair_candidates.h"
 #include "solver/hash.h"
 
 namespace stiction {
@@ -62,60 +65,67 @@ Real excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairG
   return std::min(kRemains * found->depth, contact.depth);
 }
 
-}  // namespace
+constexpr std::int32_t kDropped = -1;  // in place of the vertex of a contact that is none any more
 
-void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, Real depth,
-                   PairSearch& search) {
-  const auto own = static_cast<std::size_t>(topology.vertex_body[static_cast<std::size_t>(vertex)]);
-  const Real width =
-      std::min(topology.least_width[own], topology.least_width[static_cast<std::size_t>(body)]);
-  if (depth <= kPassed * width || search.too_deep.depth > 0.0) return;
-  search.too_deep = {vertex, body, depth, width};
-}
+// What ranges of contacts tell of all.
+struct Found {
+  bool dropped = false;    // any that is no contact
+  bool immovable = false;  // any that nothing can move
+  PairSearch::TooDeep too_deep;
 
-void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
-  const std::vector<Vec3>& x = workspace.search.predicted;
-  const double dt = options.time_step;
-  const auto widest =
-      static_cast<Real>(options.pairs.hysteresis * dt * dt *
-                        scene.gravity.at(static_cast<double>(state.step) * dt).norm());
-  const auto inverse_mass = [&](std::int32_t v) {
-    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
-  };
-  const Real border = options.pairs.border_margin * scene.topology.mean_edge;
-  std::size_t kept = 0;
-  bool immovable = false;  // any contact that nothing can move
-  // Contacts and groups are both in the order of their keys.
-  auto group = workspace.search.group.begin();
-  const auto last_group = workspace.search.group.end();
-  for (std::size_t c = 0; c < workspace.pairs.size(); ++c) {
-    PairContact& contact = workspace.pairs[c];
-    while (group != last_group && group->key < contact.key) ++group;
-    const bool known = group != last_group && group->key == contact.key;
+  void add(const Found& other) {
+    dropped = dropped || other.dropped;
+    immovable = immovable || other.immovable;
+    // The first in the order of the keys, whichever range is heard of first.
+    const auto key = [](const PairSearch::TooDeep& one) {
+      return contact_key(one.vertex, one.body);
+    };
+    if (other.too_deep.depth > 0.0 &&
+        (too_deep.depth == 0.0 || key(other.too_deep) < key(too_deep))) {
+      too_deep = other.too_deep;
+    }
+  }
+};
+
+// Of one contact.
+class Measure {
+ public:
+  Measure(const Scene& scene, const Options& options, const State& state, Workspace& workspace)
+      : scene_(scene),
+        options_(options),
+        state_(state),
+        workspace_(workspace),
+        widest_(static_cast<Real>(
+            options.pairs.hysteresis * options.time_step * options.time_step *
+            scene.gravity.at(static_cast<double>(state.step) * options.time_step).norm())),
+        border_(options.pairs.border_margin * scene.topology.mean_edge) {}
+
+  // Fills in the contact; false if it is none. `group` is that of its key, or null.
+  bool operator()(PairContact& contact, PairSearch::Group* group, Found& found) const {
+    const std::vector<Vec3>& x = workspace_.search.predicted;
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
     const bool open = contact.open;
-    const auto resting = options.pairs.face == PairFace::kOpposed ? contact.vertex : -1;
-    const Choice choice =
-        choose_face(scene.topology, state, workspace.search, known ? &*group : nullptr, point,
-                    contact, options.pairs.tie_margin, resting);
+    const auto resting = options_.pairs.face == PairFace::kOpposed ? contact.vertex : -1;
+    const Choice choice = choose_face(scene_.topology, state_, workspace_.search, group, point,
+                                      contact, options_.pairs.tie_margin, resting);
     const Projection& projection = choice.projection;
-    if (projection.triangle < 0) continue;  // no number: nothing is nearest
+    if (projection.triangle < 0) return false;  // no number: nothing is nearest
     const std::int32_t last = contact.triangle;
     contact.triangle = projection.triangle;
-    const Triangle& triangle = scene.topology.triangle[static_cast<std::size_t>(contact.triangle)];
+    const Triangle& triangle = scene_.topology.triangle[static_cast<std::size_t>(contact.triangle)];
     const Real distance = std::sqrt(projection.nearest.distance2);
     contact.normal = outward_normal(triangle, x);
     const Real height = contact.normal.dot(point - x[static_cast<std::size_t>(triangle.vertex[0])]);
     if (open) {
       // Kept above or below a face, or a hair beyond its border: beyond that it has left.
       if (!projection.nearest.inside &&
-          projection.nearest.distance2 - height * height > border * border) {
-        continue;
+          projection.nearest.distance2 - height * height > border_ * border_) {
+        return false;
       }
-      if (height >= widest) continue;
-      if (-height >= widest && !goes_on(scene.topology, x, last, contact.triangle)) continue;
+      if (height >= widest_) return false;
+      if (-height >= widest_ && !goes_on(scene_.topology, x, last, contact.triangle)) return false;
       contact.element = triangle.element;
-      set_corners(scene.elements, contact);
+      set_corners(scene_.elements, contact);
       contact.depth = std::max(Real(0), -height);
     } else if (projection.nearest.inside || distance == 0.0) {
       contact.depth = distance;
@@ -130,27 +140,98 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       contact.normal = (foot - point) / distance;
     }
     if (resting >= 0) {
-      note_too_deep(scene.topology, contact.vertex, second_of(contact.key), contact.depth,
-                    workspace.search);
+      note_too_deep(scene_.topology, contact.vertex, second_of(contact.key), contact.depth,
+                    found.too_deep);
     }
-    contact.excess = excess_of(scene.topology, x, state.pair_geometry, contact, last,
-                               choice.unexplained - border / 3);
+    contact.excess = excess_of(scene_.topology, x, state_.pair_geometry, contact, last,
+                               choice.unexplained - border_ / 3);
     contact.depth -= contact.excess;
-    set_partners(triangle, options, state, projection, contact);
+    set_partners(triangle, options_, state_, projection, contact);
     contact.inverse_mass = inverse_mass(contact.vertex);
-    for (int k = 0; options.pairs.friction_reaction && k < 4; ++k) {
+    for (int k = 0; options_.pairs.friction_reaction && k < 4; ++k) {
       contact.inverse_mass +=
           contact.weight[k] * contact.weight[k] * inverse_mass(contact.partner[k]);
     }
-    immovable = immovable || contact.inverse_mass == 0.0;
-    if (kept != c) workspace.pairs[kept] = contact;
-    ++kept;
+    return true;
   }
-  workspace.pairs.resize(kept);
+
+ private:
+  Real inverse_mass(std::int32_t v) const {
+    return workspace_.velocity[static_cast<std::size_t>(v)].inverse_mass;
+  }
+
+  const Scene& scene_;
+  const Options& options_;
+  const State& state_;
+  Workspace& workspace_;
+  Real widest_;  // gap of a contact that is kept, m
+  Real border_;  // how far beyond the border of its face one is kept, m
+};
+
+std::vector<PairSearch::Group>::iterator first_group(std::vector<PairSearch::Group>& groups,
+                                                     ContactKey key) {
+  return std::lower_bound(
+      groups.begin(), groups.end(), key,
+      [](const PairSearch::Group& group, ContactKey of) { return group.key < of; });
+}
+
+// What `project` would list as it comes to it, for threads that must not.
+void list_all_nearest(const Topology& topology, const PairContacts& pairs, PairSearch& search) {
+  auto group = search.group.begin();
+  for (const PairContact& contact : pairs) {
+    while (group != search.group.end() && group->key < contact.key) ++group;
+    if (group == search.group.end()) return;
+    if (group->key == contact.key && group->near_element < 0) {
+      list_nearest(topology, contact.element, *group, search);
+    }
+  }
+}
+
+}  // namespace
+
+void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, Real depth,
+                   PairSearch::TooDeep& too_deep) {
+  const auto own = static_cast<std::size_t>(topology.vertex_body[static_cast<std::size_t>(vertex)]);
+  const Real width =
+      std::min(topology.least_width[own], topology.least_width[static_cast<std::size_t>(body)]);
+  if (depth <= kPassed * width || too_deep.depth > 0.0) return;
+  too_deep = {vertex, body, depth, width};
+}
+
+void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
+  PairContacts& pairs = workspace.pairs;
+  std::vector<PairSearch::Group>& groups = workspace.search.group;
+  const Measure measure(scene, options, state, workspace);
+  if (workspace.team != nullptr) list_all_nearest(scene.topology, pairs, workspace.search);
+  Found all;
+  std::mutex of_all;
+  for_ranges(workspace.team, pairs.size(), kContactsToShare,
+             [&](std::size_t begin, std::size_t end) {
+               Found found;
+               // Contacts and groups are both in the order of their keys.
+               auto group = begin == end ? groups.end() : first_group(groups, pairs[begin].key);
+               for (std::size_t c = begin; c < end; ++c) {
+                 PairContact& contact = pairs[c];
+                 while (group != groups.end() && group->key < contact.key) ++group;
+                 const bool known = group != groups.end() && group->key == contact.key;
+                 if (!measure(contact, known ? &*group : nullptr, found)) {
+                   contact.vertex = kDropped;
+                   found.dropped = true;
+                 } else if (contact.inverse_mass == 0.0) {
+                   found.immovable = true;
+                 }
+               }
+               const std::lock_guard lock(of_all);
+               all.add(found);
+             });
+  if (workspace.search.too_deep.depth == 0.0) workspace.search.too_deep = all.too_deep;
+  if (all.dropped) {
+    std::erase_if(pairs, [](const PairContact& c) { return c.vertex == kDropped; });
+  }
   if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
   // A vertex that nothing can move on partners that nothing can move takes no force.
-  if (immovable) {
-    std::erase_if(workspace.pairs, [](const PairContact& c) { return c.inverse_mass == 0.0; });
+  if (all.immovable) {
+    std::erase_if(pairs, [](const PairContact& c) { return c.inverse_mass == 0.0; });
   }
   if (options.pairs.depth_noise > 0.0) {
     for (PairContact& contact : workspace.pairs) {
@@ -165,16 +246,23 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   }
 }
 
-void remember_pairs(const PairContacts& pairs, const Topology& topology, PairGeometry& memory) {
+void remember_pairs(const PairContacts& pairs, const Topology& topology, PairGeometry& memory,
+                    const Team* team) {
   memory.body_key.resize(pairs.size());
   memory.element.resize(pairs.size());
   memory.triangle.resize(pairs.size());
   memory.excess.clear();
-  for (std::size_t c = 0; c < pairs.size(); ++c) {
-    const std::int32_t body = topology.element_body[static_cast<std::size_t>(pairs[c].element)];
-    memory.body_key[c] = contact_key(pairs[c].vertex, body);
-    memory.element[c] = pairs[c].element;
-    memory.triangle[c] = pairs[c].triangle;
+  std::atomic<bool> any_excess = false;  // which few steps have
+  for_ranges(team, pairs.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      const std::int32_t body = topology.element_body[static_cast<std::size_t>(pairs[c].element)];
+      memory.body_key[c] = contact_key(pairs[c].vertex, body);
+      memory.element[c] = pairs[c].element;
+      memory.triangle[c] = pairs[c].triangle;
+      if (pairs[c].excess > kNothing * topology.mean_edge) any_excess = true;
+    }
+  });
+  for (std::size_t c = 0; any_excess && c < pairs.size(); ++c) {
     if (pairs[c].excess > kNothing * topology.mean_edge) {
       memory.excess.push_back({memory.body_key[c], pairs[c].excess});
     }

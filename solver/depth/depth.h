@@ -24,12 +24,12 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
 /// of the two.
 inline constexpr Real kPassed = 0.4;
 
-/// Notes in `search.too_deep` the first contact that deep (m) of a vertex, or an edge's end, in a
-/// body.
+/// Notes in `too_deep` the first contact that deep (m) of a vertex, or an edge's end, in a body.
 void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, Real depth,
-                   PairSearch& search);
+                   PairSearch::TooDeep& too_deep);
 
 /// Keeps where the contacts are for the hysteresis and the ties of the next step.
-void remember_pairs(const PairContacts& pairs, const Topology& topology, PairGeometry& memory);
+void remember_pairs(const PairContacts& pairs, const Topology& topology, PairGeometry& memory,
+                    const Team* team = nullptr);
 
 }  // namespace stiction

@@ -307,7 +307,7 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
     if (contact.inverse_mass == 0.0) continue;
     note_too_deep(topology, contact.vertex[0],
                   topology.element_body[static_cast<std::size_t>(contact.element)], contact.depth,
-                  workspace.search);
+                  workspace.search.too_deep);
     workspace.edges.push_back(contact);
   }
 }

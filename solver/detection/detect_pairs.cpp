@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "solver/detection/crossing_edges.h"
 #include "solver/detection/edge_candidates.h"
@@ -26,8 +27,8 @@ constexpr Real kInside = by_precision(1e-9, 1e-4);
 // so many contacts before they are read, which halves the time at 1e5 contacts.
 constexpr std::size_t kAhead = 16;
 
-void add_contact(const Scene& scene, ContactKey key, std::int32_t element, std::int32_t triangle,
-                 bool open, PairContacts& pairs) {
+PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
+                       std::int32_t triangle, bool open) {
   PairContact contact;
   contact.open = open;
   contact.key = key;
@@ -35,7 +36,7 @@ void add_contact(const Scene& scene, ContactKey key, std::int32_t element, std::
   contact.element = element;
   contact.triangle = triangle;
   set_corners(scene.elements, contact);
-  pairs.push_back(contact);
+  return contact;
 }
 
 // What of the candidates of one key holds the vertex: the tetrahedron that it is deepest in, the
@@ -74,36 +75,102 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
   return found >= 0 && margin > 0.0 && in_last >= -margin ? last : found;
 }
 
-// Tests the candidates, and merges what is found with the contacts of the last step that have only
-// just opened. Those are measured in the depth phase, which drops them when the gap is too wide.
-void merge_with_kept(const Scene& scene, const PairSearch& search, const PairGeometry& last,
-                     const PairOptions& options, PairContacts& pairs) {
-  const bool keep_open_ones = options.hysteresis > 0.0;
-  const bool keep_triangle = keep_open_ones || options.tie_margin > 0.0;
-  pairs.clear();
-  const auto keep_open = [&](std::size_t old) {
-    if (keep_open_ones)
-      add_contact(scene, last.body_key[old], last.element[old], last.triangle[old], true, pairs);
+// Tests the candidates of all groups.
+void find_elements(const Scene& scene, const PairGeometry& last, Real margin, const Team* team,
+                   PairSearch& search) {
+  search.holds.resize(search.group.size());
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
+    const auto first =
+        std::lower_bound(last.body_key.begin(), last.body_key.end(), search.group[begin].key);
+    auto old = static_cast<std::size_t>(first - last.body_key.begin());
+    for (std::size_t g = begin; g < end; ++g) {
+      const PairSearch::Group& group = search.group[g];
+      while (old < last.body_key.size() && last.body_key[old] < group.key) ++old;
+      const bool persists = old < last.body_key.size() && last.body_key[old] == group.key;
+      if (old + kAhead < last.element.size()) {
+        __builtin_prefetch(&scene.elements[static_cast<std::size_t>(last.element[old + kAhead])]);
+      }
+      search.holds[g] =
+          find_element(scene, search, group, persists ? last.element[old] : -1, margin);
+    }
   };
-  std::size_t old = 0;
-  for (const PairSearch::Group& group : search.group) {
-    const ContactKey key = group.key;
-    for (; old < last.body_key.size() && last.body_key[old] < key; ++old) keep_open(old);
-    const bool persists = old < last.body_key.size() && last.body_key[old] == key;
-    if (old + kAhead < last.element.size()) {
-      __builtin_prefetch(&scene.elements[static_cast<std::size_t>(last.element[old + kAhead])]);
+  for_ranges(team, search.group.size(), kContactsToShare, find);
+}
+
+// Merges what is found with the contacts of the last step that have only just opened. Those are
+// measured in the depth phase, which drops them when the gap is too wide.
+class Merge {
+ public:
+  Merge(const PairSearch& search, const PairGeometry& last, const PairOptions& options)
+      : search_(search),
+        last_(last),
+        keep_open_(options.hysteresis > 0.0),
+        keep_triangle_(keep_open_ || options.tie_margin > 0.0) {}
+
+  // Calls add(key, element, triangle, open) for each contact, in the order of the keys, from the
+  // group `begin` on (all before it, if it is the first) to before the group `end`.
+  template <class Add>
+  void operator()(std::size_t begin, std::size_t end, const Add& add) const {
+    std::size_t old = begin == 0 ? 0 : first_of_last(search_.group[begin].key);
+    const std::size_t old_end =
+        end == search_.group.size() ? last_.body_key.size() : first_of_last(search_.group[end].key);
+    const auto keep_open = [&] {
+      if (keep_open_) add(last_.body_key[old], last_.element[old], last_.triangle[old], true);
+    };
+    for (std::size_t g = begin; g < end; ++g) {
+      const ContactKey key = search_.group[g].key;
+      for (; old < old_end && last_.body_key[old] < key; ++old) keep_open();
+      const bool persists = old < old_end && last_.body_key[old] == key;
+      const std::int32_t element = search_.holds[g];
+      if (element >= 0) {
+        add(key, element, persists && keep_triangle_ ? last_.triangle[old] : -1, false);
+      } else if (persists) {
+        keep_open();
+      }
+      if (persists) ++old;
     }
-    const std::int32_t element =
-        find_element(scene, search, group, persists ? last.element[old] : -1, options.tie_margin);
-    if (element >= 0) {
-      add_contact(scene, key, element, persists && keep_triangle ? last.triangle[old] : -1, false,
-                  pairs);
-    } else if (persists) {
-      keep_open(old);
-    }
-    if (persists) ++old;
+    for (; old < old_end; ++old) keep_open();
   }
-  for (; old < last.body_key.size(); ++old) keep_open(old);
+
+ private:
+  std::size_t first_of_last(ContactKey key) const {
+    const auto first = std::lower_bound(last_.body_key.begin(), last_.body_key.end(), key);
+    return static_cast<std::size_t>(first - last_.body_key.begin());
+  }
+
+  const PairSearch& search_;
+  const PairGeometry& last_;
+  bool keep_open_, keep_triangle_;
+};
+
+void merge_with_kept(const Scene& scene, const PairSearch& search, const PairGeometry& last,
+                     const PairOptions& options, const Team* team, PairContacts& pairs) {
+  const Merge merge(search, last, options);
+  const std::size_t groups = search.group.size();
+  const std::size_t ranges = ranges_of(team, groups, kContactsToShare);
+  if (ranges == 1) {
+    pairs.clear();
+    merge(0, groups, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
+      pairs.push_back(contact_at(scene, key, element, triangle, open));
+    });
+    return;
+  }
+  // Counted first, so that each range knows where its contacts come.
+  std::vector<std::size_t> first(ranges + 1, 0);
+  for_each(team, ranges, [&](std::size_t r) {
+    merge(groups * r / ranges, groups * (r + 1) / ranges,
+          [&](ContactKey, std::int32_t, std::int32_t, bool) { ++first[r + 1]; });
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  pairs.resize(first[ranges]);
+  for_each(team, ranges, [&](std::size_t r) {
+    PairContact* next = pairs.data() + first[r];
+    merge(groups * r / ranges, groups * (r + 1) / ranges,
+          [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
+            *next++ = contact_at(scene, key, element, triangle, open);
+          });
+  });
 }
 
 }  // namespace
@@ -129,17 +196,22 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
                   Workspace& workspace) {
   PairSearch& search = workspace.search;
   search.predicted.resize(state.position.size());
-  for (std::size_t k = 0; k < state.position.size(); ++k) {
-    search.predicted[k] = state.position[k].x + options.dt() * workspace.velocity[k].v;
-  }
-  if (update_candidates(scene, search)) {
+  for_ranges(workspace.team, state.position.size(), kVerticesToShare,
+             [&](std::size_t begin, std::size_t end) {
+               for (std::size_t k = begin; k < end; ++k) {
+                 search.predicted[k] = state.position[k].x + options.dt() * workspace.velocity[k].v;
+               }
+             });
+  if (update_candidates(scene, search, workspace.team)) {
     search.edges_listed = false;
     if (options.pairs.face == PairFace::kOpposed) {
       note_outrun(scene, options.dt(), workspace.velocity, search);
     }
   }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
-  merge_with_kept(scene, search, state.pair_geometry, options.pairs, workspace.pairs);
+  find_elements(scene, state.pair_geometry, options.pairs.tie_margin, workspace.team, search);
+  merge_with_kept(scene, search, state.pair_geometry, options.pairs, workspace.team,
+                  workspace.pairs);
 }
 
 }  // namespace stiction

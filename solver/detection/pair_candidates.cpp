@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -23,20 +24,31 @@ bool may_touch_itself(const Body& body) {
 }
 
 // Notes how far each body has moved; false as soon as that is too far for the lists.
-bool note_moves(const Scene& scene, PairSearch& search) {
+bool note_moves(const Scene& scene, const Team* team, PairSearch& search) {
   if (search.scene != scene.serial || search.reference.size() != search.predicted.size()) {
     return false;
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const auto begin = static_cast<std::size_t>(scene.bodies[b].first_vertex);
-    const auto end = begin + static_cast<std::size_t>(scene.bodies[b].vertex_count);
-    Real farthest = 0.0;  // along an axis
-    for (std::size_t k = begin; k < end; ++k) {
-      const Vec3 by = (search.predicted[k] - search.reference[k]).cwiseAbs();
-      farthest = std::max({farthest, by.x(), by.y(), by.z()});
-      // Written so that what is no number counts as moved.
-      if (!(by.x() <= search.skin && by.y() <= search.skin && by.z() <= search.skin)) return false;
-    }
+    const auto first = static_cast<std::size_t>(scene.bodies[b].first_vertex);
+    std::atomic<Real> farthest = 0.0;  // along an axis
+    const auto note = [&](std::size_t begin, std::size_t end) {
+      Real here = 0.0;
+      for (std::size_t k = first + begin; k < first + end; ++k) {
+        const Vec3 by = (search.predicted[k] - search.reference[k]).cwiseAbs();
+        // Written so that what is no number counts as moved.
+        if (!(by.x() <= search.skin && by.y() <= search.skin && by.z() <= search.skin)) {
+          here = std::numeric_limits<Real>::infinity();
+          break;
+        }
+        here = std::max({here, by.x(), by.y(), by.z()});
+      }
+      Real known = farthest;
+      while (known < here && !farthest.compare_exchange_weak(known, here)) {
+      }
+    };
+    for_ranges(team, static_cast<std::size_t>(scene.bodies[b].vertex_count), kVerticesToShare,
+               note);
+    if (farthest > search.skin) return false;
     search.moved[b] = std::sqrt(Real(3)) * farthest;
   }
   return true;
@@ -169,8 +181,8 @@ void group_candidates(PairSearch& search) {
 
 }  // namespace
 
-bool update_candidates(const Scene& scene, PairSearch& search) {
-  if (note_moves(scene, search)) return false;
+bool update_candidates(const Scene& scene, PairSearch& search, const Team* team) {
+  if (note_moves(scene, team, search)) return false;
   search.scene = scene.serial;
   search.skin = kSkin * scene.topology.mean_edge;
   search.reference = search.predicted;

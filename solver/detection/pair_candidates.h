@@ -18,7 +18,7 @@ namespace stiction {
 /// only tests what they name. What is found never depends on when they were made. They are made
 /// from the overlap of bodies' boxes by spatial hashing, linear in the primitives there; bodies
 /// that are apart are not looked at. Returns whether they were made anew.
-bool update_candidates(const Scene& scene, PairSearch& search);
+bool update_candidates(const Scene& scene, PairSearch& search, const Team* team = nullptr);
 
 /// Lists the triangles near an element to which the group's vertex may be nearest while the lists
 /// hold, as it is in that element:

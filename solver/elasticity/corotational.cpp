@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "solver/elasticity/rotation.h"
 #include "solver/lanes/lane_matrix.h"
@@ -157,10 +158,49 @@ STICTION_LANES_INLINE void add_viscous_stress(const ElementGroup<Bytes>& group,
   a = choose_all<Bytes>(damped, a + group.damping_time * stress, a);
 }
 
+// Where the forces of a range of elements go: to their vertices, but for corners that an earlier range
+// touches too.
+struct ForceSink {
+  ElementShare* share = nullptr;  // null: all go to their vertices
+  std::size_t next_border = std::numeric_limits<std::size_t>::max();  // element
+  std::size_t borders = 0, forces = 0;                                // that have passed
+
+  explicit ForceSink(ElementShare* of) : share(of) {
+    if (share != nullptr && !share->border.empty()) next_border = share->border[0].element;
+  }
+  // Of an element's corners those that are to be left aside; null for none.
+  const bool* shared_of(std::size_t element) {
+    if (element < next_border) return nullptr;
+    const bool* const shared = share->border[borders++].shared;
+    next_border = borders < share->border.size() ? share->border[borders].element
+                                                 : std::numeric_limits<std::size_t>::max();
+    return shared;
+  }
+};
+
+// Of a group that has such corners. Out of the way, so that the others' stay in registers.
+[[gnu::noinline]] void leave_aside(const Element* const* of, int count, std::size_t first,
+                                   const FourNumbers* forces, int lanes, ForceSink& sink,
+                                   std::vector<Force>& force) {
+  for (int lane = 0; lane < count; ++lane) {
+    const bool* const shared = sink.shared_of(first + static_cast<std::size_t>(lane));
+    for (int k = 0; k < 4; ++k) {
+      const FourNumbers of_corner = forces[k * lanes + lane];
+      const FourNumbers f = k == 0 ? -of_corner : of_corner;
+      if (shared != nullptr && shared[k]) {
+        reinterpret_cast<FourNumbers&>(sink.share->force[sink.forces++]) = f;
+      } else {
+        reinterpret_cast<FourNumbers&>(force[static_cast<std::size_t>(of[lane]->vertex[k])]) += f;
+      }
+    }
+  }
+}
+
 // Adds the forces of the corners, an element after the other.
 template <int Bytes>
-STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
-                               const std::vector<Velocity>& velocity, std::vector<Force>& force) {
+STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group, std::size_t first,
+                               const std::vector<Velocity>& velocity, ForceSink& sink,
+                               std::vector<Force>& force) {
   using Number = Lanes<Bytes>;
   LaneSymmetric<Number> a;
   LaneMatrix<Number> b;
@@ -176,28 +216,40 @@ STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
   store_records(f1.x, f1.y, f1.z, forces[1]);
   store_records(f2.x, f2.y, f2.z, forces[2]);
   store_records(f3.x, f3.y, f3.z, forces[3]);
-  for (int lane = 0; lane < group.count; ++lane) {
-    const auto at = [&](int k) -> FourNumbers& {
-      const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
-      return reinterpret_cast<FourNumbers&>(force[vertex]);
-    };
-    for (int k = 1; k < 4; ++k) at(k) += forces[k][lane];
-    at(0) -= forces[0][lane];
+  const auto at = [&](int lane, int k) -> FourNumbers& {
+    const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
+    return reinterpret_cast<FourNumbers&>(force[vertex]);
+  };
+  if (first + static_cast<std::size_t>(group.count) <= sink.next_border) [[likely]] {
+    for (int lane = 0; lane < group.count; ++lane) {
+      for (int k = 1; k < 4; ++k) at(lane, k) += forces[k][lane];
+      at(lane, 0) -= forces[0][lane];
+    }
+    return;
   }
+  leave_aside(group.of, group.count, first, &forces[0][0], Number::kCount, sink, force);
 }
+
+struct ElementRange {
+  const std::vector<Element>& elements;
+  std::size_t begin, end;
+  ElementShare* share;  // null: all elements
+};
 
 // Groups at a time: the roots of several are found side by side, for each step waits for a division.
 constexpr int kGroups = 4;
 
 template <int Bytes>
-STICTION_LANES_INLINE void add_forces(const std::vector<Element>& elements, const State& state,
+STICTION_LANES_INLINE void add_forces(const ElementRange& range, const State& state,
                                       std::vector<Force>& force) {
   constexpr std::size_t kLanes = Lanes<Bytes>::kCount;
-  for (std::size_t e = 0; e < elements.size();) {
+  ForceSink sink(range.share);
+  for (std::size_t e = range.begin; e < range.end;) {
     ElementGroup<Bytes> group[kGroups];
+    const std::size_t first = e;
     int groups = 0;
-    for (; groups < kGroups && e < elements.size(); ++groups, e += kLanes) {
-      begin(&elements[e], elements.size() - e, state.position, group[groups]);
+    for (; groups < kGroups && e < range.end; ++groups, e += kLanes) {
+      begin(&range.elements[e], range.end - e, state.position, group[groups]);
     }
     using Number = Lanes<Bytes>;
     for (int step = 0; step < StretchRoot<Number>::kMostSteps; ++step) {
@@ -208,33 +260,57 @@ STICTION_LANES_INLINE void add_forces(const std::vector<Element>& elements, cons
       }
       if (all_zero(running)) break;
     }
-    for (int g = 0; g < groups; ++g) end(group[g], state.velocity, force);
+    for (int g = 0; g < groups; ++g) {
+      end(group[g], first + static_cast<std::size_t>(g) * kLanes, state.velocity, sink, force);
+    }
   }
 }
 
-void add_forces_2(const std::vector<Element>& elements, const State& state,
-                  std::vector<Force>& force) {
-  add_forces<16>(elements, state, force);
+void add_forces_2(const ElementRange& range, const State& state, std::vector<Force>& force) {
+  add_forces<16>(range, state, force);
 }
-STICTION_TARGET_4 void add_forces_4(const std::vector<Element>& elements, const State& state,
+STICTION_TARGET_4 void add_forces_4(const ElementRange& range, const State& state,
                                     std::vector<Force>& force) {
-  add_forces<32>(elements, state, force);
+  add_forces<32>(range, state, force);
 }
-STICTION_TARGET_8 void add_forces_8(const std::vector<Element>& elements, const State& state,
+STICTION_TARGET_8 void add_forces_8(const ElementRange& range, const State& state,
                                     std::vector<Force>& force) {
-  add_forces<64>(elements, state, force);
+  add_forces<64>(range, state, force);
+}
+
+using AddForces = decltype(add_forces_2)*;
+AddForces add_forces_at(int width) {
+  return width == 8 ? add_forces_8 : width == 4 ? add_forces_4 : add_forces_2;
 }
 
 }  // namespace
 
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
                              std::vector<Force>& force, int width) {
-  (width == 8 ? add_forces_8 : width == 4 ? add_forces_4 : add_forces_2)(elements, state, force);
+  add_forces_at(width)({elements, 0, elements.size(), nullptr}, state, force);
 }
 
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
                              std::vector<Force>& force) {
   add_corotational_forces(elements, state, force, lane_width());
+}
+
+void add_corotational_forces(const Scene& scene, const State& state, const Team& team,
+                             ElementShares& shares, std::vector<Force>& force) {
+  // With fewer in a range, what it takes to wake a thread is more than it does.
+  constexpr std::size_t kFewest = 2048;
+  const std::size_t count = ranges_of(&team, scene.elements.size(), kFewest);
+  if (count == 1) {
+    add_corotational_forces(scene.elements, state, force);
+    return;
+  }
+  share_elements(scene, count, shares);
+  const AddForces add = add_forces_at(lane_width());
+  for_each(&team, count, [&](std::size_t s) {
+    ElementShare& share = shares.share[s];
+    add({scene.elements, share.begin, share.end, &share}, state, force);
+  });
+  add_forces_left_aside(shares, force);
 }
 
 double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "solver/elasticity/element_shares.h"
+#include "solver/parallel/team.h"
 #include "solver/scene/scene.h"
 #include "solver/state.h"
 
@@ -23,6 +25,10 @@ void add_corotational_forces(const std::vector<Element>& elements, const State& 
 /// At one of `lane_widths`: the same forces to the bit.
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
                              std::vector<Force>& force, int width);
+
+/// By the team, in ranges that it leaves in `shares`: the same forces to the bit.
+void add_corotational_forces(const Scene& scene, const State& state, const Team& team,
+                             ElementShares& shares, std::vector<Force>& force);
 
 /// Elastic energy Σ V (μ|S − I|² + ½λ tr²(S − I)), J.
 double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position);

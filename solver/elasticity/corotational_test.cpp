@@ -277,6 +277,25 @@ TEST(ElasticForces, OfAnElementDoNotDependOnThoseBesideIt) {
   }
 }
 
+// Ranges of elements have vertices in common, and some have inverted elements at their borders.
+TEST(ElasticForces, HaveTheSameBitsWhenThreadsShareThem) {
+  if (most_threads() == 1) GTEST_SKIP() << "built without oneTBB";
+  const Scene scene =
+      build_scene(test::one_body(test::elastic_body(test::cube_mesh(14), kMaterial)));
+  const State state = deformed(scene, 5);
+  const std::vector<Vec3> wanted = forces(scene, state);
+  for (const int threads : {1, 2, 5}) {
+    const Team team(threads);
+    ElementShares shares;
+    for (int again = 0; again < 2; ++again) {
+      std::vector<Force> force(state.position.size());
+      add_corotational_forces(scene, state, team, shares, force);
+      EXPECT_EQ(vectors(force), wanted) << threads << " threads";
+    }
+    EXPECT_EQ(shares.share.size() > 1, threads > 1);
+  }
+}
+
 TEST(ElasticForces, OfAnInvertedElementAreTheNegativeGradientToo) {
   Material undamped = kMaterial;
   undamped.damping_time = 0.0;

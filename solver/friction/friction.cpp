@@ -2,6 +2,7 @@
 #include "solver/friction/friction.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,7 @@ struct ObstacleSide {
   const Scene& scene;
   Real dt;
   OneSidedContacts& contacts;
+  const ContactOrder& order;
 
   std::size_t size() const { return contacts.size(); }
   ContactKey key(std::size_t c) const { return contacts.key[c]; }
@@ -49,6 +51,7 @@ struct PairSide {
   const Options& options;
   Real mu;
   PairContacts& pairs;
+  const ContactOrder& order;
 
   std::size_t size() const { return pairs.size(); }
   ContactKey key(std::size_t c) const { return pairs[c].key; }
@@ -85,6 +88,7 @@ struct EdgeSide {
   Real dt;
   Real mu;
   EdgeContacts& edges;
+  const ContactOrder& order;
 
   std::size_t size() const { return edges.size(); }
   ContactKey key(std::size_t c) const { return edges[c].key; }
@@ -106,18 +110,22 @@ struct EdgeSide {
 // Moves the memory of the contacts that persist to their new places, both lists being in the order
 // of their keys, and resets it for the others.
 template <class Rule, class Side>
-void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
+void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side, const Team* team,
                   FrictionMemory& memory) {
   constexpr auto kValues = static_cast<std::size_t>(Rule::kValues);
   const std::size_t count = side.size();
   memory.key.resize(count);
   if (STICTION_HAS_FRICTION_MEMORY && old.key.size() == count &&
       old.value.size() == count * kValues) {
-    bool same = true;  // as in most steps: all is carried as it is
-    for (std::size_t c = 0; c < count; ++c) {
-      memory.key[c] = side.key(c);
-      same = same && memory.key[c] == old.key[c];
-    }
+    std::atomic<bool> same = true;  // as in most steps: all is carried as it is
+    for_ranges(team, count, kContactsToShare, [&](std::size_t begin, std::size_t end) {
+      bool same_here = true;
+      for (std::size_t c = begin; c < end; ++c) {
+        memory.key[c] = side.key(c);
+        same_here = same_here && memory.key[c] == old.key[c];
+      }
+      if (!same_here) same = false;
+    });
     if (same) {
       memory.status = old.status;
       memory.value = old.value;
@@ -145,9 +153,9 @@ void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
 }
 
 template <class Rule, class Side>
-void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory,
+void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory, const Team* team,
                 std::vector<Velocity>& velocity) {
-  for (std::size_t c = 0; c < side.size(); ++c) {
+  side.order.for_each_contact(team, [&](std::size_t c) {
     side.force(c) = Vec3::Zero();
     if constexpr (Rule::kWarmStart) {
       Vec3 force = tangential(rule.start(memory.value.data() + c * Rule::kValues), side.normal(c));
@@ -157,7 +165,7 @@ void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory
       side.apply(c, force, velocity);
       side.force(c) = force;
     }
-  }
+  });
 }
 
 // One contact of a sweep; `first` is true in the first sweep of a step, `was` its status at the
@@ -182,16 +190,34 @@ Vec3 solve(const Rule& rule, const Side& side, std::size_t c, bool first, Contac
   return change;
 }
 
-// A sweep over contacts of one kind; `changed(c, change)` hears of each.
-template <class Rule, class Side, class Before, class Changed>
-void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memory,
+// Hears of the changes of a sweep, chunk by chunk: see ConjugateSide.
+struct Unheard {
+  struct Sum {};
+  static Sum start(std::size_t) { return {}; }
+  static void add(std::size_t, const Vec3&, Sum&) {}
+  static void finish(std::size_t, const Sum&) {}
+};
+
+// A sweep over contacts of one kind, of whose changes `heard` hears.
+template <class Rule, class Side, class Before, class Heard>
+void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memory, const Team* team,
            const std::vector<Velocity>& start, std::vector<Velocity>& velocity,
-           const Before& before, const Changed& changed) {
-  for (std::size_t c = 0; c < side.size(); ++c) {
-    before(c);
-    changed(c, solve(rule, side, c, first, memory.status[c], start, velocity,
-                     memory.value.data() + c * static_cast<std::size_t>(Rule::kValues)));
-  }
+           const Before& before, Heard& heard) {
+  side.order.for_each_chunk(team, [&](std::size_t k, const ContactOrder::Chunk& chunk) {
+    // Copies, of which the compiler knows that nothing else changes them.
+    const Rule same_rule = rule;
+    const Side here = side;
+    Heard hears = heard;
+    Real* const value = memory.value.data();
+    const ContactStatus* const was = memory.status.data();
+    auto sum = hears.start(k);
+    for (std::size_t c = chunk.begin; c < chunk.end; ++c) {
+      before(c);
+      Real* const own = value + c * static_cast<std::size_t>(Rule::kValues);
+      hears.add(c, solve(same_rule, here, c, first, was[c], start, velocity, own), sum);
+    }
+    hears.finish(k, sum);
+  });
 }
 
 template <class Rule>
@@ -204,8 +230,10 @@ constexpr bool is_conjugate() {
 }
 
 template <class Side>
-void remember_status(const Side& side, FrictionMemory& memory) {
-  for (std::size_t c = 0; c < side.size(); ++c) memory.status[c] = side.status(c);
+void remember_status(const Side& side, const Team* team, FrictionMemory& memory) {
+  for_ranges(team, side.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) memory.status[c] = side.status(c);
+  });
 }
 
 }  // namespace
@@ -213,50 +241,56 @@ void remember_status(const Side& side, FrictionMemory& memory) {
 void friction_forces(const Scene& scene, const Options& options, State& state,
                      Workspace& workspace) {
   std::vector<Velocity>& velocity = workspace.velocity;
-  const ObstacleSide obstacles{scene, options.dt(), workspace.contacts};
-  const PairSide pairs{options, scene.friction, workspace.pairs};
-  const EdgeSide edges{options.dt(), scene.friction, workspace.edges};
+  const Team* const team = workspace.team;
+  workspace.obstacle_order.make(workspace.contacts);
+  if (!workspace.pair_order.is_for(workspace.pairs.size())) {
+    workspace.pair_order.make(workspace.pairs, velocity.size());
+  }
+  workspace.edge_order.in_one_chunk(workspace.edges.size());
+  const ObstacleSide obstacles{scene, options.dt(), workspace.contacts, workspace.obstacle_order};
+  const PairSide pairs{options, scene.friction, workspace.pairs, workspace.pair_order};
+  const EdgeSide edges{options.dt(), scene.friction, workspace.edges, workspace.edge_order};
   const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
-    carry_memory(rule, state.obstacle_friction, obstacles, workspace.memory);
-    carry_memory(rule, state.pair_friction, pairs, workspace.pair_friction);
-    carry_memory(rule, state.edge_friction, edges, workspace.edge_friction);
-    warm_start(rule, pairs, workspace.pair_friction, velocity);
-    warm_start(rule, edges, workspace.edge_friction, velocity);
-    warm_start(rule, obstacles, workspace.memory, velocity);
+    carry_memory(rule, state.obstacle_friction, obstacles, team, workspace.memory);
+    carry_memory(rule, state.pair_friction, pairs, team, workspace.pair_friction);
+    carry_memory(rule, state.edge_friction, edges, team, workspace.edge_friction);
+    warm_start(rule, pairs, workspace.pair_friction, team, velocity);
+    warm_start(rule, edges, workspace.edge_friction, team, velocity);
+    warm_start(rule, obstacles, workspace.memory, team, velocity);
     const auto nothing = [](std::size_t) {};
-    const auto sweep_all = [&](bool first, const auto& pair_changed, const auto& edge_changed,
-                               const auto& obstacle_changed) {
+    const auto sweep_all = [&](bool first, auto& pairs_heard, auto& edges_heard,
+                               auto& obstacles_heard) {
       const auto normal_force = [&](std::size_t c) {
         if (first && !options.pairs.normals_first) {
           apply_normal_force(options, workspace.pairs[c], velocity);
         }
       };
-      sweep(rule, pairs, first, workspace.pair_friction, state.velocity, velocity, normal_force,
-            pair_changed);
-      sweep(rule, edges, first, workspace.edge_friction, state.velocity, velocity, nothing,
-            edge_changed);
-      sweep(rule, obstacles, first, workspace.memory, state.velocity, velocity, nothing,
-            obstacle_changed);
+      sweep(rule, pairs, first, workspace.pair_friction, team, state.velocity, velocity,
+            normal_force, pairs_heard);
+      sweep(rule, edges, first, workspace.edge_friction, team, state.velocity, velocity, nothing,
+            edges_heard);
+      sweep(rule, obstacles, first, workspace.memory, team, state.velocity, velocity, nothing,
+            obstacles_heard);
     };
     const int sweeps = options.sweeps > 0 ? options.sweeps : rule.kCard.sweeps;
     if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
       const auto tolerance =
           static_cast<Real>(rule.slip_tolerance() * scene.gravity.scale() * options.time_step);
-      ConjugateSide pair_side(pairs, workspace.pair_conjugate, velocity);
-      ConjugateSide edge_side(edges, workspace.edge_conjugate, velocity);
-      ConjugateSide obstacle_side(obstacles, workspace.conjugate, velocity);
+      ConjugateSide pair_side(pairs, workspace.pair_conjugate, team, velocity);
+      ConjugateSide edge_side(edges, workspace.edge_conjugate, team, velocity);
+      ConjugateSide obstacle_side(obstacles, workspace.conjugate, team, velocity);
       workspace.sweeps += static_cast<std::uint64_t>(
           conjugate_sweeps(sweeps, tolerance, sweep_all, pair_side, edge_side, obstacle_side));
     } else {
-      const auto unheard = [](std::size_t, const Vec3&) {};
+      Unheard unheard;
       for (int s = 0; s < sweeps; ++s) sweep_all(s == 0, unheard, unheard, unheard);
       workspace.sweeps += static_cast<std::uint64_t>(sweeps);
     }
   });
   demand(known, "the options were checked, so the friction rule exists");
-  remember_status(obstacles, workspace.memory);
-  remember_status(pairs, workspace.pair_friction);
-  remember_status(edges, workspace.edge_friction);
+  remember_status(obstacles, team, workspace.memory);
+  remember_status(pairs, team, workspace.pair_friction);
+  remember_status(edges, team, workspace.edge_friction);
   std::swap(state.obstacle_friction, workspace.memory);
   std::swap(state.pair_friction, workspace.pair_friction);
   std::swap(state.edge_friction, workspace.edge_friction);

@@ -9,7 +9,7 @@
 namespace stiction {
 
 /// Friction of each contact by the chosen rule, applied to the velocities in place (Seidel order:
-/// pairs, crossing edges, obstacles); the friction memory moves on from the last step's contacts to this step's.
+/// pairs, as normal forces have ordered them, crossing edges, obstacles); the friction memory moves on from the last step's contacts to this step's.
 /// A contact that is new, because it did not exist in the last step, starts with fresh memory.
 ///
 ///   vᵢ ← vᵢ + Δt/mᵢ f,   vⱼ ← vⱼ − Δt/mⱼ hᵢⱼ f,   |f| ≤ μ fⁿ       [Lazarevych2009, (7)–(14)]

@@ -5,11 +5,13 @@
 
 namespace stiction {
 
-void integrate(Real dt, std::vector<Velocity>& corrected, State& state) {
+void integrate(Real dt, std::vector<Velocity>& corrected, State& state, const Team* team) {
   std::swap(corrected, state.velocity);
-  for (std::size_t k = 0; k < state.position.size(); ++k) {
-    state.position[k].x += dt * state.velocity[k].v;
-  }
+  for_ranges(team, state.position.size(), kVerticesToShare,
+             [&](std::size_t begin, std::size_t end) {
+               for (std::size_t k = begin; k < end; ++k)
+                 state.position[k].x += dt * state.velocity[k].v;
+             });
 }
 
 }  // namespace stiction

@@ -3,10 +3,12 @@
 
 namespace stiction {
 
-void gravity_forces(const Scene& scene, double time, std::vector<Force>& force) {
+void gravity_forces(const Scene& scene, double time, std::vector<Force>& force, const Team* team) {
   const Vec3 g = scene.gravity.at(time).cast<Real>();
   force.resize(scene.mass.size());
-  for (std::size_t k = 0; k < force.size(); ++k) force[k] = {scene.mass[k] * g, 0};
+  for_ranges(team, force.size(), kVerticesToShare, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) force[k] = {scene.mass[k] * g, 0};
+  });
 }
 
 void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity>& velocity,
@@ -17,12 +19,14 @@ void add_drag_forces(const Scene& scene, double time, const std::vector<Velocity
 }
 
 void predict(Real dt, const std::vector<Force>& force, const std::vector<Velocity>& velocity_t0,
-             std::vector<Velocity>& predicted) {
+             std::vector<Velocity>& predicted, const Team* team) {
   predicted.resize(velocity_t0.size());
-  for (std::size_t k = 0; k < predicted.size(); ++k) {
-    const Velocity& old = velocity_t0[k];
-    predicted[k] = {old.v + dt * old.inverse_mass * force[k].f, old.inverse_mass};
-  }
+  for_ranges(team, predicted.size(), kVerticesToShare, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Velocity& old = velocity_t0[k];
+      predicted[k] = {old.v + dt * old.inverse_mass * force[k].f, old.inverse_mass};
+    }
+  });
 }
 
 void follow_motions(const Scene& scene, double time, double dt, std::vector<Velocity>& predicted) {

@@ -8,13 +8,14 @@ namespace {
 // Σ over contacts of what each asks of its vertex and of its partners, per vertex.
 void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
                 std::vector<Real>& load) {
-  for (const PairContact& contact : workspace.pairs) {
-    if (contact.depth == 0.0 && !count_kept) continue;
+  workspace.pair_order.for_each_contact(workspace.team, [&](std::size_t c) {
+    const PairContact& contact = workspace.pairs[c];
+    if (contact.depth == 0.0 && !count_kept) return;
     if (count_vertex) load[static_cast<std::size_t>(contact.vertex)] += 1;
     for (int k = 0; k < 4; ++k) {
       load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
     }
-  }
+  });
 }
 
 void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<Real>& load) {

@@ -5,21 +5,26 @@
 
 namespace stiction {
 
-void normal_forces(const Scene& scene, double dt, const std::vector<Position>& position,
-                   std::vector<Velocity>& velocity, OneSidedContacts& contacts, double time) {
+void normal_forces(const Scene& scene, double dt, const State& state, Workspace& workspace) {
   const auto h = static_cast<Real>(dt);
-  Vec3 point = Vec3::Zero();  // of the obstacle; contacts with one stand together
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const auto i = static_cast<std::size_t>(contacts.vertex[c]);
-    const HalfSpace& obstacle = scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
-    if (c == 0 || contacts.obstacle[c] != contacts.obstacle[c - 1]) {
-      point = obstacle.point + obstacle.motion.at(time + dt).cast<Real>();
+  const double end_of_step = static_cast<double>(state.step) * dt + dt;
+  OneSidedContacts& contacts = workspace.contacts;
+  workspace.obstacle_order.make(contacts);
+  workspace.obstacle_order.for_each_chunk(workspace.team, [&](std::size_t, const auto& chunk) {
+    Vec3 point = Vec3::Zero();  // of the obstacle; contacts with one stand together
+    for (std::size_t c = chunk.begin; c < chunk.end; ++c) {
+      const auto i = static_cast<std::size_t>(contacts.vertex[c]);
+      const HalfSpace& obstacle = scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
+      if (c == chunk.begin || contacts.obstacle[c] != contacts.obstacle[c - 1]) {
+        point = obstacle.point + obstacle.motion.at(end_of_step).cast<Real>();
+      }
+      Velocity& vertex = workspace.velocity[i];
+      const Vec3 x = state.position[i].x + h * vertex.v;
+      const Real depth = std::max(Real(0), -obstacle.normal.dot(x - point));
+      contacts.normal_force[c] = depth / (h * h * vertex.inverse_mass);
+      vertex.v += depth / h * obstacle.normal;
     }
-    const Vec3 x = position[i].x + h * velocity[i].v;
-    const Real depth = std::max(Real(0), -obstacle.normal.dot(x - point));
-    contacts.normal_force[c] = depth / (h * h * velocity[i].inverse_mass);
-    velocity[i].v += depth / h * obstacle.normal;
-  }
+  });
 }
 
 }  // namespace stiction

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "solver/contact/contacts.h"
 #include "solver/scene/scene.h"
 #include "solver/state.h"
+#include "solver/workspace.h"
 
 namespace stiction {
 
@@ -20,7 +20,6 @@ namespace stiction {
 ///
 /// Approaching kinetic energy is lost, none is created: with a gap ≥ 0 at _t0 the vertex ends with
 /// 0 ≥ vₙ ≥ v*ₙ.
-void normal_forces(const Scene& scene, double dt, const std::vector<Position>& position,
-                   std::vector<Velocity>& velocity, OneSidedContacts& contacts, double time = 0.0);
+void normal_forces(const Scene& scene, double dt, const State& state, Workspace& workspace);
 
 }  // namespace stiction

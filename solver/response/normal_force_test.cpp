@@ -13,7 +13,7 @@ constexpr double kDt = 0.25;  // s: a power of two, so that divisions round noth
 
 struct Pushed {
   State state;
-  OneSidedContacts contacts;
+  Workspace workspace;
   double gap(const HalfSpace& obstacle) const {  // at the end of the step
     return obstacle.normal.dot(state.position[0].x + kDt * state.velocity[0].v - obstacle.point);
   }
@@ -26,23 +26,26 @@ Pushed push(const std::vector<HalfSpace>& obstacles, const Vec3& x, const Vec3& 
   scene.half_spaces = obstacles;
   Pushed pushed;
   pushed.state = test::state_at(scene, x, v);
-  detect(scene, kDt, pushed.state.position, pushed.state.velocity, pushed.contacts);
-  for (double& force : pushed.contacts.normal_force) force = test::kNaN;  // to be overwritten
-  for (double& depth : pushed.contacts.depth) depth = test::kNaN;         // found afresh
-  normal_forces(scene, kDt, pushed.state.position, pushed.state.velocity, pushed.contacts);
+  detect(scene, kDt, pushed.state.position, pushed.state.velocity, pushed.workspace.contacts);
+  pushed.workspace.velocity = pushed.state.velocity;
+  for (double& force : pushed.workspace.contacts.normal_force)
+    force = test::kNaN;                                                      // to be overwritten
+  for (double& depth : pushed.workspace.contacts.depth) depth = test::kNaN;  // found afresh
+  normal_forces(scene, kDt, pushed.state, pushed.workspace);
+  pushed.state.velocity = pushed.workspace.velocity;
   return pushed;
 }
 
 TEST(NormalForce, EndsTheStepOnThePlaneAndLeavesTheTangentAlone) {
   const Pushed pushed = push({test::ground(0.0)}, Vec3(0, 0, 0.5), Vec3(1, 2, -8));
-  ASSERT_EQ(pushed.contacts.size(), 1u);
+  ASSERT_EQ(pushed.workspace.contacts.size(), 1u);
   EXPECT_EQ(pushed.state.velocity[0].v, Vec3(1, 2, -2));  // 0.5 m in 0.25 s
   EXPECT_EQ(pushed.gap(test::ground(0.0)), 0.0);
 }
 
 TEST(NormalForce, IsMassTimesDepthOverTheSquareOfTheStep) {
   const Pushed pushed = push({test::ground(0.0)}, Vec3(0, 0, 0.5), Vec3(0, 0, -8));
-  EXPECT_EQ(pushed.contacts.normal_force[0], 2.0 * 1.5 / (kDt * kDt));
+  EXPECT_EQ(pushed.workspace.contacts.normal_force[0], 2.0 * 1.5 / (kDt * kDt));
 }
 
 TEST(NormalForce, LosesTheEnergyOfTheApproachAndCreatesNone) {
@@ -62,9 +65,9 @@ TEST(NormalForce, DoesNotPullAContactThatAnotherOneHasOpened) {
   const HalfSpace steep{"steep", Vec3::Zero(), Vec3(0.6, 0.0, 0.8), 0.0};
   const HalfSpace flat{"flat", Vec3(0, 0, 0.01), Vec3::UnitZ(), 0.0};
   const Pushed pushed = push({steep, flat}, Vec3::Zero(), Vec3(-4, 0, 0));
-  ASSERT_EQ(pushed.contacts.size(), 2u);
-  EXPECT_GT(pushed.contacts.normal_force[0], 0.0);
-  EXPECT_EQ(pushed.contacts.normal_force[1], 0.0);
+  ASSERT_EQ(pushed.workspace.contacts.size(), 2u);
+  EXPECT_GT(pushed.workspace.contacts.normal_force[0], 0.0);
+  EXPECT_EQ(pushed.workspace.contacts.normal_force[1], 0.0);
   EXPECT_GT(pushed.gap(flat), 0.0);
 }
 
@@ -72,9 +75,9 @@ TEST(NormalForce, OfTwoEqualPlanesPushesOnce) {
   const Pushed once = push({test::ground(0.0)}, Vec3(0, 0, 0.5), Vec3(0, 0, -8));
   const Pushed twice =
       push({test::ground(0.0), test::ground(0.0)}, Vec3(0, 0, 0.5), Vec3(0, 0, -8));
-  ASSERT_EQ(twice.contacts.size(), 2u);
-  EXPECT_EQ(twice.contacts.normal_force[0], once.contacts.normal_force[0]);
-  EXPECT_EQ(twice.contacts.normal_force[1], 0.0);
+  ASSERT_EQ(twice.workspace.contacts.size(), 2u);
+  EXPECT_EQ(twice.workspace.contacts.normal_force[0], once.workspace.contacts.normal_force[0]);
+  EXPECT_EQ(twice.workspace.contacts.normal_force[1], 0.0);
   EXPECT_EQ(twice.state.velocity[0].v, once.state.velocity[0].v);
 }
 

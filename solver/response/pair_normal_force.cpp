@@ -73,8 +73,9 @@ Real paper_force(Real dt, const Workspace& workspace, const PairContact& contact
 void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
                         const FrictionMemory& last_obstacles) {
   const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
+  workspace.pair_order.make(workspace.pairs, static_cast<std::size_t>(scene.vertex_count()));
   contact_loads(scene, options, last_obstacles, workspace);
-  for (PairContact& contact : workspace.pairs) {
+  const auto set_force = [&](PairContact& contact) {
     if (contact.depth == 0.0) {
       contact.normal_force = 0.0;
     } else if (harmonic) {
@@ -83,7 +84,11 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
       const Real force = paper_force(options.dt(), workspace, contact);
       contact.normal_force = corrects(options.pairs) ? Real(0.5) * force : force;
     }
-  }
+  };
+  for_ranges(workspace.team, workspace.pairs.size(), kContactsToShare,
+             [&](std::size_t begin, std::size_t end) {
+               for (std::size_t c = begin; c < end; ++c) set_force(workspace.pairs[c]);
+             });
   for (EdgeContact& contact : workspace.edges) {
     contact.normal_force =
         contact.depth > 0.0 ? harmonic_force(options.pairs, options.dt(), workspace, contact) : 0;
@@ -91,9 +96,9 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
                   workspace.velocity);
   }
   if (!options.pairs.normals_first) return;
-  for (const PairContact& contact : workspace.pairs) {
-    apply_normal_force(options, contact, workspace.velocity);
-  }
+  workspace.pair_order.for_each_contact(workspace.team, [&](std::size_t c) {
+    apply_normal_force(options, workspace.pairs[c], workspace.velocity);
+  });
 }
 
 void apply_impulse(const Vec3& impulse, const EdgeContact& contact,

@@ -29,22 +29,23 @@ inline TetMesh corner_tetrahedron(double edge = 1.0) {
   return mesh;
 }
 
-/// The cube [0, edge]³ of n³ cells, each split into the six tetrahedra along its diagonal (Kuhn).
-/// Vertices run along x first, then y, then z.
-inline TetMesh cube_mesh(int n, double edge = 1.0) {
-  const auto vertex = [n](const Eigen::Vector3i& at) {
-    return at.x() + (n + 1) * (at.y() + (n + 1) * at.z());
+/// A box of so many cubic cells along each axis with a corner at the origin, each split into the six
+/// tetrahedra along its diagonal (Kuhn). Vertices run along x first, then y, then z.
+inline TetMesh grid_mesh(const Eigen::Vector3i& cells, double cell) {
+  const Eigen::Vector3i points = cells.array() + 1;
+  const auto vertex = [&](const Eigen::Vector3i& at) {
+    return at.x() + points.x() * (at.y() + points.y() * at.z());
   };
   TetMesh mesh;
-  mesh.vertices.resize(3, (n + 1) * (n + 1) * (n + 1));
-  mesh.tetrahedra.resize(4, 6 * n * n * n);
+  mesh.vertices.resize(3, points.prod());
+  mesh.tetrahedra.resize(4, 6 * cells.prod());
   Eigen::Index e = 0;
-  for (int z = 0; z <= n; ++z) {
-    for (int y = 0; y <= n; ++y) {
-      for (int x = 0; x <= n; ++x) {
+  for (int z = 0; z < points.z(); ++z) {
+    for (int y = 0; y < points.y(); ++y) {
+      for (int x = 0; x < points.x(); ++x) {
         const Eigen::Vector3i at(x, y, z);
-        mesh.vertices.col(vertex(at)) = edge / n * at.cast<double>();
-        if (at.maxCoeff() == n) continue;
+        mesh.vertices.col(vertex(at)) = cell * at.cast<double>();
+        if ((at.array() == cells.array()).any()) continue;
         std::array<int, 3> axes = {0, 1, 2};
         bool even = true;
         do {
@@ -63,6 +64,11 @@ inline TetMesh cube_mesh(int n, double edge = 1.0) {
     }
   }
   return mesh;
+}
+
+/// The cube [0, edge]³ of n³ cells.
+inline TetMesh cube_mesh(int n, double edge = 1.0) {
+  return grid_mesh(Eigen::Vector3i::Constant(n), edge / n);
 }
 
 inline BodyDescription elastic_body(TetMesh mesh, const Material& material = {}) {

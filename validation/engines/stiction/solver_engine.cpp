@@ -75,13 +75,13 @@ class StictionEngine final : public Engine {
     if (!chosen_time_step_) {
       const double own = 0.8 * scene_.stable_time_step;
       const bool asked = accuracy.time > 0.0 && accuracy.time <= scene_.stable_time_step;
-      options_.time_step =
-          asked ? accuracy.time : std::min(options_.time_step, round_down_125(own));
+      options_.time_step = asked ? accuracy.time : std::min(options_.time_step, round_down_125(own));
     }
     options_.time_step /= accuracy.finer;
     check_options(options_, scene_);
     state_ = initial_state(scene_);
     workspace_ = Workspace{};
+    workspace_.team = team_.size() > 1 ? &team_ : nullptr;
     if (settled_ > 0.0) settle(problem, accuracy);
     begun_ = state_.step;
   }
@@ -94,7 +94,7 @@ class StictionEngine final : public Engine {
   }
 
   void advance(std::uint64_t steps) override {
-    const double before = thread_cpu_seconds();
+    const double before = cpu_seconds_so_far();
     for (std::uint64_t k = 0; k < steps; ++k) {
       workspace_.phase_seconds = cost_.phases_of(state_.step);
       step(scene_, options_, state_, workspace_);
@@ -103,7 +103,7 @@ class StictionEngine final : public Engine {
       if (workspace_.search.too_deep.depth > 0.0) refuse_passage();
       if (cost_.steps() % kFiniteEvery == 0 || k + 1 == steps) demand_finite();
     }
-    cost_.add_cpu(thread_cpu_seconds() - before);
+    cost_.add_cpu(cpu_seconds_so_far() - before);
   }
 
   BodyMotion body(std::size_t index) const override {
@@ -206,6 +206,8 @@ class StictionEngine final : public Engine {
     restore(forgetting->save());
   }
 
+  double cpu_seconds_so_far() const { return thread_cpu_seconds() + team_.helpers_cpu_seconds(); }
+
   [[noreturn]] void refuse_outrun() const {
     const PairSearch::Outrun& outrun = workspace_.search.outrun;
     const auto name = [&](std::int32_t b) -> const std::string& {
@@ -248,6 +250,7 @@ class StictionEngine final : public Engine {
   Scene scene_;
   std::vector<Mesh> meshes_;
   State state_;
+  Team team_{step_threads()};
   Workspace workspace_;
   StepCost cost_;
 };

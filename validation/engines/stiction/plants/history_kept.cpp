@@ -4,11 +4,12 @@
 
 namespace stiction {
 
-void unplanted_integrate(double dt, std::vector<Velocity>& corrected, State& state);
+void unplanted_integrate(double dt, std::vector<Velocity>& corrected, State& state,
+                         const Team* team);
 
-void integrate(double dt, std::vector<Velocity>& corrected, State& state) {
+void integrate(double dt, std::vector<Velocity>& corrected, State& state, const Team* team) {
   thread_local std::vector<double> kept;
-  unplanted_integrate(dt, corrected, state);
+  unplanted_integrate(dt, corrected, state, team);
   kept.push_back(dt);
 }
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/contact/contact_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace stiction {
+namespace {
+
+using Chunk = ContactOrder::Chunk;
+
+constexpr std::size_t kSome = ContactOrder::kMany - 1, kMany = 3 * ContactOrder::kMany;
+
+// A strip of a body's vertices over a strip of another's: each touches its neighbours' partners too.
+PairContacts strip(std::size_t count) {
+  PairContacts pairs(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto v = static_cast<std::int32_t>(c);
+    pairs[c].vertex = v;
+    for (int k = 0; k < 4; ++k) pairs[c].partner[k] = static_cast<std::int32_t>(count) + v + k;
+  }
+  return pairs;
+}
+
+std::size_t vertices_of(std::size_t count) { return 2 * count + 4; }
+
+// The vertices that chunks of the same colour share, and the contacts in the order that they come in.
+struct Seen {
+  std::vector<std::size_t> contacts;
+  std::size_t shared = 0;
+
+  Seen(const ContactOrder& order, const PairContacts& pairs) {
+    std::vector<std::pair<std::size_t, Chunk>> chunks;
+    order.for_each_chunk(nullptr, [&](std::size_t k, const Chunk& chunk) {
+      EXPECT_EQ(k, chunks.size());
+      chunks.emplace_back(k, chunk);
+      for (std::size_t c = chunk.begin; c < chunk.end; ++c) contacts.push_back(c);
+    });
+    for (std::size_t colour = 0; colour < order.colours(); ++colour) {
+      std::map<std::int32_t, std::size_t> owner;
+      for (std::size_t k = order.first_chunk(colour); k < order.first_chunk(colour + 1); ++k) {
+        for (std::size_t c = chunks[k].second.begin; c < chunks[k].second.end; ++c) {
+          std::set<std::int32_t> corners(pairs[c].partner, pairs[c].partner + 4);
+          corners.insert(pairs[c].vertex);
+          for (const std::int32_t v : corners) {
+            shared += owner.emplace(v, k).first->second != k;
+          }
+        }
+      }
+    }
+  }
+};
+
+TEST(ContactOrder, OfFewIsThatOfTheirKeys) {
+  const PairContacts pairs = strip(kSome);
+  ContactOrder order;
+  order.make(pairs, vertices_of(kSome));
+  EXPECT_EQ(order.chunks(), 1u);
+  const Seen seen(order, pairs);
+  EXPECT_TRUE(std::is_sorted(seen.contacts.begin(), seen.contacts.end()));
+  EXPECT_EQ(seen.contacts.size(), kSome);
+}
+
+TEST(ContactOrder, OfManyHasEachOnceAndNoVertexTwiceInAColour) {
+  const PairContacts pairs = strip(kMany);
+  ContactOrder order;
+  order.make(pairs, vertices_of(kMany));
+  EXPECT_EQ(order.colours(), 2u);  // of a strip, every other chunk
+  Seen seen(order, pairs);
+  EXPECT_EQ(seen.shared, 0u);
+  EXPECT_FALSE(std::is_sorted(seen.contacts.begin(), seen.contacts.end()));
+  std::sort(seen.contacts.begin(), seen.contacts.end());
+  ASSERT_EQ(seen.contacts.size(), kMany);
+  for (std::size_t c = 0; c < kMany; ++c) EXPECT_EQ(seen.contacts[c], c);
+}
+
+TEST(ContactOrder, FollowsFromTheContactsAloneWhateverItWasBefore) {
+  PairContacts pairs = strip(kMany);
+  ContactOrder order;
+  order.make(pairs, vertices_of(kMany));
+  // The last contact reaches back to the first: their chunks must part.
+  pairs.back().partner[3] = pairs.front().vertex;
+  order.make(pairs, vertices_of(kMany));
+  ContactOrder fresh;
+  fresh.make(pairs, vertices_of(kMany));
+  const Seen seen(order, pairs), wanted(fresh, pairs);
+  EXPECT_EQ(seen.contacts, wanted.contacts);
+  EXPECT_EQ(seen.shared, 0u);
+  order.make(strip(kSome), vertices_of(kMany));
+  EXPECT_EQ(order.chunks(), 1u);
+}
+
+TEST(ContactOrder, WhereAllTouchOneVertexChunksComeOneByOne) {
+  constexpr std::size_t kVeryMany = 20 * ContactOrder::kMany;  // more chunks than colours
+  PairContacts pairs = strip(kVeryMany);
+  for (PairContact& contact : pairs) contact.partner[0] = 0;
+  ContactOrder order;
+  order.make(pairs, vertices_of(kVeryMany));
+  EXPECT_EQ(order.colours(), order.chunks());
+  EXPECT_GT(order.chunks(), 64u);
+  const Seen seen(order, pairs);
+  EXPECT_EQ(seen.shared, 0u);
+  EXPECT_EQ(seen.contacts.size(), kVeryMany);
+}
+
+TEST(ContactOrder, OfObstaclesHasAColourForEach) {
+  OneSidedContacts contacts;
+  for (std::int32_t obstacle = 0; obstacle < 3; ++obstacle) {
+    const auto count = static_cast<std::int32_t>(obstacle == 1 ? 3 : ContactOrder::kMany);
+    for (std::int32_t v = 0; v < count; ++v) {
+      contacts.add(contact_key(obstacle, v), v, obstacle, 0.0);
+    }
+  }
+  ContactOrder order;
+  order.make(contacts);
+  ASSERT_EQ(order.colours(), 3u);
+  std::size_t next = 0;
+  for (std::size_t colour = 0; colour < 3; ++colour) {
+    EXPECT_EQ(order.first_chunk(colour + 1) - order.first_chunk(colour), colour == 1 ? 1u : 8u);
+  }
+  order.for_each_chunk(nullptr, [&](std::size_t, const Chunk& chunk) {
+    EXPECT_EQ(chunk.begin, next);
+    EXPECT_EQ(contacts.obstacle[chunk.begin], contacts.obstacle[chunk.end - 1]);
+    next = chunk.end;
+  });
+  EXPECT_EQ(next, contacts.size());
+}
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/parallel/team.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cfenv>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "solver/testing/test_refusal.h"
+
+namespace stiction {
+namespace {
+
+// Work of which other threads take a part, however late they wake: the first piece waits for it.
+template <class Work>
+void shared_work(const Team& team, const Work& work) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> helped = false;
+  for_each(&team, 1000, [&](std::size_t k) {
+    if (std::this_thread::get_id() == caller) {
+      while (!helped) std::this_thread::yield();
+    }
+    work(k);
+    if (std::this_thread::get_id() != caller) helped = true;
+  });
+}
+
+class TeamOfMany : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (most_threads() == 1) GTEST_SKIP() << "built without oneTBB";
+    if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one core: nobody helps";
+  }
+};
+
+TEST_F(TeamOfMany, DoesEachPieceOnce) {
+  const Team team(2);
+  std::vector<std::atomic<int>> done(1000);
+  shared_work(team, [&](std::size_t k) { ++done[k]; });
+  for (const auto& times : done) EXPECT_EQ(times, 1);
+  EXPECT_GT(team.helpers_cpu_seconds(), 0.0);
+}
+
+TEST_F(TeamOfMany, ComputesWithTheRoundingModeOfTheCaller) {
+  const Team team(2);
+  shared_work(team, [](std::size_t) {});  // its threads have begun with the usual mode
+  std::fesetround(FE_UPWARD);
+  std::atomic<int> others = 0;
+  shared_work(team, [&](std::size_t) { others += std::fegetround() != FE_UPWARD; });
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(others, 0);
+}
+
+TEST_F(TeamOfMany, TellsTheCallerWhichExceptionsOfArithmeticWereRaised) {
+  const Team team(2);
+  const std::thread::id caller = std::this_thread::get_id();
+  std::feclearexcept(FE_ALL_EXCEPT);
+  shared_work(team, [&](std::size_t) {
+    if (std::this_thread::get_id() != caller) std::feraiseexcept(FE_DIVBYZERO);
+  });
+  EXPECT_NE(std::fetestexcept(FE_DIVBYZERO), 0);
+  EXPECT_EQ(std::fetestexcept(FE_INVALID), 0);
+  std::feclearexcept(FE_ALL_EXCEPT);
+}
+
+TEST_F(TeamOfMany, ThrowsWhatAPieceThrew) {
+  const Team team(2);
+  EXPECT_THROW(for_each(&team, 100,
+                        [](std::size_t k) {
+                          if (k == 57) throw std::runtime_error("57");
+                        }),
+               std::runtime_error);
+}
+
+TEST(Team, RefusesNumbersOfThreadsThatAreNone) {
+  for (const int threads : {0, -3, 100000}) {
+    const std::string said = test::refusal([&] { const Team team(threads); });
+    EXPECT_NE(said.find("not " + std::to_string(threads)), std::string::npos) << said;
+  }
+}
+
+TEST(Team, HasTheNumberOfThreadsOfTheEnvironment) {
+  EXPECT_EQ(chosen_step_threads(""), 1);
+  EXPECT_EQ(chosen_step_threads("1"), 1);
+  for (const char* wanted : {"0", "-2", "two", "2x", " 2", "1e9", "99999999999999999999"}) {
+    const std::string said = test::refusal([&] { chosen_step_threads(wanted); });
+    EXPECT_NE(said.find(std::string("'") + wanted + "'"), std::string::npos) << said;
+  }
+}
+
+TEST_F(TeamOfMany, IsWhatTheEnvironmentAsksFor) { EXPECT_EQ(chosen_step_threads("2"), 2); }
+
+TEST(Team, OfOneGoesThroughRangesAtOnce) {
+  const Team alone(1);
+  for (const Team* team : {static_cast<const Team*>(nullptr), &alone}) {
+    std::vector<std::pair<std::size_t, std::size_t>> ranges;
+    for_ranges(team, 10000, 10,
+               [&](std::size_t begin, std::size_t end) { ranges.emplace_back(begin, end); });
+    ASSERT_EQ(ranges.size(), 1u);
+    EXPECT_EQ(ranges[0], std::pair(std::size_t{0}, std::size_t{10000}));
+  }
+}
+
+TEST_F(TeamOfMany, RangesMakeUpTheWhole) {
+  const Team team(3);
+  for (const std::size_t count : {0u, 1u, 19u, 20u, 1003u}) {
+    std::vector<std::atomic<int>> seen(count);
+    for_ranges(&team, count, 10, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) ++seen[k];
+    });
+    for (const auto& times : seen) EXPECT_EQ(times, 1);
+  }
+  EXPECT_EQ(ranges_of(&team, 19, 10), 1u);
+  EXPECT_EQ(ranges_of(&team, 20, 10), 2u);
+  EXPECT_EQ(ranges_of(&team, 1000, 10), 12u);
+}
+
+}  // namespace
+}  // namespace stiction

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Threads inside a step leave the bits as they are.
+#include <gtest/gtest.h>
+
+#include "solver/parallel/team.h"
+#include "solver/step.h"
+#include "solver/testing/test_scenes.h"
+
+namespace stiction {
+namespace {
+
+constexpr int kSteps = 12;
+constexpr double kCell = 0.01;  // m
+
+// A plate that slides over a larger one on the ground, with more contacts of both kinds than threads
+// need, some of which come and go.
+Scene sliding_plates() {
+  const Material material{1000.0, 1e5, 0.3, 1e-4};
+  SceneDescription description;
+  BodyDescription lower = test::elastic_body(test::grid_mesh({68, 68, 1}, kCell), material);
+  lower.name = "lower";
+  BodyDescription upper = test::elastic_body(test::grid_mesh({48, 48, 1}, kCell), material);
+  upper.name = "upper";
+  lower.initial_velocity = Vec3(0.0, 0.0, -0.05).replicate(1, lower.mesh.vertices.cols());
+  upper.mesh.vertices.colwise() += Vec3(0.103, 0.107, kCell - 1e-6);
+  upper.initial_velocity = Vec3(2.0, 1.0, -0.05).replicate(1, upper.mesh.vertices.cols()) +
+                           test::noise(upper.mesh.vertices.cols(), 0.01, 7);
+  description.bodies = {lower, upper};
+  description.half_spaces = {test::ground(0.4)};
+  description.gravity = {{0.0}, {Vec3(10.0, 0.0, -200.0)}};
+  description.friction = 0.3;
+  return build_scene(description);
+}
+
+struct Ran {
+  std::uint64_t hash = 0;
+  std::size_t pairs = 0, obstacles = 0;
+};
+
+Ran run(const Scene& scene, const Options& options, const Team* team) {
+  State state = initial_state(scene);
+  Workspace workspace;
+  workspace.team = team;
+  for (int k = 0; k < kSteps; ++k) step(scene, options, state, workspace);
+  return {hash_of(state), workspace.pairs.size(), workspace.contacts.size()};
+}
+
+Options quiet() { return {.time_step = 5e-5}; }
+
+// The paper's contacts: pair by pair, one sweep.
+Options paper() {
+  Options options{.time_step = 5e-5, .rule = "fixed-point"};
+  options.pairs.gain = NormalGain::kPaper;
+  options.pairs.weights = PairWeights::kTriangle;
+  options.pairs.normals_first = false;
+  options.pairs.key = PairKey::kTriangle;
+  return options;
+}
+
+TEST(StepThreads, HaveTheBitsOfOneAtAnyNumber) {
+  if (most_threads() == 1) GTEST_SKIP() << "built without oneTBB";
+  const Scene scene = sliding_plates();
+  for (const Options& options : {quiet(), paper()}) {
+    const Ran alone = run(scene, options, nullptr);
+    ASSERT_GE(alone.pairs, ContactOrder::kMany);
+    ASSERT_GE(alone.obstacles, ContactOrder::kMany);
+    for (const int threads : {1, 2, 3, 8}) {
+      const Team team(threads);
+      EXPECT_EQ(run(scene, options, &team).hash, alone.hash)
+          << options.rule << " with " << threads << " threads";
+    }
+  }
+}
+
+TEST(StepThreads, ASnapshotGoesOnAsItDid) {
+  const Scene scene = sliding_plates();
+  State state = initial_state(scene);
+  Workspace workspace;
+  for (int k = 0; k < kSteps / 2; ++k) step(scene, quiet(), state, workspace);
+  const State kept = state;
+  for (int k = 0; k < kSteps / 2; ++k) step(scene, quiet(), state, workspace);
+  const std::uint64_t hash = hash_of(state);
+  state = kept;
+  Workspace fresh;
+  for (int k = 0; k < kSteps / 2; ++k) step(scene, quiet(), state, fresh);
+  EXPECT_EQ(hash_of(state), hash);
+}
+
+}  // namespace
+}  // namespace stiction
