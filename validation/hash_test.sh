@@ -62,6 +62,13 @@ grep -q "STICTION_WIDTH is '3', but this processor's registers hold ${widths// /
   || failed "registers of 3 doubles" "no sentence that says so"
 passed "registers of 3 doubles: refused in one sentence"
 
+# Threads inside a step; scenes large enough to be shared are solver/step_threads_test.cpp's.
+run threads "$build/validate" --threads 2
+same threads "two threads inside a step"
+exits 2 "no threads" env STICTION_THREADS=0 "$build/validate" --case 'gauntlet/spike-on-spike/thrown' --no-page --out none
+grep -q "STICTION_THREADS is '0', but a step has 1 to [0-9]* threads" err || failed "no threads" "no sentence that says so"
+passed "no threads: refused in one sentence"
+
 # Where the C library does use fused products its last digits tell, as those of Python's functions do.
 plain="a C library without fused products"
 without=(env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX2_Usable,-FMA_Usable)
