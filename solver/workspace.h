@@ -130,8 +130,8 @@ struct SweepChange {
 
 /// Scratch memory of the conjugate directions of friction forces, per contact.
 struct ConjugateScratch {
-  std::vector<Vec3> change;     ///< r, of f by the last sweep, N
-  std::vector<Vec3> direction;  ///< p, N
+  std::vector<Vec3> change;           ///< r, of f by the last sweep, N
+  std::vector<Vec3> direction;        ///< p, N
   std::vector<SweepChange> of_chunk;  ///< of the chunks of the contacts' order
 };
 

@@ -29,7 +29,7 @@ struct Chosen {
 struct SpeedUp {
   int threads = 1;
   reference::Quartiles ratio{};  ///< of the wall-clock times, dimensionless
-  bool same_hash = true;       ///< both have written the same bits
+  bool same_hash = true;         ///< both have written the same bits
 };
 
 /// What was measured of one.
