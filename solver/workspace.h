@@ -148,8 +148,8 @@ struct Workspace {
   FrictionMemory edge_friction;    ///< the memory being written
   ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
   std::vector<Real> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
-  ContactOrder pair_order, obstacle_order, edge_order;
-  ElementShares shares;
+  ContactOrder pair_order, obstacle_order, edge_order;  ///< in which forces act
+  ElementShares shares;                                 ///< of the team, where there is one
   PairSearch search;
   ConsistentScratch consistent;
   std::uint64_t contact_updates = 0;      ///< summed over steps

@@ -74,7 +74,7 @@ std::string exponent(const std::vector<Scaling>& fits, const std::string& family
   return "–";
 }
 
-// "1.85 (1.80–1.88)": of a whole step.
+// How much faster threads do a whole step; an empty first cell where that was not measured.
 std::vector<std::string> speed_up_row(const std::vector<Result>& results, const std::string& family,
                                       const std::set<int>& sizes) {
   std::vector<std::string> row = {""};

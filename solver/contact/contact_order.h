@@ -12,10 +12,10 @@
 namespace stiction {
 
 /// The order in which forces of contacts go to their vertices. Few contacts have that of their keys.
-/// Many are cut into chunks of neighbours, and chunks that share no vertex have the same colour
-/// [Iglberger2009]: colour by colour, the threads of a team do the chunks of one side by side, and
-/// each vertex gets its forces in the same order for any number of threads. It follows from the
-/// contacts of the step alone, so that a state that is restored goes on as it did.
+/// Many are cut into chunks of neighbours, and chunks that share no vertex have the same colour:
+/// colour by colour, the threads of a team do the chunks of one side by side, and each vertex gets
+/// its forces in the same order for any number of threads. It follows from the contacts of the step
+/// alone, so that a state that is restored goes on as it did.
 class ContactOrder {
  public:
   /// Contacts [begin, end).

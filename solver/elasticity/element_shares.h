@@ -32,7 +32,8 @@ struct ElementShares {
   std::vector<ElementShare> share;
 };
 
-/// Makes `shares` that many ranges of the scene's elements, ≥ 1, or leaves them if that is what they are.
+/// Makes `shares` that many ranges of the scene's elements, ≥ 1, or leaves them if that is what
+/// they are.
 void share_elements(const Scene& scene, std::size_t count, ElementShares& shares);
 
 /// Adds what the ranges have left aside.

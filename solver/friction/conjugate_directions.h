@@ -92,7 +92,8 @@ class ConjugateSide {
 /// than `tolerance` (m/s) from any contact, or eight sweeps have taken less than a tenth off what a
 /// sweep still changes: where contacts slide, directions are cut off at their cones, slip creeps on
 /// by 0.2 % a sweep (measured in a row of boxes at its critical force), and 64 would halve nothing.
-/// `sweep(first, sides…)` does one, of whose changes each side hears. Returns the sweeps done. All sides share one β.
+/// `sweep(first, sides…)` does one, of whose changes each side hears. Returns the sweeps done. All
+/// sides share one β.
 template <class Sweep, class... Sides>
 int conjugate_sweeps(int sweeps, Real tolerance, const Sweep& sweep, Sides&... side) {
   constexpr int kPatience = 8;

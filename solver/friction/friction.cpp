@@ -205,7 +205,6 @@ void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memor
            const Before& before, Heard& heard) {
   side.order.for_each_chunk(team, [&](std::size_t k, const ContactOrder::Chunk& chunk) {
     // Copies, of which the compiler knows that nothing else changes them.
-    const Rule same_rule = rule;
     const Side here = side;
     Heard hears = heard;
     Real* const value = memory.value.data();
@@ -214,7 +213,7 @@ void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memor
     for (std::size_t c = chunk.begin; c < chunk.end; ++c) {
       before(c);
       Real* const own = value + c * static_cast<std::size_t>(Rule::kValues);
-      hears.add(c, solve(same_rule, here, c, first, was[c], start, velocity, own), sum);
+      hears.add(c, solve(rule, here, c, first, was[c], start, velocity, own), sum);
     }
     hears.finish(k, sum);
   });

@@ -108,5 +108,20 @@ TEST(KeptScenes, FrictionOfOneSweepMayGiveEnergyBetweenBodies) {
   EXPECT_LT(conjugate.friction_work, 0.0);
 }
 
+// Found by a search of the same claim: a box that lies on an edge rocks on a slab. All contacts
+// stick, a step's sweeps end at the slip tolerance of 1e-7 gΔt, and what they leave is along the
+// friction for as long as the box leans to one side: 4e-16 J a step, which is no rounding.
+TEST(KeptScenes, FrictionMayGiveWhatTheSlipToleranceLeaves) {
+  const RandomScene scene{
+      .ground = 2, .gravity = 1, .mu = 1, .bodies = {{.angle = 1, .velocity = {0, 1, 4}}}};
+  const Outcome quiet = outcome_of(scene, {{"method", "quiet"}}, 200);
+  EXPECT_EQ(quiet.broken, "");
+  EXPECT_GT(quiet.friction_work, 1e-14);
+  const Outcome tighter =
+      outcome_of(scene, {{"method", "quiet"}, {"slip-tolerance", "1e-12"}}, 200);
+  EXPECT_EQ(tighter.broken, "");
+  EXPECT_LT(tighter.friction_work, 1e-16);
+}
+
 }  // namespace
 }  // namespace stiction::test

@@ -61,7 +61,8 @@ mutant weight_sum "$wedges" "$bars"
 bites "$wedges" quiet 'linear momentum, largest change'
 bites "$bars" quiet 'vertices renumbered'
 
-mutant lever_arm "$bars" # it turns the wedges by 0.8 of what a step's share of their impulse may
+mutant lever_arm "$wedges" "$bars"
+bites "$wedges" quiet 'sideways speed where they met in the middle'
 bites "$bars" quiet 'vertices renumbered'
 
 mutant depth_flipped "$wedges" "$cone"
