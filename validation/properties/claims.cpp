@@ -149,11 +149,13 @@ class Claims {
       ++touching[{false, contact.point}];
       between_bodies = between_bodies || contact.against_body;
     }
-    // Of any vertex, before or after the step: what a contact stops is gone afterwards.
-    double fastest =
+    // Of any vertex, before or after the step: what a contact stops is gone afterwards. And in the
+    // step before, whose force a contact remembers and corrects: it is rounded as that force is.
+    double now =
         std::sqrt(2.0 * std::max(energies_.kinetic, before_.kinetic) * terms_ / lightest_) +
         engine_->time_step() * (problem_.gravity.scale() + load_ / lightest_);
-    for (const ContactSample& contact : contacts) fastest = std::max(fastest, contact.slip.norm());
+    for (const ContactSample& contact : contacts) now = std::max(now, contact.slip.norm());
+    const double fastest = std::max(now, std::exchange(fastest_before_, now));
     // Of the last sweep no contact takes away more slip, and gives no more back to those before it.
     const double tolerated = static_cast<double>(contacts.size()) *
                              ConjugateVector::kSlipTolerance.initial * problem_.gravity.scale() *
@@ -208,6 +210,7 @@ class Claims {
   double terms_ = 1.0;                                         // vertices, at least
   Energies start_, before_, energies_;
   Vec3 momentum_ = Vec3::Zero();
+  double fastest_before_ = 0.0;                                               // m/s
   double work_ = 0.0, most_given_ = 0.0;                                      // J
   double friction_work_ = 0.0, friction_scale_ = 0.0, tolerated_work_ = 0.0;  // J
 };

@@ -108,7 +108,20 @@ TEST(KeptScenes, FrictionOfOneSweepMayGiveEnergyBetweenBodies) {
   EXPECT_LT(conjugate.friction_work, 0.0);
 }
 
-// Found by a search of the same claim: a box that lies on an edge rocks on a slab. All contacts
+// Found by a search of the claim that friction at a half-space never gives energy: a point that is
+// stopped from 0.3 m/s and then held on a slope of 1°. The force that holds it is the one that
+// stopped it, corrected, and has that one's rounding.
+TEST(KeptScenes, AForceThatIsCorrectedHasTheRoundingOfTheOneBefore) {
+  const RandomScene scene{.ground = 1,
+                          .slope = 1,
+                          .gravity = 1,
+                          .mu_decade = 1,
+                          .mu = 1,
+                          .bodies = {{.shape = 3, .velocity = {5, 0, 1}}}};
+  EXPECT_EQ(outcome_of(scene, {{"method", "paper"}}, 200).broken, "");
+}
+
+// Found by a search of the claim between bodies: a box that lies on an edge rocks on a slab. All contacts
 // stick, a step's sweeps end at the slip tolerance of 1e-7 gΔt, and what they leave is along the
 // friction for as long as the box leans to one side: 4e-16 J a step, which is no rounding.
 TEST(KeptScenes, FrictionMayGiveWhatTheSlipToleranceLeaves) {
