@@ -25,8 +25,9 @@ struct Outcome {
 ///   Coulomb's cone    |f| ≤ μ fⁿ
 ///   dissipation       f · u ≤ 0 for a vertex that touches a half-space alone, and where it slips
 ///                     f is against u; between bodies of the sum over all steps (contacts that are
-///                     solved later in a sweep move those before), of `quiet` alone and but for
-///                     the slip that its tolerance leaves to contacts that stick
+///                     solved later in a sweep move those before) and those that slide, of `quiet`
+///                     alone: contacts that stick have what slip its sweeps have left them, along f
+///                     as well as against it
 ///   energy            of `quiet`: what there is beyond the work done from outside never exceeds
 ///                     what there was by more than the integrator's share
 ///   no silent passage of `quiet`: what an outside watch finds, the engine has refused
