@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/scene/scene.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
@@ -13,50 +12,16 @@
 #include "solver/demand.h"
 #include "solver/mesh/numbering.h"
 #include "solver/scene/scene_check.h"
+#include "solver/scene/time_step_limit.h"
 
 namespace stiction {
 
 namespace {
 
-struct Lame {
-  double mu;
-  double lambda;
-};
-
-Lame lame(const Material& material) {
-  const double nu = material.poisson_ratio;
-  const double e = material.youngs_modulus;
-  return {e / (2.0 * (1.0 + nu)), e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))};
-}
-
-// Columns x₁ − x₀, x₂ − x₀, x₃ − x₀.
-Eigen::Matrix3d edges(const TetMesh& mesh, Eigen::Index tetrahedron) {
-  const auto corners = mesh.tetrahedra.col(tetrahedron);
-  Eigen::Matrix3d d;
-  for (int k = 0; k < 3; ++k) {
-    d.col(k) = mesh.vertices.col(corners[k + 1]) - mesh.vertices.col(corners[0]);
-  }
-  return d;
-}
-
-std::vector<Real> lumped_masses(const BodyDescription& body) {
-  std::vector<double> mass(static_cast<std::size_t>(body.mesh.vertices.cols()), 0.0);
-  for (Eigen::Index e = 0; e < body.mesh.tetrahedra.cols(); ++e) {
-    const double quarter = 0.25 * body.material.density * signed_volume(body.mesh, e);
-    for (int k = 0; k < 4; ++k) {
-      mass[static_cast<std::size_t>(body.mesh.tetrahedra(k, e))] += quarter;
-    }
-  }
-  for (double& m : mass) {
-    if (m == 0.0) m = body.point_mass;
-  }
-  return {mass.begin(), mass.end()};
-}
-
 Element element_of(const BodyDescription& body, Eigen::Index tetrahedron,
                    const std::vector<int>& scene_vertex) {
-  const Eigen::Matrix3d rest_edges = edges(body.mesh, tetrahedron);
-  const Eigen::Matrix3d inverse = rest_edges.inverse();
+  const Eigen::Matrix3d edges = rest_edges(body.mesh, tetrahedron);
+  const Eigen::Matrix3d inverse = edges.inverse();
   const double volume = signed_volume(body.mesh, tetrahedron);
   const Lame parameters = lame(body.material);
   Element element;
@@ -102,7 +67,7 @@ void add_body(const BodyDescription& body, Scene& scene) {
   const int first = scene.vertex_count();
   const auto count = body.mesh.vertices.cols();
   const Numbering numbering = spatial_numbering(body.mesh, body.axes);
-  const std::vector<Real> mass = lumped_masses(body);
+  const std::vector<double> mass = lumped_masses(body);
 
   std::vector<int> scene_vertex(static_cast<std::size_t>(count));
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -121,7 +86,7 @@ void add_body(const BodyDescription& body, Scene& scene) {
     if (body.initial_velocity.cols() > 0) {
       scene.initial_velocity.col(place) = body.initial_velocity.col(source).cast<Real>();
     }
-    scene.mass[static_cast<std::size_t>(place)] = mass[k];
+    scene.mass[static_cast<std::size_t>(place)] = static_cast<Real>(mass[k]);
   }
   scene.inverse_mass.resize(scene.mass.size());
   for (auto k = static_cast<std::size_t>(first); k < scene.mass.size(); ++k) {
@@ -167,39 +132,6 @@ void add_body(const BodyDescription& body, Scene& scene) {
 }
 
 }  // namespace
-
-double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
-                               const Material& material) {
-  // ω² of the lumped element: eigenvalues of (4/ρ) Lᵀ B Bᵀ L with D = L Lᵀ the elasticity matrix
-  // (Voigt) and B the 6 × 12 strain matrix; the six zero modes drop out by working in strain space.
-  const Eigen::Matrix3d gradients = edges(mesh, tetrahedron).inverse();  // rows: ∇N₁, ∇N₂, ∇N₃
-  Eigen::Matrix<double, 6, 12> b = Eigen::Matrix<double, 6, 12>::Zero();
-  for (int k = 0; k < 4; ++k) {
-    const Eigen::Vector3d g = k == 0 ? Eigen::Vector3d(-gradients.colwise().sum().transpose())
-                                     : Eigen::Vector3d(gradients.row(k - 1).transpose());
-    auto columns = b.middleCols<3>(3 * k);
-    columns.diagonal() = g;
-    columns(3, 0) = g.y();
-    columns(3, 1) = g.x();
-    columns(4, 1) = g.z();
-    columns(4, 2) = g.y();
-    columns(5, 0) = g.z();
-    columns(5, 2) = g.x();
-  }
-  const Lame parameters = lame(material);
-  Eigen::Matrix<double, 6, 6> d = Eigen::Matrix<double, 6, 6>::Zero();
-  d.topLeftCorner<3, 3>().setConstant(parameters.lambda);
-  d.topLeftCorner<3, 3>().diagonal().array() += 2.0 * parameters.mu;
-  d.bottomRightCorner<3, 3>().diagonal().setConstant(parameters.mu);
-  const Eigen::Matrix<double, 6, 6> l = d.llt().matrixL();
-  const Eigen::Matrix<double, 6, 6> operator_ = l.transpose() * (b * b.transpose()) * l;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(operator_,
-                                                                         Eigen::EigenvaluesOnly);
-  const double omega2 = 4.0 / material.density * eigen.eigenvalues().maxCoeff();
-  const double beta = material.damping_time;
-  // √(β² + 4/ω²) − β, without the difference, which is 0 for β ω ≫ 1e8.
-  return 4.0 / omega2 / (std::sqrt(beta * beta + 4.0 / omega2) + beta);
-}
 
 std::uint64_t SceneSerial::next() {
   static std::atomic<std::uint64_t> scenes{0};

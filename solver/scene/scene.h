@@ -141,10 +141,4 @@ struct Scene {
 /// start inside an obstacle.
 Scene build_scene(const SceneDescription& description);
 
-/// Largest stable time step of one element, s: symplectic Euler with viscous damping β needs
-/// Δt ≤ √(β² + 4/ω²) − β, with ω² the largest eigenvalue of the lumped element; the smallest
-/// element value bounds the mesh [IronsTreharne1971].
-double element_time_step_limit(const TetMesh& mesh, Eigen::Index tetrahedron,
-                               const Material& material);
-
 }  // namespace stiction

@@ -11,6 +11,7 @@
 #include "solver/demand.h"
 #include "solver/elasticity/corotational.h"
 #include "solver/observables.h"
+#include "solver/scene/time_step_limit.h"
 #include "solver/step.h"
 #include "validation/engine/cpu_time.h"
 #include "validation/engine/engine.h"
@@ -83,7 +84,9 @@ class StictionEngine final : public Engine {
       // Where bodies touch each other a step nearer the limit costs digits: with it 5 scenes of the
       // suite of stability, tips and edges on one another, slip by more than they may.
       const double limit = 0.8 * scene_.stable_time_step;
-      const double own = scene_.pairs_possible ? round_down_125(limit) : step_below(limit);
+      const double own = scene_.pairs_possible
+                             ? round_down_125(limit)
+                             : step_below(std::max(limit, limit_of_bodies_alone(description)));
       const bool asked = accuracy.time > 0.0 && accuracy.time <= scene_.stable_time_step;
       options_.time_step = asked ? accuracy.time : std::min(options_.time_step, own);
     }
@@ -194,6 +197,16 @@ class StictionEngine final : public Engine {
   SolverView view() const { return {scene_, options_, workspace_}; }
 
  private:
+  // The margin of 20 % is kept to the limit of whole bodies near rest, and none to that of elements,
+  // below which damped bodies hold however they are deformed.
+  double limit_of_bodies_alone(const SceneDescription& description) const {
+    double limit = scene_.stable_time_step;
+    for (const BodyDescription& body : description.bodies) {
+      limit = std::min(limit, 0.8 * body_time_step_limit(body));
+    }
+    return limit;
+  }
+
   // The state in which comparisons begin (settled_without_memory() in validation/comparison/), made
   // by the engine itself: a program cannot take up a state of another process.
   void settle(const Problem& problem, const Accuracy& accuracy) {
