@@ -77,13 +77,18 @@ Eigen::Matrix3d inertia(const Scene& scene, const State& state, const Body& body
   return second.trace() * Eigen::Matrix3d::Identity() - second;
 }
 
+Eigen::Vector3d over_inertia(const Scene& scene, const State& state, const Body& body,
+                             const Eigen::Vector3d& moment) {
+  return inertia(scene, state, body).completeOrthogonalDecomposition().solve(moment);
+}
+
 Eigen::Vector3d angular_velocity(const Scene& scene, const State& state, const Body& body) {
   const Eigen::Vector3d c = centre_of_mass(scene, state, body);
   const Eigen::Vector3d momentum =
       body.mass * mass_mean(scene, body, [&](std::size_t k) -> Eigen::Vector3d {
         return (state.position[k].x.cast<double>() - c).cross(state.velocity[k].v.cast<double>());
       });
-  return inertia(scene, state, body).completeOrthogonalDecomposition().solve(momentum);
+  return over_inertia(scene, state, body, momentum);
 }
 
 Eigen::Matrix3d fitted_rotation(const Scene& scene, const State& state, const Body& body) {

@@ -28,6 +28,11 @@ Eigen::Vector3d centre_velocity(const Scene& scene, const State& state, const Bo
 /// Σ m (|r|² 1 − r rᵀ) of one body's vertices about its centre of mass, kg m².
 Eigen::Matrix3d inertia(const Scene& scene, const State& state, const Body& body);
 
+/// J⁻¹ m of an angular momentum (its angular velocity, rad/s) or a couple (its angular
+/// acceleration, rad/s²); of a body that can't resist it, a point or a rod, the shortest.
+Eigen::Vector3d over_inertia(const Scene& scene, const State& state, const Body& body,
+                             const Eigen::Vector3d& moment);
+
 /// Of the rigid motion with the body's angular momentum about its centre, rad/s; zero for a point.
 Eigen::Vector3d angular_velocity(const Scene& scene, const State& state, const Body& body);
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "reference/meshes/box_mesh.h"
+#include "reference/meshes/rotation_onto.h"
 
 namespace stiction::reference {
 
@@ -286,7 +287,7 @@ TetMesh ball_mesh(const BallOptions& options) {
 }
 
 Eigen::Matrix3d turned_down(const Vector3d& from) {
-  return Eigen::Quaterniond::FromTwoVectors(from, -Vector3d::UnitZ()).toRotationMatrix();
+  return rotation_onto(from, -Vector3d::UnitZ()).toRotationMatrix();
 }
 
 Eigen::Matrix3d facet_down(int frequency) {

@@ -3,7 +3,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
@@ -105,7 +104,7 @@ RollingMotions rolling_motions(const std::vector<RigidBall>& balls,
     stiffness.col(q) = kernel.transpose() * (change.transpose() * force);
   }
   const MatrixXd inertia = kernel.transpose() * mass.asDiagonal() * kernel;
-  const MatrixXd operation = inertia.partialPivLu().solve(stiffness);
+  const MatrixXd operation = inertia.colPivHouseholderQr().solve(stiffness);
   const Eigen::EigenSolver<MatrixXd> solver(operation, false);
   motions.rates2 = solver.eigenvalues().real();
   motions.basis = kernel;

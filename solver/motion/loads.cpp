@@ -2,7 +2,6 @@
 #include "solver/motion/loads.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include "solver/observables.h"
 
@@ -25,8 +24,7 @@ void add_couple(const Scene& scene, const State& state, const Body& body,
                 const Eigen::Vector3d& couple, std::vector<Force>& force) {
   if (couple.isZero(0.0)) return;
   const Vec3 centre = centre_of_mass(scene, state, body).cast<Real>();
-  const Vec3 turning =
-      inertia(scene, state, body).completeOrthogonalDecomposition().solve(couple).cast<Real>();
+  const Vec3 turning = over_inertia(scene, state, body, couple).cast<Real>();
   for_vertices(body, [&](std::size_t v) {
     force[v].f += scene.mass[v] * turning.cross(state.position[v].x - centre);
   });

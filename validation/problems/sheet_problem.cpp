@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reference/meshes/box_mesh.h"
+#include "reference/meshes/rotation_onto.h"
 
 namespace stiction {
 
@@ -51,7 +52,7 @@ TetMesh drum(const SheetSetup& setup) {
 Eigen::Quaterniond turned(Stance stance) {
   const Eigen::AngleAxisd yaw(0.3, Vec3::UnitZ());
   const auto up = [&](const Vec3& what) {
-    return yaw * Eigen::Quaterniond::FromTwoVectors(what, Vec3::UnitZ());
+    return yaw * reference::rotation_onto(what, Vec3::UnitZ());
   };
   if (stance == Stance::kFace) return up(Vec3::UnitZ());
   return up(stance == Stance::kEdge ? Vec3(0.0, 1.0, 1.0) : Vec3(1.0, 1.0, 1.0));
