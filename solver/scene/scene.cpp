@@ -11,6 +11,7 @@
 
 #include "solver/demand.h"
 #include "solver/mesh/numbering.h"
+#include "solver/scene/body_at_rest.h"
 #include "solver/scene/scene_check.h"
 #include "solver/scene/time_step_limit.h"
 

@@ -218,7 +218,8 @@ TEST_P(BodyTimeStepLimitOf, IsAboveThatOfItsElements) {
 }
 
 // The most energy that a cube comes to have whose vertices were moved by up to `crumple` edges, in
-// units of what it starts with. Below its limit an oscillator's energy swings, above it grows.
+// units of what it starts with. Below its limit an oscillator's energy swings (1.6 to 5.7 times it was
+// here), above it grows, here to 1e9 and more.
 double crumpled_energy(const BodyDescription& body, double edge, double crumple, double dt) {
   const Scene scene = build_scene(test::one_body(body));
   State state = initial_state(scene);

@@ -126,7 +126,9 @@ TEST(KeptScenes, AForceThatIsCorrectedHasTheRoundingOfTheOneBefore) {
 TEST(KeptScenes, ContactsThatStickMayGiveWhatTheSlipToleranceLeaves) {
   const RandomScene scene{
       .ground = 2, .gravity = 1, .mu = 1, .bodies = {{.angle = 1, .velocity = {0, 1, 4}}}};
-  EXPECT_GT(outcome_of(scene, {{"method", "quiet"}}, 200).friction_work, 1e-14);
+  const Outcome quiet = outcome_of(scene, {{"method", "quiet"}}, 200);
+  EXPECT_EQ(quiet.broken, "");
+  EXPECT_GT(quiet.friction_work, 1e-14);
   const Settings tighter = {{"method", "quiet"}, {"slip-tolerance", "1e-12"}};
   EXPECT_LT(outcome_of(scene, tighter, 200).friction_work, 1e-16);
 }
@@ -134,7 +136,7 @@ TEST(KeptScenes, ContactsThatStickMayGiveWhatTheSlipToleranceLeaves) {
 // And a box that strikes the slab flush, turning, a corner upon a vertex: the two are each in the
 // other's tetrahedra, at weights that differ by 1e-4, so that two contacts ask nearly the same and
 // fight for the rest. After 16 sweeps, of which the last eight took away less than a tenth, the box
-// has a slip of 1 mm/s left of 0.5 m/s, along its friction. After some 250 that contact slides.
+// has a slip of 1 mm/s left of 0.5 m/s, along its friction. After hundreds that contact slides.
 TEST(KeptScenes, ContactsThatStickMayGiveWhatSweepsLeaveOfAnImpact) {
   const RandomScene scene{
       .ground = 2,
@@ -144,7 +146,7 @@ TEST(KeptScenes, ContactsThatStickMayGiveWhatSweepsLeaveOfAnImpact) {
   const Outcome quiet = outcome_of(scene, {{"method", "quiet"}}, 1);
   EXPECT_EQ(quiet.broken, "");
   EXPECT_GT(quiet.friction_work, 6e-6);
-  EXPECT_LT(quiet.friction_work, 7e-6) << "of 4 mJ";
+  EXPECT_LT(quiet.friction_work, 7e-6) << "of 10 mJ";
 }
 
 }  // namespace

@@ -151,8 +151,38 @@ TEST(StictionSettings, ShortensTheDefaultStepWhereStabilityAsksForIt) {
            })
         .empty();
   };
-  EXPECT_TRUE(accepts(dt));
+  EXPECT_TRUE(accepts(dt / 0.81)) << "80 % of the limit";
   EXPECT_FALSE(accepts(1e-2 / (count - 1.0) / 0.79)) << "no smaller than need be";
+}
+
+// Its elements' limit is what it is checked against, and below 80 % of that of the body it is in.
+TEST(StictionSettings, TakesAStepNearerTheLimitOfADampedBodyAlone) {
+  InclineSetup damped = slope(0.3);
+  damped.elasticity.youngs_modulus = 5e7;
+  damped.elasticity.damping_time = 1e-4;
+  const Problem problem = incline_problem(damped);
+  const double dt = loaded(problem)->time_step();
+  EXPECT_NE(test::refusal([&] {
+              loaded(problem, {{"dt", fmt::format("{}", dt / 0.81)}});
+            }),
+            "")
+      << "above 80 % of the limit";
+}
+
+TEST(StictionSettings, RoundsTheDefaultStepDownWhereBodiesCanTouch) {
+  InclineSetup stiff = slope(0.3);
+  stiff.elasticity.youngs_modulus = 5e7;
+  Problem two = incline_problem(stiff);
+  two.bodies.push_back(two.bodies.front());
+  two.bodies.back().name = "another";
+  two.bodies.back().position += Vec3(0.0, 10.0, 0.0);
+  const double dt = loaded(two)->time_step();
+  // One of 1, 2, 5 × 10ⁿ.
+  const double mantissa = dt / std::pow(10.0, std::floor(std::log10(dt * (1.0 + 1e-9))));
+  EXPECT_LT(
+      std::min({std::abs(mantissa - 1.0), std::abs(mantissa - 2.0), std::abs(mantissa - 5.0)}),
+      1e-9)
+      << dt;
 }
 
 TEST(StictionSettings, NamesTheLimitAndTheElementOfATooLongStep) {
