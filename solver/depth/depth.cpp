@@ -11,6 +11,7 @@
 #include "solver/detection/detect_pairs.h"
 #include "solver/detection/pair_candidates.h"
 #include "solver/hash.h"
+#include "solver/prefetch.h"
 
 namespace stiction {
 
@@ -99,6 +100,24 @@ class Measure {
             options.pairs.hysteresis * options.time_step * options.time_step *
             scene.gravity.at(static_cast<double>(state.step) * options.time_step).norm())),
         border_(options.pairs.border_margin * scene.topology.mean_edge) {}
+
+  // For what contacts after the c-th will read, of what lies far apart.
+  void ask_ahead(const PairContacts& pairs, std::size_t c) const {
+    if (c + kAskedAhead >= pairs.size()) return;
+    const auto& triangles = scene_.topology.triangle;
+    const auto at = [](std::int32_t k) { return static_cast<std::size_t>(k); };
+    const std::int32_t far = pairs[c + kAskedAhead].triangle;
+    if (far >= 0) ask_for(&triangles[at(far)]);
+    const PairContact& next = pairs[c + kAskedAhead / 2];
+    for (const std::int32_t v : next.partner) {
+      ask_for(&state_.position[at(v)]);
+      ask_for(&workspace_.velocity[at(v)]);
+    }
+    if (next.triangle < 0) return;
+    for (const std::int32_t v : triangles[at(next.triangle)].vertex) {
+      ask_for(&workspace_.search.predicted[at(v)]);
+    }
+  }
 
   // Fills in the contact; false if it is none. `group` is that of its key, or null.
   bool operator()(PairContact& contact, PairSearch::Group* group, Found& found) const {
@@ -212,6 +231,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
                auto group = begin == end ? groups.end() : first_group(groups, pairs[begin].key);
                for (std::size_t c = begin; c < end; ++c) {
                  PairContact& contact = pairs[c];
+                 measure.ask_ahead(pairs, c);
                  while (group != groups.end() && group->key < contact.key) ++group;
                  const bool known = group != groups.end() && group->key == contact.key;
                  if (!measure(contact, known ? &*group : nullptr, found)) {

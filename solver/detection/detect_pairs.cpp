@@ -10,6 +10,7 @@
 #include "solver/detection/edge_candidates.h"
 #include "solver/detection/outrun.h"
 #include "solver/detection/pair_candidates.h"
+#include "solver/prefetch.h"
 
 namespace stiction {
 
@@ -22,10 +23,6 @@ constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);
 // With weights above this the point is inside this tetrahedron and no other of an unfolded body:
 // far above round-off, far below any depth.
 constexpr Real kInside = by_precision(1e-9, 1e-4);
-
-// Of large scenes the elements that hold the vertices are far apart and out of the cache: asked for
-// so many contacts before they are read, which halves the time at 1e5 contacts.
-constexpr std::size_t kAhead = 16;
 
 PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
                        std::int32_t triangle, bool open) {
@@ -88,8 +85,12 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
       const PairSearch::Group& group = search.group[g];
       while (old < last.body_key.size() && last.body_key[old] < group.key) ++old;
       const bool persists = old < last.body_key.size() && last.body_key[old] == group.key;
-      if (old + kAhead < last.element.size()) {
-        __builtin_prefetch(&scene.elements[static_cast<std::size_t>(last.element[old + kAhead])]);
+      if (old + kAskedAhead < last.element.size()) {
+        ask_for(&scene.elements[static_cast<std::size_t>(last.element[old + kAskedAhead])]);
+        const std::int32_t next = last.element[old + kAskedAhead / 2];
+        for (const std::int32_t v : scene.elements[static_cast<std::size_t>(next)].vertex) {
+          ask_for(&search.predicted[static_cast<std::size_t>(v)]);
+        }
       }
       search.holds[g] =
           find_element(scene, search, group, persists ? last.element[old] : -1, margin);
@@ -102,8 +103,10 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
 // measured in the depth phase, which drops them when the gap is too wide.
 class Merge {
  public:
-  Merge(const PairSearch& search, const PairGeometry& last, const PairOptions& options)
-      : search_(search),
+  Merge(const Scene& scene, const PairSearch& search, const PairGeometry& last,
+        const PairOptions& options)
+      : elements_(scene.elements),
+        search_(search),
         last_(last),
         keep_open_(options.hysteresis > 0.0),
         keep_triangle_(keep_open_ || options.tie_margin > 0.0) {}
@@ -123,6 +126,9 @@ class Merge {
       for (; old < old_end && last_.body_key[old] < key; ++old) keep_open();
       const bool persists = old < old_end && last_.body_key[old] == key;
       const std::int32_t element = search_.holds[g];
+      if (g + kAskedAhead < end && search_.holds[g + kAskedAhead] >= 0) {
+        ask_for(&elements_[static_cast<std::size_t>(search_.holds[g + kAskedAhead])]);
+      }
       if (element >= 0) {
         add(key, element, persists && keep_triangle_ ? last_.triangle[old] : -1, false);
       } else if (persists) {
@@ -139,6 +145,7 @@ class Merge {
     return static_cast<std::size_t>(first - last_.body_key.begin());
   }
 
+  const std::vector<Element>& elements_;
   const PairSearch& search_;
   const PairGeometry& last_;
   bool keep_open_, keep_triangle_;
@@ -146,7 +153,7 @@ class Merge {
 
 void merge_with_kept(const Scene& scene, const PairSearch& search, const PairGeometry& last,
                      const PairOptions& options, const Team* team, PairContacts& pairs) {
-  const Merge merge(search, last, options);
+  const Merge merge(scene, search, last, options);
   const std::size_t groups = search.group.size();
   const std::size_t ranges = ranges_of(team, groups, kContactsToShare);
   if (ranges == 1) {

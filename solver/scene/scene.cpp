@@ -64,6 +64,20 @@ bool any_motion(const SceneDescription& description) {
          std::any_of(description.half_spaces.begin(), description.half_spaces.end(), moves);
 }
 
+// By the first of their vertices. Where they don't fit the cache, by the last: then a vertex that is
+// met for the first time comes next to the one before it, as memory is read ahead, and no element jumps
+// forward. (680 000 elements: 43 ns each by the first, 23 by the last; 6900: 15 by either.)
+void sort_elements(std::vector<Element>::iterator begin, std::vector<Element>::iterator end) {
+  constexpr std::ptrdiff_t kInCache = 8192;
+  const bool by_last = end - begin > kInCache;
+  const auto rank = [by_last](const Element& e) {
+    return by_last ? *std::max_element(e.vertex, e.vertex + 4)
+                   : *std::min_element(e.vertex, e.vertex + 4);
+  };
+  std::stable_sort(begin, end,
+                   [&](const Element& a, const Element& b) { return rank(a) < rank(b); });
+}
+
 void add_body(const BodyDescription& body, Scene& scene) {
   const int first = scene.vertex_count();
   const auto count = body.mesh.vertices.cols();
@@ -115,11 +129,8 @@ void add_body(const BodyDescription& body, Scene& scene) {
       scene.stiffest_body = body.name;
     }
   }
-  std::stable_sort(scene.elements.begin() + static_cast<std::ptrdiff_t>(first_element),
-                   scene.elements.end(), [](const Element& a, const Element& b) {
-                     return *std::min_element(a.vertex, a.vertex + 4) <
-                            *std::min_element(b.vertex, b.vertex + 4);
-                   });
+  sort_elements(scene.elements.begin() + static_cast<std::ptrdiff_t>(first_element),
+                scene.elements.end());
   scene.scene_vertex.insert(scene.scene_vertex.end(), scene_vertex.begin(), scene_vertex.end());
   scene.bodies.push_back({.name = body.name,
                           .first_vertex = first,

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -56,6 +57,23 @@ TEST(BuildScene, ListsSurfaceVerticesOfAllBodiesInIncreasingOrder) {
   for (const int v : scene.surface_vertex) {
     EXPECT_NE(Vec3(scene.rest_position.col(v)), Vec3::Constant(0.5));
   }
+}
+
+TEST(BuildScene, PutsElementsByTheirFirstVertexAndThoseOfALargeBodyByTheirLast) {
+  const auto ranks = [](int cells, auto extreme) {
+    const Scene scene = build_scene(test::one_body(test::elastic_body(test::cube_mesh(cells))));
+    EXPECT_EQ(scene.elements.size(), static_cast<std::size_t>(6 * cells * cells * cells));
+    std::vector<int> rank;
+    for (const Element& e : scene.elements) rank.push_back(*extreme(e.vertex, e.vertex + 4));
+    return rank;
+  };
+  const auto first = [](const int* a, const int* b) { return std::min_element(a, b); };
+  const auto last = [](const int* a, const int* b) { return std::max_element(a, b); };
+  const auto ordered = [](const std::vector<int>& r) { return std::is_sorted(r.begin(), r.end()); };
+  EXPECT_TRUE(ordered(ranks(3, first)));
+  EXPECT_FALSE(ordered(ranks(3, last)));
+  EXPECT_TRUE(ordered(ranks(12, last)));
+  EXPECT_FALSE(ordered(ranks(12, first)));
 }
 
 TEST(BuildScene, StopsPinnedVertices) {
