@@ -53,17 +53,25 @@ struct PairSearch {
 
   std::uint64_t scene = 0;      ///< serial number of the scene that the lists are of
   Real skin = 0.0;              ///< m
-  std::vector<Vec3> reference;  ///< x* that they were made at, per vertex, m
+  std::vector<Vec3> reference;  ///< x* that a body's lists were made at, per vertex, m
   std::vector<Real> moved;      ///< per body: bound on |x* − reference| of its vertices, m
+  std::vector<char> renewed;    ///< per body: its lists are made anew in this step
   std::vector<Box3> box;        ///< per body
-  std::vector<Box3> overlap;    ///< per body: where it can meet another
+  std::vector<Box3> overlap;    ///< per body: where it can meet others
   std::vector<int> order;       ///< bodies along x
-  SpatialHash hash;
   struct Candidate {
     ContactKey key;  ///< (vertex, body that it may be in)
     std::int32_t element;
   };
-  std::vector<Candidate> candidate;  ///< by key, then element
+  /// Vertices of one body that may be in tetrahedra of another.
+  struct Meeting {
+    std::int32_t body, other;  ///< whose tetrahedra, whose vertices
+    Box3 common;               ///< m
+    std::size_t begin, end;    ///< in `found`
+  };
+  std::vector<Meeting> meeting;      ///< by body, then other
+  std::vector<Candidate> found;      ///< of each meeting, by element
+  std::vector<Candidate> candidate;  ///< the same by key, then element
   std::vector<std::int32_t> holds;   ///< of each group: the element that holds its vertex, or −1
   /// The candidates of one key and, once it is in contact, the triangles that may be nearest.
   struct Group {
@@ -79,12 +87,26 @@ struct PairSearch {
     std::int32_t triangle;
   };
   std::vector<Near> near;  ///< of each group: by distance, then triangle
-  /// Per surface triangle: a ball around it; infinite where the body can meet no other.
+  /// Per surface triangle: a ball around it; infinite while the body can meet no other.
   struct Ball {
     Vec3 centre;  ///< m
     Real radius;  ///< m
   };
   std::vector<Ball> ball;
+
+  // Scratch of making lists: what they were before, a meeting's elements and vertices, and where each
+  // vertex's next candidate comes.
+  std::vector<Meeting> old_meeting;
+  std::vector<Candidate> old_found;
+  std::vector<Group> old_group;
+  std::vector<Near> old_near;
+  struct ElementBox {
+    Box3 box;
+    std::int32_t element;
+  };
+  std::vector<ElementBox> element_box;
+  SpatialHash hash;
+  std::vector<std::int32_t> candidate_place;
 
   std::vector<Box3> travel;  ///< per body: of its vertices in a step, m
   /// Two bodies that a step can carry through each other; `travel` is 0 while there are none. With

@@ -113,6 +113,47 @@ TEST(DetectPairs, FindsTheSameWhenItsListsWereMadeForEarlierPositions) {
   EXPECT_LT(renewed, 100u) << "and served several steps";
 }
 
+// Of four cubes on each other one after the other moves: lists of the others stay, and each time what
+// is found is what fresh lists find.
+TEST(DetectPairs, MakesNewListsOfTheBodiesThatMoveAlone) {
+  SceneDescription description = test::stacked_cubes(0.05);
+  for (const double height : {1.9, 2.85}) {
+    description.bodies.push_back(description.bodies[0]);
+    description.bodies.back().mesh.vertices.row(2).array() += height;
+  }
+  const Scene scene = build_scene(description);
+  Workspace kept;
+  Options options;
+  Eigen::Matrix3Xd position = scene.rest_position.cast<double>();
+  std::size_t contacts = 0;
+  for (unsigned k = 0; k < 60; ++k) {
+    const Body& body = scene.bodies[k % 4];
+    position.middleCols(body.first_vertex, body.vertex_count).colwise() +=
+        Eigen::Vector3d(test::noise(1, 0.06, 500 + k).col(0));
+    const State state =
+        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    const std::vector<Vec3> before = kept.search.reference;
+    Workspace fresh;
+    for (Workspace* workspace : {&kept, &fresh}) {
+      workspace->velocity = state.velocity;
+      detect_pairs(scene, options, state, *workspace);
+      depths(scene, options, state, *workspace);
+    }
+    for (std::size_t v = 0; k > 0 && v < before.size(); ++v) {
+      if (before[v] == kept.search.reference[v]) continue;
+      EXPECT_EQ(scene.topology.vertex_body[v], static_cast<int>(k % 4)) << "step " << k;
+    }
+    ASSERT_EQ(kept.pairs.size(), fresh.pairs.size()) << "step " << k;
+    for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
+      EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle) << "step " << k;
+      EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth) << "step " << k;
+    }
+    contacts += kept.pairs.size();
+  }
+  EXPECT_GT(contacts, 60u * 10u) << "the bodies touch all the time";
+}
+
 TEST(DetectPairs, MakesNewListsForAnotherScene) {
   const Scene apart = build_scene(test::stacked_cubes(-0.5));
   const Scene touching = build_scene(test::stacked_cubes(0.1));

@@ -8,7 +8,9 @@
 #include <limits>
 #include <numeric>
 
+#include "solver/demand.h"
 #include "solver/depth/nearest.h"
+#include "solver/detection/boxes.h"
 
 namespace stiction {
 
@@ -23,11 +25,38 @@ bool may_touch_itself(const Body& body) {
   return STICTION_HAS_SELF_COLLISION && body.self_collision;
 }
 
-// Notes how far each body has moved; false as soon as that is too far for the lists.
+bool comes_before(const PairSearch::Meeting& a, const PairSearch::Meeting& b) {
+  return a.body != b.body ? a.body < b.body : a.other < b.other;
+}
+
+// Whether either of two bodies has moved too far for its lists.
+bool is_renewed(const PairSearch& search, std::int32_t a, std::int32_t b) {
+  return search.renewed[static_cast<std::size_t>(a)] || search.renewed[static_cast<std::size_t>(b)];
+}
+
+// Forgets the lists of another scene.
+void begin_scene(const Scene& scene, PairSearch& search) {
+  if (search.scene == scene.serial && search.reference.size() == search.predicted.size()) return;
+  search.scene = scene.serial;
+  search.skin = kSkin * scene.topology.mean_edge;
+  const std::size_t bodies = scene.bodies.size();
+  search.reference.assign(search.predicted.size(),
+                          Vec3::Constant(std::numeric_limits<Real>::infinity()));
+  search.moved.assign(bodies, 0.0);
+  search.renewed.assign(bodies, false);
+  search.box.assign(bodies, Box3());
+  search.meeting.clear();
+  search.found.clear();
+  search.group.clear();
+  search.near.clear();
+  search.ball.assign(scene.topology.triangle.size(),
+                     {Vec3::Zero(), std::numeric_limits<Real>::infinity()});
+}
+
+// Notes how far each body has moved, and those that have moved too far for their lists; false if none
+// has.
 bool note_moves(const Scene& scene, const Team* team, PairSearch& search) {
-  if (search.scene != scene.serial || search.reference.size() != search.predicted.size()) {
-    return false;
-  }
+  bool any = false;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto first = static_cast<std::size_t>(scene.bodies[b].first_vertex);
     std::atomic<Real> farthest = 0.0;  // along an axis
@@ -48,10 +77,11 @@ bool note_moves(const Scene& scene, const Team* team, PairSearch& search) {
     };
     for_ranges(team, static_cast<std::size_t>(scene.bodies[b].vertex_count), kVerticesToShare,
                note);
-    if (farthest > search.skin) return false;
-    search.moved[b] = std::sqrt(Real(3)) * farthest;
+    search.renewed[b] = farthest > search.skin;
+    search.moved[b] = search.renewed[b] ? 0 : std::sqrt(Real(3)) * farthest;
+    any = any || search.renewed[b];
   }
-  return true;
+  return any;
 }
 
 void widen(Box3& box, Real by) {
@@ -59,22 +89,24 @@ void widen(Box3& box, Real by) {
   box.max().array() += by;
 }
 
+// Takes the bodies that have moved where they are, and bounds them.
 void bound_bodies(const Scene& scene, PairSearch& search) {
-  search.box.resize(scene.bodies.size());
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (!search.renewed[b]) continue;
     const Body& body = scene.bodies[b];
     Box3 box;
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-      box.extend(search.reference[static_cast<std::size_t>(v)]);
+      const auto k = static_cast<std::size_t>(v);
+      search.reference[k] = search.predicted[k];
+      box.extend(search.reference[k]);
     }
     widen(box, 2 * search.skin);
     search.box[b] = box;
   }
 }
 
-// The part of each body's box in which it can meet another body; empty boxes meet nothing. Sweep
-// and prune along x.
-void find_overlaps(const Scene& scene, PairSearch& search) {
+// What bodies can meet, and where: sweep and prune along x.
+void find_meetings(const Scene& scene, PairSearch& search) {
   const std::size_t count = scene.bodies.size();
   search.overlap.assign(count, Box3());
   search.order.resize(count);
@@ -84,72 +116,103 @@ void find_overlaps(const Scene& scene, PairSearch& search) {
     const Real xb = search.box[static_cast<std::size_t>(b)].min().x();
     return xa != xb ? xa < xb : a < b;
   });
+  search.old_meeting.swap(search.meeting);
+  search.meeting.clear();
+  const auto add = [&](std::size_t body, std::size_t other, const Box3& common) {
+    search.overlap[body].extend(common);
+    search.meeting.push_back(
+        {static_cast<std::int32_t>(body), static_cast<std::int32_t>(other), common, 0, 0});
+  };
   for (std::size_t i = 0; i < count; ++i) {
     const auto a = static_cast<std::size_t>(search.order[i]);
-    if (may_touch_itself(scene.bodies[a]) && !scene.bodies[a].fixed) {
-      search.overlap[a].extend(search.box[a]);
-    }
+    if (may_touch_itself(scene.bodies[a]) && !scene.bodies[a].fixed) add(a, a, search.box[a]);
     for (std::size_t j = i + 1; j < count; ++j) {
       const auto b = static_cast<std::size_t>(search.order[j]);
       if (search.box[b].min().x() > search.box[a].max().x()) break;
       if (scene.bodies[a].fixed && scene.bodies[b].fixed) continue;
       const Box3 common = search.box[a].intersection(search.box[b]);
       if (common.isEmpty()) continue;
-      search.overlap[a].extend(common);
-      search.overlap[b].extend(common);
+      add(a, b, common);
+      add(b, a, common);
     }
+  }
+  std::sort(search.meeting.begin(), search.meeting.end(), comes_before);
+}
+
+// The boxes of a body's elements where it can meet another.
+void bound_elements(const Scene& scene, std::size_t b, PairSearch& search) {
+  const Body& body = scene.bodies[b];
+  search.element_box.clear();
+  for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
+    Box3 box;
+    for (const std::int32_t v : scene.elements[static_cast<std::size_t>(e)].vertex) {
+      box.extend(search.reference[static_cast<std::size_t>(v)]);
+    }
+    widen(box, 2 * search.skin);
+    if (meet(box, search.overlap[b])) search.element_box.push_back({box, e});
   }
 }
 
-void hash_vertices(const Scene& scene, PairSearch& search) {
+// Of a meeting; `element_box` is of its body.
+void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, PairSearch& search) {
+  const Body& other = scene.bodies[static_cast<std::size_t>(meeting.other)];
+  const bool self = meeting.body == meeting.other;
   search.hash.clear(scene.topology.mean_edge);
-  for (const int vertex : scene.surface_vertex) {
-    const auto v = static_cast<std::size_t>(vertex);
-    const auto body = static_cast<std::size_t>(scene.topology.vertex_body[v]);
-    if (search.overlap[body].isEmpty()) continue;
-    if (search.overlap[body].contains(search.reference[v])) {
-      search.hash.add(vertex, search.reference[v]);
-    }
+  for (auto vertex = std::lower_bound(scene.surface_vertex.begin(), scene.surface_vertex.end(),
+                                      other.first_vertex);
+       vertex != scene.surface_vertex.end() && *vertex < other.first_vertex + other.vertex_count;
+       ++vertex) {
+    const Vec3& x = search.reference[static_cast<std::size_t>(*vertex)];
+    if (holds(meeting.common, x)) search.hash.add(*vertex, x);
   }
   search.hash.build();
+  if (search.hash.empty()) return;
+  for (const auto& [box, e] : search.element_box) {
+    if (!meet(box, meeting.common)) continue;
+    const std::int32_t element = e;
+    const auto& corner = scene.elements[static_cast<std::size_t>(e)].vertex;
+    search.hash.for_each_in(box, [&](std::int32_t vertex) {
+      if (self && std::count(corner, corner + 4, vertex) > 0) return;
+      search.found.push_back({contact_key(vertex, meeting.body), element});
+    });
+  }
 }
 
-void find_candidates(const Scene& scene, std::int32_t e, PairSearch& search) {
-  const Element& element = scene.elements[static_cast<std::size_t>(e)];
-  const std::int32_t body = scene.topology.element_body[static_cast<std::size_t>(e)];
-  const bool self = may_touch_itself(scene.bodies[static_cast<std::size_t>(body)]);
-  const bool fixed = scene.bodies[static_cast<std::size_t>(body)].fixed;
-  Box3 box;
-  for (const std::int32_t v : element.vertex) {
-    box.extend(search.reference[static_cast<std::size_t>(v)]);
+// Of all meetings; those of two bodies that have not moved are as they were.
+void find_candidates(const Scene& scene, PairSearch& search) {
+  search.old_found.swap(search.found);
+  search.found.clear();
+  std::int32_t bounded = -1;  // the body that `element_box` is of
+  auto old = search.old_meeting.begin();
+  for (PairSearch::Meeting& meeting : search.meeting) {
+    meeting.begin = search.found.size();
+    while (old != search.old_meeting.end() && comes_before(*old, meeting)) ++old;
+    if (is_renewed(search, meeting.other, meeting.body)) {
+      if (bounded != meeting.body) {
+        bounded = meeting.body;
+        bound_elements(scene, static_cast<std::size_t>(bounded), search);
+      }
+      find_candidates(scene, meeting, search);
+    } else {
+      demand(old != search.old_meeting.end() && !comes_before(meeting, *old),
+             "bodies that have not moved meet as they did");
+      search.found.insert(search.found.end(),
+                          search.old_found.begin() + static_cast<std::ptrdiff_t>(old->begin),
+                          search.old_found.begin() + static_cast<std::ptrdiff_t>(old->end));
+    }
+    meeting.end = search.found.size();
   }
-  widen(box, 2 * search.skin);
-  if (!box.intersects(search.overlap[static_cast<std::size_t>(body)])) return;
-  search.hash.for_each_in(
-      search.hash.cell(box.min()), search.hash.cell(box.max()), [&](std::int32_t vertex) {
-        const auto v = static_cast<std::size_t>(vertex);
-        const std::int32_t other = scene.topology.vertex_body[v];
-        if (other == body && (!self || std::count(element.vertex, element.vertex + 4, vertex))) {
-          return;
-        }
-        if (fixed && scene.bodies[static_cast<std::size_t>(other)].fixed) return;
-        if (!box.contains(search.reference[v])) return;
-        search.candidate.push_back({contact_key(vertex, body), e});
-      });
 }
 
 // Balls that hold the triangles as long as the lists do.
 void bound_triangles(const Topology& topology, PairSearch& search) {
-  search.ball.resize(topology.triangle.size());
   const std::vector<Vec3>& x = search.reference;
   for (std::size_t b = 0; b < search.overlap.size(); ++b) {
     const auto begin = static_cast<std::size_t>(topology.body_triangle_begin[b]);
     const auto end = static_cast<std::size_t>(topology.body_triangle_begin[b + 1]);
+    const bool any = begin < end && !search.overlap[b].isEmpty();
+    if (!any || (!search.renewed[b] && std::isfinite(search.ball[begin].radius))) continue;
     for (std::size_t t = begin; t < end; ++t) {
-      if (search.overlap[b].isEmpty()) {
-        search.ball[t] = {Vec3::Zero(), std::numeric_limits<Real>::infinity()};
-        continue;
-      }
       const auto& v = topology.triangle[t].vertex;
       const Vec3& p = x[static_cast<std::size_t>(v[0])];
       const Vec3& q = x[static_cast<std::size_t>(v[1])];
@@ -162,44 +225,62 @@ void bound_triangles(const Topology& topology, PairSearch& search) {
   }
 }
 
-void group_candidates(PairSearch& search) {
-  std::sort(search.candidate.begin(), search.candidate.end(),
-            [](const PairSearch::Candidate& a, const PairSearch::Candidate& b) {
-              return a.key != b.key ? a.key < b.key : a.element < b.element;
-            });
+// By key, then element. They were found in the order of bodies and of their elements, so they are only
+// to be counted out to their vertices.
+void sort_candidates(std::size_t vertices, PairSearch& search) {
+  std::vector<std::int32_t>& place = search.candidate_place;
+  place.assign(vertices + 1, 0);
+  for (const PairSearch::Candidate& candidate : search.found) {
+    ++place[static_cast<std::size_t>(first_of(candidate.key)) + 1];
+  }
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  search.candidate.resize(search.found.size());
+  for (const PairSearch::Candidate& candidate : search.found) {
+    const auto next = place[static_cast<std::size_t>(first_of(candidate.key))]++;
+    search.candidate[static_cast<std::size_t>(next)] = candidate;
+  }
+}
+
+// Groups of bodies that have not moved keep the triangles that they have listed.
+void group_candidates(const Topology& topology, PairSearch& search) {
+  search.old_group.swap(search.group);
+  search.old_near.swap(search.near);
   search.group.clear();
   search.near.clear();
+  auto old = search.old_group.begin();
   const std::size_t count = search.candidate.size();
   for (std::size_t begin = 0, end; begin < count; begin = end) {
     const ContactKey key = search.candidate[begin].key;
     end = begin + 1;
     while (end < count && search.candidate[end].key == key) ++end;
-    search.group.push_back(
-        {key, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), 0, 0, -1, 0.0});
+    PairSearch::Group group{
+        key, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), 0, 0, -1, 0.0};
+    while (old != search.old_group.end() && old->key < key) ++old;
+    const std::int32_t other = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
+    if (old != search.old_group.end() && old->key == key && old->near_element >= 0 &&
+        !is_renewed(search, other, second_of(key))) {
+      group.near_begin = static_cast<std::int32_t>(search.near.size());
+      search.near.insert(search.near.end(), search.old_near.begin() + old->near_begin,
+                         search.old_near.begin() + old->near_end);
+      group.near_end = static_cast<std::int32_t>(search.near.size());
+      group.near_element = old->near_element;
+      group.near_reach = old->near_reach;
+    }
+    search.group.push_back(group);
   }
 }
 
 }  // namespace
 
 bool update_candidates(const Scene& scene, PairSearch& search, const Team* team) {
-  if (note_moves(scene, team, search)) return false;
-  search.scene = scene.serial;
-  search.skin = kSkin * scene.topology.mean_edge;
-  search.reference = search.predicted;
-  search.moved.assign(scene.bodies.size(), 0.0);
+  begin_scene(scene, search);
+  if (!note_moves(scene, team, search)) return false;
   bound_bodies(scene, search);
-  find_overlaps(scene, search);
-  hash_vertices(scene, search);
-  search.candidate.clear();
-  for (std::size_t b = 0; b < scene.bodies.size() && !search.hash.empty(); ++b) {
-    if (search.overlap[b].isEmpty()) continue;
-    const Body& body = scene.bodies[b];
-    for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
-      find_candidates(scene, e, search);
-    }
-  }
+  find_meetings(scene, search);
   bound_triangles(scene.topology, search);
-  group_candidates(search);
+  find_candidates(scene, search);
+  sort_candidates(scene.mass.size(), search);
+  group_candidates(scene.topology, search);
   return true;
 }
 

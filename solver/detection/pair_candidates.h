@@ -13,11 +13,12 @@ namespace stiction {
 ///   x in tetrahedron, each coordinate of each vertex within s of the reference  ⇒
 ///   x_reference in the tetrahedron's reference box widened by 2s
 ///
-/// It notes in `search.moved` how far each body has moved since. So the lists hold until some
-/// vertex has moved by more than the skin s along an axis since they were made; until then a step
-/// only tests what they name. What is found never depends on when they were made. They are made
-/// from the overlap of bodies' boxes by spatial hashing, linear in the primitives there; bodies
-/// that are apart are not looked at. Returns whether they were made anew.
+/// It notes in `search.moved` how far each body has moved since. So the lists of two bodies hold until
+/// some vertex of either has moved by more than the skin s along an axis since they were made; until
+/// then a step only tests what they name, and others' are made anew without them. What is found never
+/// depends on when they were made. They are made from the overlap of two bodies' boxes by spatial
+/// hashing, linear in the primitives there; bodies that are apart are not looked at. Returns whether
+/// any were made anew.
 bool update_candidates(const Scene& scene, PairSearch& search, const Team* team = nullptr);
 
 /// Lists the triangles near an element to which the group's vertex may be nearest while the lists

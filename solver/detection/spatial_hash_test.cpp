@@ -7,35 +7,64 @@
 #include <limits>
 #include <vector>
 
+#include "solver/testing/test_scenes.h"
+
 namespace stiction {
 namespace {
 
-using Eigen::Vector3d;
-
-std::vector<int> found(const SpatialHash& hash, const Vector3d& low, const Vector3d& high) {
+std::vector<int> found(const SpatialHash& hash, const Vec3& low, const Vec3& high) {
   std::vector<int> points;
-  hash.for_each_in(hash.cell(low), hash.cell(high), [&](int point) { points.push_back(point); });
+  hash.for_each_in(Box3(low, high), [&](int point) { points.push_back(point); });
   std::sort(points.begin(), points.end());
   return points;
 }
 
-SpatialHash row_of_points() {
+// Points at x = −30 … 30, `apart` of a metre from each other; cells of half a metre.
+SpatialHash row_of_points(double apart = 1.0) {
   SpatialHash hash;
   hash.clear(0.5);
-  for (int k = -3; k <= 3; ++k) hash.add(k + 3, Vector3d(k, 0.1, -0.1));
+  for (int k = -30; k <= 30; ++k) hash.add(k + 30, Vec3(apart * k, 0.1, -0.1));
   hash.build();
   return hash;
 }
 
-TEST(SpatialHash, FindsEachPointOfTheCellsOnce) {
-  const SpatialHash hash = row_of_points();
-  EXPECT_EQ(found(hash, {-1.0, 0.0, -0.2}, {1.0, 0.2, 0.0}), (std::vector{2, 3, 4}));
-  EXPECT_EQ(found(hash, {0.5, 0.0, -0.2}, {0.6, 0.2, 0.0}), std::vector<int>{});
+TEST(SpatialHash, FindsEachPointOfABoxOnce) {
+  for (const double apart : {1.0, 100.0}) {  // in rows of cells; hashed
+    const SpatialHash hash = row_of_points(apart);
+    const double x = apart;
+    EXPECT_EQ(found(hash, {-x, 0.0, -0.2}, {x, 0.2, 0.0}), (std::vector{29, 30, 31}));
+    EXPECT_EQ(found(hash, {x - 0.01, 0.0, -0.2}, {x, 0.2, 0.0}), std::vector<int>{31});
+    EXPECT_EQ(found(hash, {0.5 * x, 0.0, -0.2}, {0.5 * x + 0.1, 0.2, 0.0}), std::vector<int>{});
+    EXPECT_EQ(found(hash, {-x, 0.11, -0.2}, {x, 0.2, 0.0}), std::vector<int>{})
+        << "in its cell alone";
+    EXPECT_EQ(found(hash, {31.0 * x, 0.0, -0.2}, {90.0 * x, 0.2, 0.0}), std::vector<int>{});
+    EXPECT_EQ(found(hash, {-90.0 * x, 0.0, -0.2}, {-31.0 * x, 0.2, 0.0}), std::vector<int>{});
+  }
+}
+
+// Clouds of many densities, from 1 cell a point to 1e6, and boxes that reach beyond them.
+TEST(SpatialHash, FindsWhatComparingWithEachFinds) {
+  for (const double cell : {1.0, 0.3, 0.1, 0.01, 0.003}) {
+    const Eigen::Matrix3Xd points = test::noise(200, 1.0, 7);
+    SpatialHash hash;
+    hash.clear(cell);
+    for (int k = 0; k < 200; ++k) hash.add(k, points.col(k));
+    hash.build();
+    for (unsigned seed = 0; seed < 50; ++seed) {
+      const Eigen::Matrix3Xd ends = test::noise(2, 1.2, 100 + seed);
+      const Vec3 low = ends.col(0).cwiseMin(ends.col(1)), high = ends.col(0).cwiseMax(ends.col(1));
+      std::vector<int> expected;
+      for (int k = 0; k < 200; ++k) {
+        if (Box3(low, high).contains(Vec3(points.col(k)))) expected.push_back(k);
+      }
+      EXPECT_EQ(found(hash, low, high), expected) << "cell " << cell << ", seed " << seed;
+    }
+  }
 }
 
 TEST(SpatialHash, WalksThePointsWhereThereAreFarMoreCells) {
-  const SpatialHash hash = row_of_points();
-  EXPECT_EQ(found(hash, Vector3d::Constant(-1e5), {-0.9, 1e5, 1e5}), (std::vector{0, 1, 2}));
+  const SpatialHash hash = row_of_points(100.0);
+  EXPECT_EQ(found(hash, Vec3::Constant(-1e5), {-2790, 1e5, 1e5}), (std::vector{0, 1, 2}));
 }
 
 TEST(SpatialHash, PlacesWhatHasNoCellOutermost) {
@@ -44,7 +73,7 @@ TEST(SpatialHash, PlacesWhatHasNoCellOutermost) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(hash.cell({1e300, infinity, -infinity}), SpatialHash::Cell(1e9, 1e9, -1e9));
   EXPECT_EQ(hash.cell({nan, 0.0, 0.0})[0], static_cast<int>(-1e9));
-  EXPECT_EQ(found(hash, Vector3d::Constant(-infinity), Vector3d::Constant(infinity)).size(), 7u);
+  EXPECT_EQ(found(hash, Vec3::Constant(-infinity), Vec3::Constant(infinity)).size(), 61u);
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "solver/real.h"
+
+namespace stiction {
+
+// Without branches, for whether a box holds or meets something is anybody's guess: in piles, lists are
+// made in two thirds of the time. What is no number is nowhere.
+
+inline bool holds(const Box3& box, const Vec3& x) {
+  const Vec3 &low = box.min(), &high = box.max();
+  return (low[0] <= x[0]) & (low[1] <= x[1]) & (low[2] <= x[2]) & (x[0] <= high[0]) &
+         (x[1] <= high[1]) & (x[2] <= high[2]);
+}
+
+inline bool meet(const Box3& a, const Box3& b) {
+  return (a.min()[0] <= b.max()[0]) & (a.min()[1] <= b.max()[1]) & (a.min()[2] <= b.max()[2]) &
+         (b.min()[0] <= a.max()[0]) & (b.min()[1] <= a.max()[1]) & (b.min()[2] <= a.max()[2]);
+}
+
+}  // namespace stiction
