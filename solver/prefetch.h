@@ -13,8 +13,8 @@ inline constexpr std::size_t kAskedAhead = 16;
 /// Asks for the memory that an object begins in, and waits for nothing.
 inline void ask_for(const void* object) {
   __builtin_prefetch(object);
-  asm volatile(
-      "");  // else GCC takes a function that only asks for one without effect, and drops it
+  // Else GCC takes a function that only asks for one without effect, and drops its calls.
+  asm volatile("");
 }
 
 }  // namespace stiction

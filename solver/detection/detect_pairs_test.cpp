@@ -154,6 +154,39 @@ TEST(DetectPairs, MakesNewListsOfTheBodiesThatMoveAlone) {
   EXPECT_GT(contacts, 60u * 10u) << "the bodies touch all the time";
 }
 
+// The lower cube moves where it meets nothing, and the upper one follows: what was known of the lower one
+// where it was is not taken for what it is.
+TEST(DetectPairs, KnowsABodyThatMovedWhereItMetNothing) {
+  const Scene scene = build_scene(test::stacked_cubes(0.1));
+  const Eigen::Vector3d away(7.0, 0.0, 0.0);
+  Workspace kept;
+  Options options;
+  Eigen::Matrix3Xd position = scene.rest_position.cast<double>();
+  for (const int mover : {-1, 0, 1}) {
+    if (mover >= 0) {
+      const Body& body = scene.bodies[static_cast<std::size_t>(mover)];
+      position.middleCols(body.first_vertex, body.vertex_count).colwise() += away;
+    }
+    const State state =
+        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    Workspace fresh;
+    for (Workspace* workspace : {&kept, &fresh}) {
+      workspace->velocity = state.velocity;
+      detect_pairs(scene, options, state, *workspace);
+      depths(scene, options, state, *workspace);
+    }
+    EXPECT_EQ(kept.pairs.empty(), mover == 0);
+    ASSERT_EQ(kept.pairs.size(), fresh.pairs.size());
+    for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
+      EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle);
+      EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth);
+    }
+    for (std::size_t t = 0; mover != 0 && t < kept.search.ball.size(); ++t) {
+      EXPECT_EQ(kept.search.ball[t].centre, fresh.search.ball[t].centre) << "triangle " << t;
+    }
+  }
+}
+
 TEST(DetectPairs, MakesNewListsForAnotherScene) {
   const Scene apart = build_scene(test::stacked_cubes(-0.5));
   const Scene touching = build_scene(test::stacked_cubes(0.1));

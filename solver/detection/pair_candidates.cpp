@@ -207,11 +207,18 @@ void find_candidates(const Scene& scene, PairSearch& search) {
 // Balls that hold the triangles as long as the lists do.
 void bound_triangles(const Topology& topology, PairSearch& search) {
   const std::vector<Vec3>& x = search.reference;
+  const PairSearch::Ball everywhere{Vec3::Zero(), std::numeric_limits<Real>::infinity()};
   for (std::size_t b = 0; b < search.overlap.size(); ++b) {
     const auto begin = static_cast<std::size_t>(topology.body_triangle_begin[b]);
     const auto end = static_cast<std::size_t>(topology.body_triangle_begin[b + 1]);
-    const bool any = begin < end && !search.overlap[b].isEmpty();
-    if (!any || (!search.renewed[b] && std::isfinite(search.ball[begin].radius))) continue;
+    const bool meets = !search.overlap[b].isEmpty();
+    if (begin == end) continue;
+    if (!search.renewed[b] && std::isfinite(search.ball[begin].radius) == meets) continue;
+    if (!meets) {
+      std::fill(search.ball.begin() + static_cast<std::ptrdiff_t>(begin),
+                search.ball.begin() + static_cast<std::ptrdiff_t>(end), everywhere);
+      continue;
+    }
     for (std::size_t t = begin; t < end; ++t) {
       const auto& v = topology.triangle[t].vertex;
       const Vec3& p = x[static_cast<std::size_t>(v[0])];
