@@ -43,6 +43,30 @@ std::set<ContactKey> found(const Scene& scene, const State& state) {
   return keys;
 }
 
+// Finds and measures the contacts of a state with the lists that a workspace has kept and with fresh ones:
+// they are the same.
+void expect_what_fresh_lists_find(const Scene& scene, const Options& options, const State& state,
+                                  Workspace& kept) {
+  Workspace fresh;
+  for (Workspace* workspace : {&kept, &fresh}) {
+    workspace->velocity = state.velocity;
+    detect_pairs(scene, options, state, *workspace);
+    depths(scene, options, state, *workspace);
+  }
+  ASSERT_EQ(kept.pairs.size(), fresh.pairs.size());
+  for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
+    EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key);
+    EXPECT_EQ(kept.pairs[c].element, fresh.pairs[c].element);
+    EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle);
+    EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth);
+    EXPECT_EQ(kept.pairs[c].normal, fresh.pairs[c].normal);
+  }
+}
+
+State at_rest_at(const Scene& scene, const Eigen::Matrix3Xd& position) {
+  return test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+}
+
 TEST(Barycentric, WeightsGiveThePointBackAndSumToOne) {
   const Eigen::Matrix3Xd x = test::noise(5, 1.0, 3);
   const Eigen::Vector4d weight = barycentric(x.col(4), x.col(0), x.col(1), x.col(2), x.col(3));
@@ -87,25 +111,10 @@ TEST(DetectPairs, FindsTheSameWhenItsListsWereMadeForEarlierPositions) {
                                                                   300 + static_cast<unsigned>(k));
     position.middleCols(upper.first_vertex, upper.vertex_count).colwise() +=
         0.004 * k * Vec3(0.3, -0.2, -1.0);
-    const State state =
-        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
-    kept.velocity = state.velocity;
     const std::vector<Vec3> before = kept.search.reference;
-    detect_pairs(scene, options, state, kept);
+    SCOPED_TRACE(k);
+    expect_what_fresh_lists_find(scene, options, at_rest_at(scene, position), kept);
     if (before != kept.search.reference) ++renewed;
-    Workspace fresh;
-    fresh.velocity = state.velocity;
-    detect_pairs(scene, options, state, fresh);
-    depths(scene, options, state, kept);
-    depths(scene, options, state, fresh);
-    ASSERT_EQ(kept.pairs.size(), fresh.pairs.size()) << "step " << k;
-    for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
-      EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key) << "step " << k;
-      EXPECT_EQ(kept.pairs[c].element, fresh.pairs[c].element) << "step " << k;
-      EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle) << "step " << k;
-      EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth) << "step " << k;
-      EXPECT_EQ(kept.pairs[c].normal, fresh.pairs[c].normal) << "step " << k;
-    }
     contacts += kept.pairs.size();
   }
   EXPECT_GT(contacts, 200u * 10u) << "the bodies touch all the time";
@@ -130,24 +139,12 @@ TEST(DetectPairs, MakesNewListsOfTheBodiesThatMoveAlone) {
     const Body& body = scene.bodies[k % 4];
     position.middleCols(body.first_vertex, body.vertex_count).colwise() +=
         Eigen::Vector3d(test::noise(1, 0.06, 500 + k).col(0));
-    const State state =
-        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
     const std::vector<Vec3> before = kept.search.reference;
-    Workspace fresh;
-    for (Workspace* workspace : {&kept, &fresh}) {
-      workspace->velocity = state.velocity;
-      detect_pairs(scene, options, state, *workspace);
-      depths(scene, options, state, *workspace);
-    }
+    SCOPED_TRACE(k);
+    expect_what_fresh_lists_find(scene, options, at_rest_at(scene, position), kept);
     for (std::size_t v = 0; k > 0 && v < before.size(); ++v) {
       if (before[v] == kept.search.reference[v]) continue;
-      EXPECT_EQ(scene.topology.vertex_body[v], static_cast<int>(k % 4)) << "step " << k;
-    }
-    ASSERT_EQ(kept.pairs.size(), fresh.pairs.size()) << "step " << k;
-    for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
-      EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key) << "step " << k;
-      EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle) << "step " << k;
-      EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth) << "step " << k;
+      EXPECT_EQ(scene.topology.vertex_body[v], static_cast<int>(k % 4));
     }
     contacts += kept.pairs.size();
   }
@@ -167,23 +164,14 @@ TEST(DetectPairs, KnowsABodyThatMovedWhereItMetNothing) {
       const Body& body = scene.bodies[static_cast<std::size_t>(mover)];
       position.middleCols(body.first_vertex, body.vertex_count).colwise() += away;
     }
-    const State state =
-        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
-    Workspace fresh;
-    for (Workspace* workspace : {&kept, &fresh}) {
-      workspace->velocity = state.velocity;
-      detect_pairs(scene, options, state, *workspace);
-      depths(scene, options, state, *workspace);
-    }
+    SCOPED_TRACE(mover);
+    expect_what_fresh_lists_find(scene, options, at_rest_at(scene, position), kept);
     EXPECT_EQ(kept.pairs.empty(), mover == 0);
-    ASSERT_EQ(kept.pairs.size(), fresh.pairs.size());
-    for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
-      EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle);
-      EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth);
-    }
-    for (std::size_t t = 0; mover != 0 && t < kept.search.ball.size(); ++t) {
-      EXPECT_EQ(kept.search.ball[t].centre, fresh.search.ball[t].centre) << "triangle " << t;
-    }
+  }
+  Workspace fresh;
+  expect_what_fresh_lists_find(scene, options, at_rest_at(scene, position), fresh);
+  for (std::size_t t = 0; t < kept.search.ball.size(); ++t) {
+    EXPECT_EQ(kept.search.ball[t].centre, fresh.search.ball[t].centre) << "triangle " << t;
   }
 }
 

@@ -167,13 +167,12 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
   }
   search.hash.build();
   if (search.hash.empty()) return;
-  for (const auto& [box, e] : search.element_box) {
-    if (!meet(box, meeting.common)) continue;
-    const std::int32_t element = e;
-    const auto& corner = scene.elements[static_cast<std::size_t>(e)].vertex;
-    search.hash.for_each_in(box, [&](std::int32_t vertex) {
+  for (const PairSearch::ElementBox& in : search.element_box) {
+    if (!meet(in.box, meeting.common)) continue;
+    const auto& corner = scene.elements[static_cast<std::size_t>(in.element)].vertex;
+    search.hash.for_each_in(in.box, [&](std::int32_t vertex) {
       if (self && std::count(corner, corner + 4, vertex) > 0) return;
-      search.found.push_back({contact_key(vertex, meeting.body), element});
+      search.found.push_back({contact_key(vertex, meeting.body), in.element});
     });
   }
 }
