@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "solver/elasticity/rotation.h"
 
@@ -108,10 +110,12 @@ Eigen::Matrix3d fitted_rotation(const Scene& scene, const State& state, const Bo
 }
 
 bool is_finite(const State& state) {
+  const Real limit = std::ldexp(Real(1), std::numeric_limits<Real>::max_exponent / 5);
+  const auto within = [&](const Vec3& one) { return (one.array().abs() < limit).all(); };
   return std::all_of(state.position.begin(), state.position.end(),
-                     [](const Position& p) { return p.x.allFinite(); }) &&
+                     [&](const Position& p) { return within(p.x); }) &&
          std::all_of(state.velocity.begin(), state.velocity.end(),
-                     [](const Velocity& v) { return v.v.allFinite(); });
+                     [&](const Velocity& v) { return within(v.v); });
 }
 
 }  // namespace stiction

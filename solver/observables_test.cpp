@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "solver/testing/test_scenes.h"
 
 namespace stiction {
@@ -70,6 +73,16 @@ TEST(IsFinite, SeesASingleNaNInPositionsOrVelocitiesAndNotThePadding) {
   EXPECT_FALSE(is_finite(state));
   state = initial_state(scene);
   state.velocity[2].v.z() = test::kInfinity;
+  EXPECT_FALSE(is_finite(state));
+}
+
+TEST(Observables, NumbersWhoseEnergyIsNoneAreNotFinite) {
+  const Scene scene = two_bodies();
+  State state = initial_state(scene);
+  state.velocity[2].v.z() = -std::sqrt(std::numeric_limits<Real>::max());
+  EXPECT_FALSE(is_finite(state));
+  state = initial_state(scene);
+  state.position[0].x.x() = std::sqrt(std::numeric_limits<Real>::max());
   EXPECT_FALSE(is_finite(state));
 }
 
