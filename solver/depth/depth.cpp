@@ -8,9 +8,11 @@
 
 #include "solver/depth/consistent_depth.h"
 #include "solver/depth/face_choice.h"
+#include "solver/depth/same_face.h"
 #include "solver/detection/detect_pairs.h"
 #include "solver/detection/pair_candidates.h"
 #include "solver/hash.h"
+#include "solver/lanes/lane_width.h"
 #include "solver/prefetch.h"
 
 namespace stiction {
@@ -74,10 +76,16 @@ struct Found {
   bool immovable = false;  // any that nothing can move
   PairSearch::TooDeep too_deep;
 
+  void note_depth(const Topology& topology, const PairContact& contact) {
+    Found one;
+    note_too_deep(topology, contact.vertex, second_of(contact.key), contact.depth, one.too_deep);
+    if (one.too_deep.depth > 0.0) add(one);
+  }
+
   void add(const Found& other) {
     dropped = dropped || other.dropped;
     immovable = immovable || other.immovable;
-    // The first in the order of the keys, whichever range is heard of first.
+    // The first in the order of the keys, whichever is heard of first.
     const auto key = [](const PairSearch::TooDeep& one) {
       return contact_key(one.vertex, one.body);
     };
@@ -158,10 +166,7 @@ class Measure {
       contact.depth = distance;
       contact.normal = (foot - point) / distance;
     }
-    if (resting >= 0) {
-      note_too_deep(scene_.topology, contact.vertex, second_of(contact.key), contact.depth,
-                    found.too_deep);
-    }
+    if (resting >= 0) found.note_depth(scene_.topology, contact);
     contact.excess = excess_of(scene_.topology, x, state_.pair_geometry, contact, last,
                                choice.unexplained - border_ / 3);
     contact.depth -= contact.excess;
@@ -194,6 +199,81 @@ std::vector<PairSearch::Group>::iterator first_group(std::vector<PairSearch::Gro
       [](const PairSearch::Group& group, ContactKey of) { return group.key < of; });
 }
 
+// Measures the contacts of a range, in batches where they may have stayed on their faces.
+class RangeOfDepths {
+ public:
+  RangeOfDepths(const Measure& measure, const Scene& scene, const Options& options,
+                const State& state, Workspace& workspace)
+      : measure_(measure),
+        scene_(scene),
+        options_(options.pairs),
+        state_(state),
+        workspace_(workspace),
+        width_(lane_width()),
+        // What is not answered yet of a depth is rare, and looked up one at a time.
+        most_(state.pair_geometry.excess.empty()
+                  ? width_ * static_cast<int>(sizeof(double)) / static_cast<int>(sizeof(Real))
+                  : 0) {}
+
+  Found operator()(std::size_t begin, std::size_t end) {
+    PairContacts& pairs = workspace_.pairs;
+    std::vector<PairSearch::Group>& groups = workspace_.search.group;
+    if (begin == end) return found_;
+    // Contacts and groups are both in the order of their keys.
+    auto group = first_group(groups, pairs[begin].key);
+    for (std::size_t c = begin; c < end; ++c) {
+      PairContact& contact = pairs[c];
+      measure_.ask_ahead(pairs, c);
+      while (group != groups.end() && group->key < contact.key) ++group;
+      const bool known = group != groups.end() && group->key == contact.key;
+      if (known && most_ > 0 && may_stay_on_face(workspace_.search, contact, *group)) {
+        batch_.contact[batch_.count] = &contact;
+        batch_.group[batch_.count] = &*group;
+        if (++batch_.count == most_) measure_batch();
+      } else {
+        measure_one(contact, known ? &*group : nullptr);
+      }
+    }
+    measure_batch();
+    return found_;
+  }
+
+ private:
+  void measure_one(PairContact& contact, PairSearch::Group* group) {
+    if (!measure_(contact, group, found_)) {
+      contact.vertex = kDropped;
+      found_.dropped = true;
+    } else if (contact.inverse_mass == 0.0) {
+      found_.immovable = true;
+    }
+  }
+
+  void measure_batch() {
+    if (batch_.count == 0) return;
+    const unsigned left =
+        measure_on_same_face(scene_, options_, state_, workspace_, width_, batch_);
+    for (int k = 0; k < batch_.count; ++k) {
+      PairContact& contact = *batch_.contact[k];
+      if ((left >> k & 1U) != 0) {
+        measure_one(contact, batch_.group[k]);
+        continue;
+      }
+      if (options_.face == PairFace::kOpposed) found_.note_depth(scene_.topology, contact);
+      if (contact.inverse_mass == 0.0) found_.immovable = true;
+    }
+    batch_.count = 0;
+  }
+
+  const Measure& measure_;
+  const Scene& scene_;
+  const PairOptions& options_;
+  const State& state_;
+  Workspace& workspace_;
+  int width_, most_;  // of registers, in doubles; contacts in a batch
+  FaceBatch batch_;
+  Found found_;
+};
+
 // What `project` would list as it comes to it, for threads that must not.
 void list_all_nearest(const Topology& topology, const PairContacts& pairs, PairSearch& search) {
   auto group = search.group.begin();
@@ -219,28 +299,14 @@ void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t b
 
 void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
   PairContacts& pairs = workspace.pairs;
-  std::vector<PairSearch::Group>& groups = workspace.search.group;
   const Measure measure(scene, options, state, workspace);
   if (workspace.team != nullptr) list_all_nearest(scene.topology, pairs, workspace.search);
   Found all;
   std::mutex of_all;
   for_ranges(workspace.team, pairs.size(), kContactsToShare,
              [&](std::size_t begin, std::size_t end) {
-               Found found;
-               // Contacts and groups are both in the order of their keys.
-               auto group = begin == end ? groups.end() : first_group(groups, pairs[begin].key);
-               for (std::size_t c = begin; c < end; ++c) {
-                 PairContact& contact = pairs[c];
-                 measure.ask_ahead(pairs, c);
-                 while (group != groups.end() && group->key < contact.key) ++group;
-                 const bool known = group != groups.end() && group->key == contact.key;
-                 if (!measure(contact, known ? &*group : nullptr, found)) {
-                   contact.vertex = kDropped;
-                   found.dropped = true;
-                 } else if (contact.inverse_mass == 0.0) {
-                   found.immovable = true;
-                 }
-               }
+               RangeOfDepths range(measure, scene, options, state, workspace);
+               const Found found = range(begin, end);
                const std::lock_guard lock(of_all);
                all.add(found);
              });

@@ -43,9 +43,8 @@ Projection project_by_list(const Topology& topology, const PairSearch& search,
                            const PairContact& contact, std::int32_t resting) {
   const auto vertex = static_cast<std::size_t>(first_of(group.key));
   const auto body = static_cast<std::size_t>(second_of(group.key));
-  // Far above the round-off of a distance.
-  const Real rounding = by_precision(1e-9, 1e-5) * search.skin + round_off(1e-14) * point.norm();
-  const Real moved = (point - search.reference[vertex]).norm() + search.moved[body] + rounding;
+  const Real moved = (point - search.reference[vertex]).norm() + search.moved[body] +
+                     list_rounding(search, point.norm());
   Nearest nearest{topology, search.predicted, point, resting};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
   for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
@@ -86,9 +85,6 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
   }
   return nearest.best;
 }
-
-// An element is taken not to be squeezed to less than this share of its least width.
-constexpr Real kSqueezed = 0.5;
 
 }  // namespace
 

@@ -22,6 +22,9 @@ struct LaneVector {
   STICTION_LANES_INLINE friend LaneVector operator*(const Number& s, const LaneVector& a) {
     return {s * a.x, s * a.y, s * a.z};
   }
+  STICTION_LANES_INLINE friend LaneVector operator/(const LaneVector& a, const Number& s) {
+    return {a.x / s, a.y / s, a.z / s};
+  }
 };
 
 template <class Number>

@@ -17,6 +17,9 @@ namespace stiction {
 /// A record of four numbers as one value. May stand for any struct of four.
 using FourNumbers = Real __attribute__((vector_size(4 * sizeof(Real)), may_alias));
 
+/// Half of one.
+using TwoNumbers = Real __attribute__((vector_size(2 * sizeof(Real)), may_alias));
+
 template <int Bytes>
 struct LaneRegister;
 template <>
@@ -44,8 +47,15 @@ struct Lanes {
   struct Mask {
     decltype(Register{} < Register{}) value;
 
+    STICTION_LANES_INLINE friend Mask operator&(const Mask& a, const Mask& b) {
+      return {a.value & b.value};
+    }
+    STICTION_LANES_INLINE friend Mask operator|(const Mask& a, const Mask& b) {
+      return {a.value | b.value};
+    }
     STICTION_LANES_INLINE friend bool all(const Mask& where) { return where.count() == kCount; }
     STICTION_LANES_INLINE friend bool none(const Mask& where) { return where.count() == 0; }
+    STICTION_LANES_INLINE bool operator[](int lane) const { return value[lane] != 0; }
     STICTION_LANES_INLINE int count() const {
       int count = 0;
       for (int lane = 0; lane < kCount; ++lane) count += value[lane] != 0;
@@ -104,6 +114,14 @@ struct Lanes {
     return a;
   }
 };
+
+/// Of the widest register.
+inline constexpr int kMostLanes = Lanes<64>::kCount;
+
+/// Of a register of so many doubles.
+constexpr int lanes_of(int width) {
+  return width * static_cast<int>(sizeof(double)) / static_cast<int>(sizeof(Real));
+}
 
 // What formulas ask of a single number beside arithmetic.
 inline Real choose(bool where, Real yes, Real no) { return where ? yes : no; }
@@ -172,10 +190,55 @@ STICTION_LANES_INLINE void load_records(const Real* const* record, Lanes<Bytes>*
   }
 }
 
-/// The way back, of three numbers and a fourth that is 0: record[l] = {x, y, z, 0} of lane l.
+/// The same of records of three numbers, with nothing behind them.
+template <int Bytes>
+STICTION_LANES_INLINE void load_triples(const Real* const* record, Lanes<Bytes>* columns) {
+  constexpr int kCount = Lanes<Bytes>::kCount;
+  // By halves that overlap: x, y and y, z.
+  const auto two = [record](int lane, int first) __attribute__((always_inline)) {
+    TwoNumbers numbers;
+    std::memcpy(&numbers, record[lane] + first, sizeof numbers);
+    return numbers;
+  };
+  if constexpr (kCount == 2) {
+    columns[0].value = __builtin_shufflevector(two(0, 0), two(1, 0), 0, 2);
+    columns[1].value = __builtin_shufflevector(two(0, 0), two(1, 0), 1, 3);
+    columns[2].value = __builtin_shufflevector(two(0, 1), two(1, 1), 1, 3);
+  } else if constexpr (kCount == 4) {
+    const auto ac_xy = __builtin_shufflevector(two(0, 0), two(2, 0), 0, 1, 2, 3);
+    const auto bd_xy = __builtin_shufflevector(two(1, 0), two(3, 0), 0, 1, 2, 3);
+    const auto ac_yz = __builtin_shufflevector(two(0, 1), two(2, 1), 0, 1, 2, 3);
+    const auto bd_yz = __builtin_shufflevector(two(1, 1), two(3, 1), 0, 1, 2, 3);
+    columns[0].value = __builtin_shufflevector(ac_xy, bd_xy, 0, 4, 2, 6);
+    columns[1].value = __builtin_shufflevector(ac_xy, bd_xy, 1, 5, 3, 7);
+    columns[2].value = __builtin_shufflevector(ac_yz, bd_yz, 1, 5, 3, 7);
+  } else {
+    Lanes<Bytes / 2> low[3], high[3];
+    load_triples(record, low);
+    load_triples(record + kCount / 2, high);
+    for (int k = 0; k < 3; ++k) columns[k] = joined(low[k], high[k]);
+  }
+}
+
+/// A number a lane, from anywhere.
+template <int Bytes>
+STICTION_LANES_INLINE Lanes<Bytes> load_numbers(const Real* const* number) {
+  constexpr int kCount = Lanes<Bytes>::kCount;
+  using Register = typename Lanes<Bytes>::Register;
+  if constexpr (kCount == 2) {
+    return Lanes<Bytes>::of(Register{*number[0], *number[1]});
+  } else if constexpr (Bytes == 16) {
+    return Lanes<Bytes>::of(Register{*number[0], *number[1], *number[2], *number[3]});
+  } else {
+    return joined(load_numbers<Bytes / 2>(number), load_numbers<Bytes / 2>(number + kCount / 2));
+  }
+}
+
+/// The way back: record[l] = {x, y, z, w} of lane l.
 template <int Bytes>
 STICTION_LANES_INLINE void store_records(const Lanes<Bytes>& x, const Lanes<Bytes>& y,
-                                         const Lanes<Bytes>& z, FourNumbers* record) {
+                                         const Lanes<Bytes>& z, const Lanes<Bytes>& w,
+                                         FourNumbers* record) {
   constexpr int kCount = Lanes<Bytes>::kCount;
   using Register = typename Lanes<Bytes>::Register;
   Real* const to = reinterpret_cast<Real*>(record);
@@ -184,22 +247,29 @@ STICTION_LANES_INLINE void store_records(const Lanes<Bytes>& x, const Lanes<Byte
   };
   if constexpr (kCount == 2) {
     store(__builtin_shufflevector(x.value, y.value, 0, 2), 0);
-    store(__builtin_shufflevector(z.value, Register{}, 0, 2), 2);
+    store(__builtin_shufflevector(z.value, w.value, 0, 2), 2);
     store(__builtin_shufflevector(x.value, y.value, 1, 3), 4);
-    store(__builtin_shufflevector(z.value, Register{}, 1, 3), 6);
+    store(__builtin_shufflevector(z.value, w.value, 1, 3), 6);
   } else if constexpr (kCount == 4) {
     const auto xy_even = __builtin_shufflevector(x.value, y.value, 0, 4, 2, 6);
     const auto xy_odd = __builtin_shufflevector(x.value, y.value, 1, 5, 3, 7);
-    const auto z_even = __builtin_shufflevector(z.value, Register{}, 0, 4, 2, 6);
-    const auto z_odd = __builtin_shufflevector(z.value, Register{}, 1, 5, 3, 7);
-    store(__builtin_shufflevector(xy_even, z_even, 0, 1, 4, 5), 0);
-    store(__builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5), 4);
-    store(__builtin_shufflevector(xy_even, z_even, 2, 3, 6, 7), 8);
-    store(__builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7), 12);
+    const auto zw_even = __builtin_shufflevector(z.value, w.value, 0, 4, 2, 6);
+    const auto zw_odd = __builtin_shufflevector(z.value, w.value, 1, 5, 3, 7);
+    store(__builtin_shufflevector(xy_even, zw_even, 0, 1, 4, 5), 0);
+    store(__builtin_shufflevector(xy_odd, zw_odd, 0, 1, 4, 5), 4);
+    store(__builtin_shufflevector(xy_even, zw_even, 2, 3, 6, 7), 8);
+    store(__builtin_shufflevector(xy_odd, zw_odd, 2, 3, 6, 7), 12);
   } else {
-    store_records(low_half(x), low_half(y), low_half(z), record);
-    store_records(high_half(x), high_half(y), high_half(z), record + kCount / 2);
+    store_records(low_half(x), low_half(y), low_half(z), low_half(w), record);
+    store_records(high_half(x), high_half(y), high_half(z), high_half(w), record + kCount / 2);
   }
+}
+
+/// Of three numbers, and a fourth that is 0.
+template <int Bytes>
+STICTION_LANES_INLINE void store_records(const Lanes<Bytes>& x, const Lanes<Bytes>& y,
+                                         const Lanes<Bytes>& z, FourNumbers* record) {
+  store_records(x, y, z, Lanes<Bytes>(Real(0)), record);
 }
 
 }  // namespace stiction

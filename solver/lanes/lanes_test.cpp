@@ -51,6 +51,10 @@ TYPED_TEST(EachRegister, CountsWhereSomethingHolds) {
   EXPECT_FALSE(none(a < L(Real(1))));
   EXPECT_TRUE(none(L(std::numeric_limits<Real>::quiet_NaN()) < a));
   EXPECT_TRUE(all_zero(a - a));
+  const auto below = a < L(Real(1)), above = L(Real(0)) < a;
+  EXPECT_TRUE(none(below & above));
+  EXPECT_TRUE(all(below | above));
+  for (int lane = 0; lane < L::kCount; ++lane) EXPECT_EQ(below[lane], lane == 0);
   for (int lane = 0; lane < L::kCount; ++lane) {
     L one(Real(0));
     one.value[lane] = 1;
@@ -77,6 +81,29 @@ TYPED_TEST(EachRegister, LoadsAndStoresRecords) {
   for (int lane = 0; lane < kCount; ++lane) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(back[lane][k], 10 * lane + k) << lane << ", " << k;
     EXPECT_EQ(back[lane][3], 0);
+  }
+}
+
+TYPED_TEST(EachRegister, LoadsTriplesAndNumbersAndStoresAllFour) {
+  using L = TypeParam;
+  constexpr int kCount = L::kCount;
+  Real records[kCount][3];
+  const Real *record[kCount], *number[kCount];
+  for (int lane = 0; lane < kCount; ++lane) {
+    record[lane] = records[kCount - 1 - lane];
+    number[lane] = record[lane] + lane % 3;
+    for (int k = 0; k < 3; ++k) records[kCount - 1 - lane][k] = Real(10 * lane + k);
+  }
+  L columns[3];
+  load_triples(record, columns);
+  const L one = load_numbers<sizeof(L)>(number);
+  FourNumbers back[kCount];
+  store_records(columns[0], columns[1], columns[2], one, back);
+  for (int lane = 0; lane < kCount; ++lane) {
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(columns[k][lane], 10 * lane + k) << lane << ", " << k;
+    EXPECT_EQ(one[lane], 10 * lane + lane % 3);
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(back[lane][k], 10 * lane + k) << lane << ", " << k;
+    EXPECT_EQ(back[lane][3], one[lane]);
   }
 }
 

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/depth/same_face.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "solver/lanes/lane_width.h"
+#include "solver/testing/test_pairs.h"
+
+namespace stiction {
+namespace {
+
+auto numbers_of(const PairContact& c) {
+  const auto& [p, w, n] = std::tie(c.partner, c.weight, c.normal);
+  return std::tuple(std::tuple(c.vertex, c.triangle, c.element, p[0], p[1], p[2], p[3]),
+                    std::tuple(w[0], w[1], w[2], w[3], c.inverse_mass, c.excess),
+                    std::tuple(n.x(), n.y(), n.z(), c.depth));
+}
+
+// A jittered block that slides over another, some steps on; their contacts as detection leaves them.
+struct Sliding {
+  Scene scene;
+  Options options;
+  State state;
+  Workspace workspace;
+
+  explicit Sliding(PairWeights weights, bool friction_reaction) {
+    SceneDescription description;
+    description.bodies = {test::elastic_body(test::grid_mesh({6, 6, 2}, 0.1)),
+                          test::elastic_body(test::grid_mesh({9, 9, 1}, 0.05))};
+    for (BodyDescription& body : description.bodies) {
+      body.mesh.vertices += test::noise(body.mesh.vertices.cols(), 2e-3, 3);
+    }
+    BodyDescription& upper = description.bodies[1];
+    upper.mesh.vertices.colwise() += Vec3(0.013, 0.017, 0.195);
+    scene = build_scene(description);
+    options.time_step = 0.1 * scene.stable_time_step;
+    options.pairs.weights = weights;
+    options.pairs.friction_reaction = friction_reaction;
+    options.pairs.tie_margin = 1e-3;  // for which triangles are kept
+    state = initial_state(scene);
+    workspace.velocity = state.velocity;
+    for (int k = 0; k < 4; ++k) {
+      if (k > 0) {
+        depths(scene, options, state, workspace);
+        remember_pairs(workspace.pairs, scene.topology, state.pair_geometry);
+      }
+      for (std::size_t v = 0; v < state.position.size(); ++v) {
+        if (scene.topology.vertex_body[v] == 1) state.position[v].x += Vec3(2e-4, 1e-4, -1e-5);
+      }
+      detect_pairs(scene, options, state, workspace);
+    }
+  }
+
+  // By `depths`, with the batch or one at a time: a depth that is not answered yet, of a contact
+  // that there is not, has it look each up.
+  PairContacts measured(bool one_at_a_time) const {
+    Workspace of_this = workspace;
+    State at = state;
+    at.pair_geometry.excess.clear();
+    if (one_at_a_time) at.pair_geometry.excess.push_back({contact_key(1 << 20, 1 << 20), 0.0});
+    depths(scene, options, at, of_this);
+    return of_this.pairs;
+  }
+};
+
+class SameFace : public testing::TestWithParam<std::tuple<PairWeights, bool>> {};
+
+TEST_P(SameFace, InABatchHasTheBitsOfOneAtATime) {
+  const auto [weights, reaction] = GetParam();
+  const Sliding sliding(weights, reaction);
+  const PairContacts alone = sliding.measured(true), together = sliding.measured(false);
+  ASSERT_GT(alone.size(), 50u);
+  ASSERT_EQ(alone.size(), together.size());
+  for (std::size_t c = 0; c < alone.size(); ++c) {
+    EXPECT_EQ(numbers_of(alone[c]), numbers_of(together[c])) << c;
+  }
+}
+
+TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
+  const auto [weights, reaction] = GetParam();
+  Sliding sliding(weights, reaction);
+  const PairContacts alone = sliding.measured(true);
+  std::vector<PairSearch::Group>& groups = sliding.workspace.search.group;
+  for (const int width : lane_widths()) {
+    PairContacts pairs = sliding.workspace.pairs;
+    std::size_t measured = 0, asked = 0;
+    FaceBatch batch;
+    const auto measure = [&] {
+      const unsigned left = measure_on_same_face(sliding.scene, sliding.options.pairs,
+                                                 sliding.state, sliding.workspace, width, batch);
+      for (int k = 0; k < batch.count; ++k) {
+        const auto was = std::find_if(alone.begin(), alone.end(), [&](const PairContact& one) {
+          return one.key == batch.contact[k]->key;
+        });
+        const bool done = (left >> k & 1U) == 0;
+        measured += done;
+        if (!done) continue;
+        EXPECT_EQ(numbers_of(*batch.contact[k]), numbers_of(*was)) << "width " << width;
+      }
+      asked += static_cast<std::size_t>(batch.count);
+      batch.count = 0;
+    };
+    // Batches of all sizes, the last one of a few too.
+    std::size_t most = 1;
+    for (PairContact& contact : pairs) {
+      const auto group =
+          std::find_if(groups.begin(), groups.end(),
+                       [&](const PairSearch::Group& one) { return one.key == contact.key; });
+      if (group == groups.end() || !may_stay_on_face(sliding.workspace.search, contact, *group)) {
+        continue;
+      }
+      batch.contact[batch.count] = &contact;
+      batch.group[batch.count] = &*group;
+      if (static_cast<std::size_t>(++batch.count) < most) continue;
+      measure();
+      most = most % static_cast<std::size_t>(lanes_of(width)) + 1;
+    }
+    if (batch.count > 0) measure();
+    EXPECT_GT(asked, pairs.size() / 2);
+    EXPECT_GT(measured, asked / 2);
+  }
+}
+
+TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
+  Sliding sliding(PairWeights::kTetrahedron, true);
+  PairContacts pairs = sliding.workspace.pairs;
+  PairSearch& search = sliding.workspace.search;
+  std::size_t tried = 0;
+  for (PairContact& contact : pairs) {
+    const auto group =
+        std::find_if(search.group.begin(), search.group.end(),
+                     [&](const PairSearch::Group& one) { return one.key == contact.key; });
+    if (group == search.group.end() || !may_stay_on_face(search, contact, *group)) continue;
+    ++tried;
+    const auto before = numbers_of(contact);
+    Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];
+    const Vec3 was = point;
+    FaceBatch batch;
+    batch.count = 1;
+    batch.contact[0] = &contact;
+    batch.group[0] = &*group;
+    for (const Vec3& elsewhere : {Vec3(was + Vec3(0.2, 0.0, 0.0)), Vec3(was - Vec3(0, 0, 0.09)),
+                                  Vec3(test::kNaN, 0.0, 0.0)}) {
+      point = elsewhere;
+      for (const int width : lane_widths()) {
+        EXPECT_EQ(measure_on_same_face(sliding.scene, sliding.options.pairs, sliding.state,
+                                       sliding.workspace, width, batch),
+                  1u);
+        EXPECT_EQ(numbers_of(contact), before);
+      }
+    }
+    point = was;
+  }
+  EXPECT_GT(tried, 20u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Weights, SameFace,
+                         testing::Combine(testing::Values(PairWeights::kTriangle,
+                                                          PairWeights::kTetrahedron),
+                                          testing::Bool()),
+                         [](const auto& one) {
+                           return std::string(std::get<0>(one.param) == PairWeights::kTriangle
+                                                  ? "Triangle"
+                                                  : "Tetrahedron") +
+                                  (std::get<1>(one.param) ? "BothWays" : "OneWay");
+                         });
+
+}  // namespace
+}  // namespace stiction
