@@ -117,6 +117,11 @@ class Measure {
     const std::int32_t far = pairs[c + kAskedAhead].triangle;
     if (far >= 0) ask_for(&triangles[at(far)]);
     const PairContact& next = pairs[c + kAskedAhead / 2];
+    const std::size_t own = at(next.vertex);
+    ask_for(&state_.position[own]);
+    ask_for(&workspace_.velocity[own]);
+    ask_for(&workspace_.search.predicted[own]);
+    ask_for(&workspace_.search.reference[own]);
     for (const std::int32_t v : next.partner) {
       ask_for(&state_.position[at(v)]);
       ask_for(&workspace_.velocity[at(v)]);

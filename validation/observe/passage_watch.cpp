@@ -14,6 +14,10 @@ double time_of(const Engine& engine) {
   return static_cast<double>(engine.steps_done()) * engine.time_step();
 }
 
+// Of places: squares of their distances and products of three are numbers, as the exact predicates
+// that are asked about them want.
+constexpr double kFarthest = 1e60;  // m
+
 bool has_extension(const ProblemBody& body) {
   return !std::holds_alternative<PointShape>(body.shape);
 }
@@ -25,20 +29,32 @@ PassageWatch::PassageWatch(const Problem& problem)
       told_(problem.bodies.size() * (problem.bodies.size() + problem.obstacles.size()), false) {}
 
 void PassageWatch::look(const Engine& engine, bool at_end) {
+  const auto wait_for = [&](double time) {
+    due_step_ = engine.steps_done() +
+                std::max<std::uint64_t>(1, static_cast<std::uint64_t>(time / engine.time_step()));
+  };
+  wait_for(kLongest);
   const std::size_t bodies = problem_.bodies.size();
   std::vector<BodyMotion> motion;
+  std::vector<Eigen::Matrix3Xd> vertices;
   for (std::size_t b = 0; b < bodies; ++b) {
     motion.push_back(engine.body(b));
+    vertices.push_back(engine.vertices(b));
     // What has diverged is told by the engine, and has no inside.
     if (!motion.back().position.allFinite()) return;
+    if (!(motion.back().position.array().abs() <= kFarthest).all() ||
+        !(vertices.back().array().abs() <= kFarthest).all()) {
+      tell_of_flight(time_of(engine), b);
+      return;
+    }
   }
   if (skins_.empty()) {
     for (std::size_t b = 0; b < bodies; ++b) {
-      skins_.emplace_back(engine.surface(b), engine.vertices(b));
+      skins_.emplace_back(engine.surface(b), vertices[b]);
       thickness_.push_back(skins_.back().triangles().cols() > 0 ? skins_.back().thickness() : 0.0);
     }
   } else {
-    for (std::size_t b = 0; b < bodies; ++b) skins_[b].move(engine.vertices(b));
+    for (std::size_t b = 0; b < bodies; ++b) skins_[b].move(vertices[b]);
   }
   double wait = kLongest;
   for (std::size_t a = 0; a < bodies; ++a) {
@@ -52,8 +68,17 @@ void PassageWatch::look(const Engine& engine, bool at_end) {
     }
   }
   look_at_obstacles(time_of(engine), motion);
-  due_step_ = engine.steps_done() +
-              std::max<std::uint64_t>(1, static_cast<std::uint64_t>(wait / engine.time_step()));
+  wait_for(wait);
+}
+
+void PassageWatch::tell_of_flight(double time, std::size_t body) {
+  if (flown_) return;
+  flown_ = true;
+  found_.push_back(
+      fmt::format("'{}' is not a number of metres away, or more than {:g}, at t = {:.3g} s: "
+                  "whether it has passed "
+                  "through anything is not known",
+                  problem_.bodies[body].name, kFarthest, time));
 }
 
 void PassageWatch::look_at_pair(double time, std::size_t a, std::size_t b, double allowed) {

@@ -50,6 +50,7 @@ class PassageWatch {
  private:
   static constexpr double kLongest = 0.05;  // s: gravity adds 0.5 m/s in that time
 
+  void tell_of_flight(double time, std::size_t body);
   void look_at_pair(double time, std::size_t a, std::size_t b, double allowed);
   void look_at_obstacles(double time, const std::vector<BodyMotion>& motion);
 
@@ -57,6 +58,7 @@ class PassageWatch {
   std::vector<reference::Skin> skins_;  // none for an engine that shows no surface
   std::vector<double> thickness_;
   std::vector<bool> told_;  // of each pair, and then of each body and obstacle
+  bool flown_ = false;      // one of them, too far for the rest to be looked at
   std::vector<std::string> found_;
   std::uint64_t due_step_ = 0;
 };

@@ -129,6 +129,21 @@ TEST(PassageWatch, TellsOfACentreBeneathTheGround) {
                                              "0.06 s"));
 }
 
+TEST(PassageWatch, TellsOfABodyTooFarAwayToBeLookedAt) {
+  Problem problem;
+  problem.bodies = {box("rocket", {0.1, 0.1, 0.1}, {0.0, 0.0, 0.05}, {0.0, 0.0, 1e203}),
+                    box("box", {0.1, 0.1, 0.1}, {0.0, 0.0, 0.15})};
+  EXPECT_THAT(seen(problem, 50),
+              ElementsAre(testing::AllOf(HasSubstr("'rocket'"), HasSubstr("more than 1e+60"))));
+}
+
+// And so on to the end: what has no place is waited for as what rests.
+TEST(PassageWatch, GoesOnPastABodyThatIsNoNumber) {
+  Problem problem;
+  problem.bodies = {box("lost", {0.1, 0.1, 0.1}, {0.0, 0.0, NAN})};
+  EXPECT_THAT(seen(problem, 500), IsEmpty());
+}
+
 Record record_of(const Settings& settings, void (*prepare)(CaseRun&)) {
   Case one{.name = "test/sheet", .title = "a test"};
   one.run = [prepare](CaseRun& run) {
