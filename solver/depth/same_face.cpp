@@ -118,9 +118,11 @@ template <int Bytes>
 STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch) {
   using Number = Lanes<Bytes>;
   constexpr int kCount = Number::kCount;
-  const auto& [scene, options, state, workspace] = step;
-  const PairSearch& search = workspace.search;
-  const auto& triangles = scene.topology.triangle;
+  const Topology& topology = step.scene.topology;
+  const PairOptions& options = step.options;
+  const std::vector<Velocity>& velocity = step.workspace.velocity;
+  const PairSearch& search = step.workspace.search;
+  const auto& triangles = topology.triangle;
   const int count = std::min(batch.count, kCount);
   const auto of_triangle = [&](int k) __attribute__((always_inline)) {
     return at_vertices<Number>(search.predicted, [&](int lane) {
@@ -137,7 +139,7 @@ STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch)
   for (int lane = 0; lane < count; ++lane) {
     const PairContact& contact = *batch.contact[lane];
     const auto body = static_cast<std::size_t>(second_of(contact.key));
-    const Real deepest = kSqueezed * scene.topology.least_width[body];
+    const Real deepest = kSqueezed * topology.least_width[body];
     const bool stays =
         projection.inside[lane] && projection.distance2[lane] < deepest * deepest &&
         is_nearest(search, *batch.group[lane], contact.triangle, distance[lane],
@@ -162,7 +164,7 @@ STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch)
       const Real* record[kCount];
       for (int lane = 0; lane < kCount; ++lane) {
         const auto v = static_cast<std::size_t>(vertex_of(*batch.contact[lane]));
-        record[lane] = reinterpret_cast<const Real*>(&state.position[v]);
+        record[lane] = reinterpret_cast<const Real*>(&step.state.position[v]);
       }
       Number columns[4];
       load_records(record, columns);
@@ -175,9 +177,9 @@ STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch)
                                       corner(0), corner(1), corner(2), corner(3));
     for (int k = 0; k < 4; ++k) weight[k] = weights.of[k];
   }
-  Number inverse_mass = inverse_masses<Bytes>(workspace.velocity, batch);
+  Number inverse_mass = inverse_masses<Bytes>(velocity, batch);
   for (int k = 0; options.friction_reaction && k < 4; ++k) {
-    inverse_mass += weight[k] * weight[k] * inverse_masses<Bytes>(workspace.velocity, batch, k);
+    inverse_mass += weight[k] * weight[k] * inverse_masses<Bytes>(velocity, batch, k);
   }
 
   FourNumbers plane[kCount], weights[kCount];
