@@ -76,7 +76,7 @@ TEST(IsFinite, SeesASingleNaNInPositionsOrVelocitiesAndNotThePadding) {
   EXPECT_FALSE(is_finite(state));
 }
 
-TEST(Observables, NumbersWhoseEnergyIsNoneAreNotFinite) {
+TEST(IsFinite, RefusesNumbersWhoseEnergyIsNone) {
   const Scene scene = two_bodies();
   State state = initial_state(scene);
   state.velocity[2].v.z() = -std::sqrt(std::numeric_limits<Real>::max());

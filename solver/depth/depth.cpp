@@ -13,6 +13,7 @@
 #include "solver/detection/pair_candidates.h"
 #include "solver/hash.h"
 #include "solver/lanes/lane_width.h"
+#include "solver/lanes/lanes.h"
 #include "solver/prefetch.h"
 
 namespace stiction {
@@ -216,9 +217,7 @@ class RangeOfDepths {
         workspace_(workspace),
         width_(lane_width()),
         // What is not answered yet of a depth is rare, and looked up one at a time.
-        most_(state.pair_geometry.excess.empty()
-                  ? width_ * static_cast<int>(sizeof(double)) / static_cast<int>(sizeof(Real))
-                  : 0) {}
+        most_(state.pair_geometry.excess.empty() ? lanes_of(width_) : 0) {}
 
   Found operator()(std::size_t begin, std::size_t end) {
     PairContacts& pairs = workspace_.pairs;

@@ -75,9 +75,8 @@ void PassageWatch::tell_of_flight(double time, std::size_t body) {
   if (flown_) return;
   flown_ = true;
   found_.push_back(
-      fmt::format("'{}' is not a number of metres away, or more than {:g}, at t = {:.3g} s: "
-                  "whether it has passed "
-                  "through anything is not known",
+      fmt::format("'{}' is more than {:g} m away, or nowhere, at t = {:.3g} s: whether it has "
+                  "passed through anything is not known",
                   problem_.bodies[body].name, kFarthest, time));
 }
 
