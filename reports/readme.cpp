@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,6 +11,7 @@
 #include "reports/documents/document.h"
 #include "reports/documents/kept_figures.h"
 #include "reports/record/record_json.h"
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 
@@ -225,15 +225,5 @@ int main(int argc, char** argv) {
                     {"./stiction readme --against validation-report", "does a fresh run agree?"}},
        .see_also = {"./stiction help validate", "./stiction help compare",
                     "reports/documents/README.md"}});
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
-    return stiction::readme(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction readme: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+  return stiction::run_program(app, argc, argv, [&] { return stiction::readme(arguments); });
 }

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 #include "solver/demand.h"
@@ -183,21 +183,11 @@ int main(int argc, char** argv) {
       ->type_name("NAME=VALUE")
       ->group("How it runs");
   stiction::define_help(app, *list, *show, *check);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
+  return stiction::run_program(app, argc, argv, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything runs
     stiction::set_program_limits(arguments.limits);
-    const stiction::ExitCode code = list->parsed()   ? stiction::list_engines()
-                                    : show->parsed() ? stiction::show(arguments)
-                                                     : stiction::check(arguments);
-    if (std::fflush(stdout) != 0) throw stiction::InputError("stdout could not be written to");
-    return code;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction engine: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+    return list->parsed()   ? stiction::list_engines()
+           : show->parsed() ? stiction::show(arguments)
+                            : stiction::check(arguments);
+  });
 }

@@ -16,6 +16,7 @@
 #include "benchmarks/bench/fixed.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
@@ -251,16 +252,9 @@ int main(int argc, char** argv) {
   CLI::App app("Measures the cost per contact of every phase.", "stiction bench");
   Arguments arguments;
   define(app, arguments);
-  try {
-    app.parse(ours);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
+  const auto parse = [&] { app.parse(ours); };
+  return stiction::run_program(app, parse, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything is measured
     return bench(arguments, given_min_time);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction bench: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+  });
 }

@@ -8,6 +8,7 @@
 
 #include "benchmarks/track/measure/callgrind.h"
 #include "benchmarks/track/measure/child.h"
+#include "solver/demand.h"
 #include "solver/step.h"
 
 namespace stiction::bench {
@@ -134,8 +135,7 @@ int run_step_program(int argc, char** argv) {
   const auto feature = std::find_if(features.begin(), features.end(),
                                     [&](const OptionalFeature& one) { return one.name == name; });
   if (feature == features.end() || (use != "used" && use != "unused")) {
-    fmt::print(stderr, "step: needs the name of a feature and 'used' or 'unused'\n");
-    return 2;
+    throw InputError("it needs the name of a feature and 'used' or 'unused'");
   }
   Workload work = feature->prepare(use == "used");
   PhaseSeconds seconds{};

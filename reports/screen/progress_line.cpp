@@ -19,6 +19,13 @@ namespace {
 constexpr double kSoonest = 2.0;  // s
 constexpr std::size_t kFewest = 3;
 
+// Over the line that is there; a terminal that has gone is no reason to stop.
+void draw(const std::string& line) {
+  const std::string all = "\r\033[K" + line;
+  std::fwrite(all.data(), 1, all.size(), stderr);
+  std::fflush(stderr);
+}
+
 }  // namespace
 
 std::string progress_text(std::size_t done, std::size_t total, const std::string& running,
@@ -44,16 +51,13 @@ void ProgressLine::show(std::size_t done, const std::string& running, std::optio
   const bool known = done >= kFewest && passed >= kSoonest && part > 0.0;
   const double left = known ? passed * (1.0 - part) / part : 0.0;
   // One column less than there are, so that no terminal breaks the line.
-  fmt::print(stderr, "\r\033[K{}",
-             progress_text(done, total_, running, left, screen_of(STDERR_FILENO).width - 1));
-  std::fflush(stderr);
+  draw(progress_text(done, total_, running, left, screen_of(STDERR_FILENO).width - 1));
   shown_ = true;
 }
 
 void ProgressLine::clear() {
   if (!shown_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  draw("");
   shown_ = false;
 }
 

@@ -12,6 +12,7 @@
 #include "reports/formats/failure_block.h"
 #include "reports/formats/table.h"
 #include "reports/record/record_json.h"
+#include "reports/screen/program.h"
 
 namespace stiction {
 
@@ -70,7 +71,7 @@ void Console::finished(std::size_t index, const Record& record) {
   ++count_done_;
   progress_.clear();
   if (record.verdict == Verdict::kError) {
-    fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
+    tell(fmt::format("stiction validate: {}: {}", record.case_name, record.error));
   }
   // What an engine cannot take stands in a few lines at the end.
   waiting_[index] = options_.verbose && record.verdict != Verdict::kNotApplicable

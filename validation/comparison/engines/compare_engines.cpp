@@ -11,6 +11,7 @@
 
 #include "reports/formats/csv.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/program.h"
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
 #include "reports/text/names.h"
@@ -112,7 +113,7 @@ ExitCode compare_engines(const EngineComparison& asked) {
   }
   const Engines engines = find_engines(asked);
   for (const std::string& sentence : engines.left_out) {
-    fmt::print(stderr, "stiction compare engines: left out: {}\n", sentence);
+    tell("stiction compare engines: left out: " + sentence);
   }
   const std::vector<Trial> trials = engine_trials(engines.asked, questions, asked.quick);
   std::vector<Job> jobs;
@@ -179,7 +180,6 @@ ExitCode compare_engines(const EngineComparison& asked) {
   fmt::print("\nEvery answer: {}{}\n", (store.folder() / "engines.md").string(),
              asked.verbose ? "" : " (here: --verbose)");
   if (!asked.no_page) store.tell_caller();
-  if (std::fflush(stdout) != 0) throw InputError("the matrix could not be written to stdout");
   return kHolds;
 }
 
