@@ -159,6 +159,7 @@ int bench(const Arguments& arguments, bool given_min_time) {
     for (const Chosen& one : chosen) fmt::print("{}\n", one.name);
     return kHolds;
   }
+  RecordStore store = RecordStore::create(arguments.out);
   const MachinePeak machine = measure_peak();
   benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
   benchmark::AddCustomContext("flops_per_second", fmt::format("{}", machine.flops_per_second));
@@ -186,7 +187,6 @@ int bench(const Arguments& arguments, bool given_min_time) {
   console.finished();
 
   const std::vector<Record> records = records_of(measure, fits, features);
-  RecordStore store = RecordStore::create(arguments.out);
   for (const Record& record : records) store.append(record);
   store.write_file("bench.md", "# What contact costs\n\n```\n" + console.text() + "```\n");
   store.finish();
