@@ -86,7 +86,7 @@ class Project {
   void update(const Runs& runs) const {
     for (const FigureRules* rules : told_by(runs)) {
       write(kept_file(*rules), to_json(figures_of(*rules, runs)));
-      fmt::print("{}\n", relative(kept_file(*rules)));
+      show_line(relative(kept_file(*rules)));
     }
   }
 
@@ -95,7 +95,7 @@ class Project {
     for (const FigureRules* rules : told_by(runs)) {
       const KeptFigures kept = read_kept_figures(kept_file(*rules));
       for (const std::string& sentence : disagreements(*rules, kept, figures_of(*rules, runs))) {
-        fmt::print("{}.toml: {}\n", rules->program, sentence);
+        show_line(fmt::format("{}.toml: {}", rules->program, sentence));
         all = false;
       }
     }
@@ -121,11 +121,12 @@ class Project {
       if (before == after) continue;
       same = false;
       if (!only_check) write(file, after);
-      fmt::print("{}{}\n", relative(file),
-                 only_check ? " differs from the kept figures: ./stiction readme writes it" : "");
+      show_line(fmt::format(
+          "{}{}", relative(file),
+          only_check ? " differs from the kept figures: ./stiction readme writes it" : ""));
     }
     for (const std::string& name : texts.unused()) {
-      fmt::print("The figure '{}' stands in no document.\n", name);
+      show_line(fmt::format("The figure '{}' stands in no document.", name));
       same = false;
     }
     return same;

@@ -248,7 +248,7 @@ class Tables {
       text_ += text;
       if (verbose_) {
         progress_.clear();
-        fmt::print("{}", text);
+        show(text);
         std::fflush(stdout);
       }
       next_ = end;
@@ -308,7 +308,8 @@ int compare(Arguments& arguments) {
   if (arguments.list) {
     std::string last;
     for (const Job& job : jobs) {
-      if (job.which.name != last) fmt::print("{:<34} {}\n", job.which.name, job.which.title);
+      if (job.which.name != last)
+        show_line(fmt::format("{:<34} {}", job.which.name, job.which.title));
       last = job.which.name;
     }
     return kHolds;
@@ -328,23 +329,23 @@ int compare(Arguments& arguments) {
   if (!found.notes.empty() || !found.checks.empty()) store.append(found);
   std::string text = "\n## Findings\n\n";
   for (const std::string& sentence : found.notes) text += "- " + sentence + "\n";
-  if (arguments.verbose) fmt::print("{}\n", text);
+  if (arguments.verbose) show(fmt::format("{}\n", text));
   store.write_file("comparison.md", "# Iteration rules side by side\n" + text +
                                         work_precision_markdown(records) + tables.text());
   store.write_file("report.md", markdown_report(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
   const Screen screen = screen_of(STDOUT_FILENO);
-  fmt::print("{}", bullet(fmt::format("stiction compare · {} runs of {} · {}", records.size(),
-                                      counted(count_cases(jobs), "comparison"),
-                                      duration_text(seconds_since(began))),
-                          screen.width, ""));
+  show(bullet(
+      fmt::format("stiction compare · {} runs of {} · {}", records.size(),
+                  counted(count_cases(jobs), "comparison"), duration_text(seconds_since(began))),
+      screen.width, ""));
   std::string summary = comparison_summary(records, found, screen);
   summary.erase(summary.find_last_not_of('\n') + 1);
-  fmt::print("\n{}\n\n", summary);
-  fmt::print("{}, and every table: {}{}\n", counted(found.notes.size(), "finding"),
-             (store.folder() / "comparison.md").string(),
-             arguments.verbose ? "" : " (here: --verbose)");
+  show(fmt::format("\n{}\n\n", summary));
+  show_line(fmt::format("{}, and every table: {}{}", counted(found.notes.size(), "finding"),
+                        (store.folder() / "comparison.md").string(),
+                        arguments.verbose ? "" : " (here: --verbose)"));
   if (!arguments.no_page) store.tell_caller();
   return exit_code(records);
 }

@@ -211,7 +211,8 @@ void list_cases(const std::vector<Case>& cases, const Selection& selection) {
   for (const Job& job : select_jobs(cases, selection)) {
     if (job.which.name == last) continue;
     last = job.which.name;
-    fmt::print("{:<46} {:<6} {}\n", job.which.name, set_name(job.which.set), job.which.title);
+    show_line(
+        fmt::format("{:<46} {:<6} {}", job.which.name, set_name(job.which.set), job.which.title));
   }
 }
 
@@ -250,7 +251,7 @@ int validate(Arguments& arguments) {
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
   if (!arguments.show_expectations.empty()) {
     const RecordFile file = read_records(std::filesystem::path(arguments.show_expectations));
-    fmt::print("{}", show_expectations(file.records, find_engine(arguments.selection.engine)));
+    show(show_expectations(file.records, find_engine(arguments.selection.engine)));
     return kHolds;
   }
   Selection& selection = arguments.selection;
@@ -295,9 +296,10 @@ int validate(Arguments& arguments) {
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("{}{}", arguments.verbose ? "\n" : "", summary_screen(records, screen, took.count()));
-  fmt::print("{}Report: {}\n", arguments.verbose ? "" : "All checks: --verbose, or report.md\n",
-             (store.folder() / "report.md").string());
+  show(fmt::format("{}{}", arguments.verbose ? "\n" : "",
+                   summary_screen(records, screen, took.count())));
+  if (!arguments.verbose) show("All checks: --verbose, or report.md\n");
+  show_line("Report: " + (store.folder() / "report.md").string());
   if (!arguments.no_page) store.tell_caller();
   return exit_code(records);
 }

@@ -8,6 +8,7 @@
 
 #include "benchmarks/track/measure/callgrind.h"
 #include "benchmarks/track/measure/child.h"
+#include "reports/screen/program.h"
 #include "solver/demand.h"
 #include "solver/step.h"
 
@@ -140,7 +141,7 @@ int run_step_program(int argc, char** argv) {
   Workload work = feature->prepare(use == "used");
   PhaseSeconds seconds{};
   measured_steps(work, kSteps, name == "timing" && use == "used" ? &seconds : nullptr);
-  fmt::print("{:016x}\n", hash_of(work.state));
+  show_line(fmt::format("{:016x}", hash_of(work.state)));
   return 0;
 }
 

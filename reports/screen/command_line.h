@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
@@ -11,7 +9,6 @@
 
 #include "reports/screen/program.h"
 #include "reports/text/exit_code.h"
-#include "reports/text/text.h"
 
 namespace stiction {
 
@@ -23,10 +20,11 @@ inline std::optional<int> ended_by(const CLI::App& app, const std::function<void
   } catch (const CLI::ParseError& error) {
     std::ostringstream shown, said;
     const bool fine = app.exit(error, shown, said) == 0;
-    fmt::print("{}", shown.str());
-    std::istringstream lines(said.str());
-    for (std::string line; std::getline(lines, line);) tell(line);
-    return fine ? kHolds : kCouldNotRun;
+    show(shown.str());
+    if (fine) return kHolds;
+    tell(error.what());
+    tell("Run with --help for more information.");
+    return kCouldNotRun;
   }
   return std::nullopt;
 }

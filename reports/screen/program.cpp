@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/screen/program.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -9,6 +11,7 @@
 #include <new>
 #include <system_error>
 
+#include "reports/screen/screen.h"
 #include "reports/text/exit_code.h"
 #include "reports/text/text.h"
 
@@ -42,6 +45,13 @@ int not_shown(const std::string& name) {
 }
 
 }  // namespace
+
+void show(std::string_view text) {
+  const std::string lines = printable(text, screen_of(STDOUT_FILENO).colour);
+  std::fwrite(lines.data(), 1, lines.size(), stdout);
+}
+
+void show_line(std::string_view text) { show(one_line(text) + "\n"); }
 
 void tell(std::string_view text) {
   const std::string line = one_line(text) + "\n";

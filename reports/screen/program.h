@@ -7,6 +7,14 @@
 
 namespace stiction {
 
+/// Prints text of several lines. Whatever it quotes, a terminal gets nothing but text and, where it has
+/// colour, this project's styles (printable, reports/text/text.h). What cannot be written is known at
+/// the end (run_program).
+void show(std::string_view text);
+
+/// Prints a line: its text made one line, so that nothing it quotes can look like another.
+void show_line(std::string_view text);
+
 /// A line on the standard error: its text made one line, as it may quote what others wrote. Where
 /// nobody can read it, it is lost and nothing else happens.
 void tell(std::string_view text);

@@ -61,7 +61,7 @@ Console::Console(const std::vector<Job>& jobs, const Screen& screen, ConsoleOpti
       total_(std::accumulate(weights_.begin(), weights_.end(), 0.0)),
       waiting_(jobs.size()),
       progress_(jobs.size()) {
-  if (options_.verbose) fmt::print("{}", table_header(screen_));
+  if (options_.verbose) show(table_header(screen_));
   std::fflush(stdout);
   show_progress();
 }
@@ -78,7 +78,7 @@ void Console::finished(std::size_t index, const Record& record) {
                         ? table_rows(record, screen_)
                         : std::string();
   *waiting_[index] += failure_block(record, screen_, options_.rerun(record));
-  while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
+  while (next_ < waiting_.size() && waiting_[next_]) show(*waiting_[next_++]);
   std::fflush(stdout);
   show_progress();
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mesher as a program: a closed surface → tetrahedra. filled_surface.h says what it writes.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "reference/meshes/mesh_surface/fill_surface.h"
 
@@ -14,8 +16,32 @@ namespace stiction::reference {
 
 namespace {
 
-int complain(int code, const std::string& sentence) {
-  std::fprintf(stderr, "%s\n", sentence.c_str());
+// How many bytes a sign has that steers a terminal or turns the direction of text: control characters
+// (C0, DEL, C1), breaks of lines, marks and overrides; 0 if `text` begins with none.
+std::size_t steering(std::string_view text) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0;
+  };
+  const int first = byte(0), second = byte(1), third = byte(2);
+  if (first < 0x20 || first == 0x7F) return 1;
+  if (first == 0xC2 && second >= 0x80 && second <= 0x9F) return 2;  // C1
+  if (first == 0xD8 && second == 0x9C) return 2;                    // U+061C
+  const bool is_format = first == 0xE2 && second == 0x80 &&
+                         (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE));
+  const bool is_isolate = first == 0xE2 && second == 0x81 && third >= 0xA6 && third <= 0xA9;
+  return is_format || is_isolate ? 3 : 0;
+}
+
+// One line, whatever the name of a file is.
+int complain(int code, std::string_view sentence) {
+  std::string line;
+  while (!sentence.empty()) {
+    const std::size_t dropped = steering(sentence);
+    line += dropped > 0 ? ' ' : sentence.front();
+    sentence.remove_prefix(std::max<std::size_t>(dropped, 1));
+  }
+  line += '\n';
+  std::fwrite(line.data(), 1, line.size(), stderr);
   return code;
 }
 
@@ -28,12 +54,9 @@ bool show(const std::string& text) {
 // Of words that end the program: --help, or such that are refused.
 int end(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream shown, said;
-  const bool fine = app.exit(error, shown, said) == 0;
-  std::fputs(said.str().c_str(), stderr);
-  if (!show(shown.str())) {
-    return complain(kMesherFailed, "the help could not be written to the standard output");
-  }
-  return fine ? kFilled : kMesherFailed;
+  if (app.exit(error, shown, said) != 0) return complain(kMesherFailed, error.what());
+  if (show(shown.str())) return kFilled;
+  return complain(kMesherFailed, "the help could not be written to the standard output");
 }
 
 int mesh_surface(const std::string& file, const SurfaceOptions& options) {
