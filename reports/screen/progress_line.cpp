@@ -19,13 +19,6 @@ namespace {
 constexpr double kSoonest = 2.0;  // s
 constexpr std::size_t kFewest = 3;
 
-// Over the line that is there; a terminal that has gone is no reason to stop.
-void draw(const std::string& line) {
-  const std::string all = "\r\033[K" + line;
-  std::fwrite(all.data(), 1, all.size(), stderr);
-  std::fflush(stderr);
-}
-
 }  // namespace
 
 std::string progress_text(std::size_t done, std::size_t total, const std::string& running,
@@ -52,13 +45,20 @@ void ProgressLine::show(std::size_t done, const std::string& running, std::optio
   const double left = known ? passed * (1.0 - part) / part : 0.0;
   // One column less than there are, so that no terminal breaks the line.
   draw(progress_text(done, total_, running, left, screen_of(STDERR_FILENO).width - 1));
-  shown_ = true;
 }
 
 void ProgressLine::clear() {
-  if (!shown_) return;
-  draw("");
-  shown_ = false;
+  if (shown_ > 0) draw("");
+}
+
+// A terminal that has gone is no reason to stop.
+void ProgressLine::draw(const std::string& line) {
+  const std::size_t width = display_width(line);
+  std::string all = "\r" + padded_right(line, shown_);
+  if (width == 0) all += '\r';
+  std::fwrite(all.data(), 1, all.size(), stderr);
+  std::fflush(stderr);
+  shown_ = width;
 }
 
 }  // namespace stiction

@@ -14,7 +14,7 @@ std::string progress_text(std::size_t done, std::size_t total, const std::string
                           double seconds_left, std::size_t width);
 
 /// The last line of a terminal's standard error, written over as the work goes on; on a pipe, in a
-/// file and on a dumb terminal nothing.
+/// file and on a dumb terminal nothing. It takes no escape sequence: spaces wipe out what stood there.
 class ProgressLine {
  public:
   explicit ProgressLine(std::size_t total);
@@ -27,9 +27,11 @@ class ProgressLine {
   void clear();  ///< before anything else is written
 
  private:
+  void draw(const std::string& line);
+
   std::size_t total_;
   bool moving_;
-  bool shown_ = false;
+  std::size_t shown_ = 0;  // columns that it takes now
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
