@@ -77,6 +77,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         look(validate)
+        look_at_meshing(validate)
         look_at_script()
         os.chdir("/")
     sys.exit(1 if failures else 0)
@@ -108,6 +109,38 @@ def look_at_script():
     for variable in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
         written, _ = on_terminal([str(tree / "stiction"), "help", "test"], 80, 24, **variable)
         check(f"the script's pages, {variable}: no escape", "\x1b" not in written and "SYNOPSIS" in written, written)
+
+
+MESHED = """
+duration = 0.001
+[[body]]
+name = "cube"
+shape = "surface"
+file = "cube.off"
+cell_size = 0.03
+mass = 1
+position = [0, 0, 1]
+[[check]]
+observable = "speed"
+expected = 0.00981
+tolerance = 1e-3
+reason = "free fall"
+"""
+
+
+def look_at_meshing(validate):
+    """Two hundred thousand tetrahedra take some seconds, in which something is to be seen."""
+    corners = [f"{x} {y} {z}" for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    faces = ["0 2 1", "1 2 3", "4 5 6", "5 7 6", "0 1 4", "1 5 4", "2 6 3", "3 6 7", "0 4 2", "2 4 6", "1 3 5", "3 7 5"]
+    pathlib.Path("cube.off").write_text("\n".join(["OFF", "8 12 0", *corners, *("3 " + face for face in faces)]) + "\n")
+    pathlib.Path("cube.toml").write_text(MESHED)
+    command = [validate, "cube.toml", "--list"]
+    cache = {"XDG_CACHE_HOME": os.getcwd()}
+    written, code = on_terminal(command, 80, 24, **cache)
+    check("meshing is seen while it goes on", re.search(r"meshing cube.off: about 185 185 tetrahedra · \d", written), written)
+    check("… and gone when it is done", len(seen(written)) == 1 and code == 0, seen(written))
+    written, _ = on_terminal(command, 80, 24, **cache)
+    check("… and not done twice", "meshing" not in written, written)
 
 
 def look(validate):

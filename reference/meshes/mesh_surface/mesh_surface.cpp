@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "reference/meshes/mesh_surface/fill_surface.h"
+#include "reference/meshes/mesh_surface/reading_guard.h"
 
 namespace stiction::reference {
 
@@ -82,6 +83,7 @@ int mesh_surface(const std::string& file, const SurfaceOptions& options) {
 int main(int argc, char** argv) {
   using namespace stiction::reference;
   std::signal(SIGPIPE, SIG_IGN);
+  limit_memory();
   CLI::App app("Fills a closed triangle surface (OFF, OBJ, PLY, STL) with tetrahedra.",
                "mesh_surface");
   std::string file;
@@ -94,6 +96,10 @@ int main(int argc, char** argv) {
   app.add_option("--feature-angle", options.feature_angle,
                  "Edges whose faces meet at less than 180° minus this are kept, degrees");
   app.add_option("--seed", options.seed, "Of CGAL's generator");
+  app.add_option("--most-tetrahedra", options.most_tetrahedra,
+                 "A mesh of more is refused, before it is made where that can be told")
+      ->capture_default_str();
+  app.add_option("--unit", options.unit, "Of the file's lengths, m, for lengths in sentences");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
