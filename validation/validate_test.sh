@@ -195,6 +195,18 @@ refuses "a thin plate" "tetrahedra: it is about 0.00099 m thin, which no cell_si
 sed 's/cell_size = .*/most_tetrahedra = 0/' surface.toml >none.toml
 refuses "no tetrahedra at all" "none.toml:7: 'most_tetrahedra' must lie between 1 and 1e9" "$validate" none.toml
 
+# A mesher that takes its time: where it is no terminal, one line tells of it.
+printf '#!/bin/sh\necho expected 40 0.2 >&2\nsleep 4\nexec %s/mesh_surface "$@"\n' "$build" >slow_mesher
+chmod +x slow_mesher
+holds 0 "meshing that takes long" env STICTION_MESHER="$work/slow_mesher" XDG_CACHE_HOME="$work/other" "$validate" surface.toml --list
+[ "$(cat err)" = "meshing cube.off: about 40 tetrahedra" ] || failed "meshing that takes long" "it is not told in one line"
+sed 's/cell_size = .*/time_limit = 0.5/' surface.toml >hurry.toml
+sed 's/^sleep.*/exec sleep 60/' slow_mesher >stuck_mesher
+chmod +x stuck_mesher
+refuses "meshing that takes longer than it may" \
+  "cube.off: the mesher was stopped after 0.5 s: choose a larger cell_size, such as 0.0004 m, or raise time_limit" \
+  env STICTION_MESHER="$work/stuck_mesher" "$validate" hurry.toml
+
 # ---- meshes are remembered --------------------------------------------------------------------
 kept=("$XDG_CACHE_HOME"/stiction/meshes/*.mesh)
 [ ${#kept[@]} -eq 1 ] || failed "a mesh is remembered" "not one but: ${kept[*]}"

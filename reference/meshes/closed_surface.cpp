@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/meshes/closed_surface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -101,7 +103,7 @@ FilledSurface fill(const std::string& file, const SurfaceOptions& options) {
   if (ended.timed_out) {
     const double cell = expected_in(ended.errors).cell_size;
     fail("was stopped after " + exact(options.time_limit) + " s: choose a larger cell_size" +
-         (cell > 0.0 ? ", such as " + exact(2.0 * cell * options.unit) : "") +
+         (cell > 0.0 ? ", such as " + fmt::format("{:.3g} m", 2.0 * cell * options.unit) : "") +
          ", or raise time_limit");
   }
   if (ended.signal == SIGKILL) {
