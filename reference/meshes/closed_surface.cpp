@@ -41,8 +41,15 @@ std::filesystem::path mesher_for(const std::string& file) {
   }
 }
 
+// What is no file may have no end, and large files are no sooner read than meshed.
+bool is_remembered(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kMost = 64 << 20;  // bytes
+  std::error_code none;
+  return std::filesystem::is_regular_file(file, none) &&
+         std::filesystem::file_size(file, none) <= kMost;
+}
+
 std::string content_of(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) return {};  // which may have no end
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -84,8 +91,9 @@ FilledSurface fill(const std::string& file, const SurfaceOptions& options) {
     throw MesherError(file + ": the mesher " + what);
   };
   const std::string mesher = mesher_for(file).string();
-  const MeshCache cache(std::filesystem::is_regular_file(file) ? mesh_cache_folder() : "");
-  const MeshOrigin origin = origin_of(file, mesher, options);
+  const MeshCache cache(is_remembered(file) ? mesh_cache_folder() : "");
+  MeshOrigin origin;
+  if (is_remembered(file)) origin = origin_of(file, mesher, options);
   if (std::optional<FilledSurface> known = cache.find(origin)) return *std::move(known);
   Ended ended;
   try {

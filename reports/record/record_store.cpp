@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -71,6 +72,17 @@ void sync_folder(const fs::path& folder) {
   if (descriptor.get() >= 0) fsync(descriptor.get());
 }
 
+// The deepest files of a run, such as vtk/NAME/contacts_0001.vtp, must be writable at its end too.
+void demand_room(const fs::path& out_dir) {
+  constexpr std::size_t kMost = PATH_MAX - 200;
+  const std::size_t bytes = out_dir.native().size();
+  if (bytes <= kMost) return;
+  throw std::runtime_error(fmt::format(
+      "Reports cannot be written to \"{}…\": its path has {} bytes, and {} are the most "
+      "that leave room for the names of files in it.",
+      out_dir.string().substr(0, 60), bytes, kMost));
+}
+
 // The link to the last run may be there, and nothing else.
 void demand_place_of_link(const fs::path& latest) {
   std::error_code none;
@@ -98,6 +110,7 @@ fs::path make_run_folder(const fs::path& out_dir) {
 RecordStore RecordStore::create(const fs::path& out_dir) {
   std::error_code error;
   const fs::path absolute = fs::absolute(out_dir, error);
+  if (!error) demand_room(absolute);
   if (!error) fs::create_directories(absolute, error);
   if (error) fail("create folder", out_dir, error.value());
   demand_place_of_link(absolute / kLatest);

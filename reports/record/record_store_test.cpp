@@ -178,6 +178,20 @@ TEST_F(RecordStoreTest, WhatStandsInPlaceOfTheLinkIsRefusedAtTheStart) {
   EXPECT_TRUE(fs::is_directory(latest));
 }
 
+// Else records would be written, and what stands deeper in the run's folder not.
+TEST_F(RecordStoreTest, APathWithoutRoomForWhatStandsInItIsRefusedAtTheStart) {
+  fs::path deep = out_;
+  while (deep.native().size() < 3900) deep /= std::string(20, 'd');
+  const std::string message = test::message_of([&] { RecordStore::create(deep); });
+  EXPECT_NE(message.find("its path has " + std::to_string(deep.native().size()) + " bytes, and "),
+            std::string::npos)
+      << message;
+  EXPECT_TRUE(fs::is_empty(out_));
+  const std::string name =
+      test::message_of([&] { RecordStore::create(out_ / std::string(300, 'd')); });
+  EXPECT_NE(name.find("File name too long"), std::string::npos) << name;
+}
+
 // Made while the run went on.
 TEST_F(RecordStoreTest, FinishReplacesNeitherAFolderNorAFile) {
   RecordStore store = RecordStore::create(out_);

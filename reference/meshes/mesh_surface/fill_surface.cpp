@@ -49,6 +49,8 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Eigen::Index;
 using Eigen::Vector3d;
 
+constexpr std::uint64_t kLargestFile = 500'000'000;  // bytes
+
 /// Slender bodies have 2 tetrahedra a vertex, others up to 6.
 constexpr std::size_t kFewestAVertex = 2;
 
@@ -77,6 +79,9 @@ Soup read(const std::filesystem::path& file, const Demand& demand) {
          "the name must end with .off, .obj, .ply or .stl");
   const std::string format = extension.substr(1);
   const std::uint64_t bytes = std::filesystem::file_size(file);
+  demand(bytes <= kLargestFile, SurfaceFlaw::unreadable,
+         "it has " + in_words(1e-6 * static_cast<double>(bytes)) + " MB; at most " +
+             in_words(1e-6 * static_cast<double>(kLargestFile)) + " are read");
   std::ifstream head(file, std::ios::binary);
   const std::string claim = claims_too_much(head, format, bytes);
   demand(claim.empty(), SurfaceFlaw::unreadable, claim);

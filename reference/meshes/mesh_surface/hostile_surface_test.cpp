@@ -198,5 +198,15 @@ TEST_F(HostileSurface, CountsBeyondTheFileAreRefused) {
               HasSubstr("can't be read as off"));
 }
 
+// Nothing of it is read: a gap takes no room on the disk.
+TEST_F(HostileSurface, AFileOfManyGigabytesIsRefused) {
+  const auto file = write("gap.obj", "v 0 0 0\n");
+  std::filesystem::resize_file(file, std::uintmax_t{10} << 30);
+  const Ended ended = run_child({mesher_, file.string()}, {.time_limit = 20.0});
+  EXPECT_TRUE(is_refusal(ended)) << ended.code;
+  EXPECT_THAT(ended.errors, HasSubstr("it has 10 737 MB; at most 500 are read"));
+  EXPECT_THROW(body_of_closed_surface(file), SurfaceError);
+}
+
 }  // namespace
 }  // namespace stiction::reference

@@ -70,7 +70,8 @@ int mesh_surface(const std::string& file, const SurfaceOptions& options) {
   } catch (const SurfaceError& error) {
     return complain(kFirstFlaw + static_cast<int>(error.flaw()), error.what());
   } catch (const std::bad_alloc&) {
-    return complain(kMesherFailed, "memory ran out");
+    return complain(kMesherFailed,
+                    "memory ran out: choose a larger cell_size, or a surface of fewer triangles");
   } catch (const std::exception& error) {
     return complain(kMesherFailed, error.what());
   }
