@@ -3,151 +3,20 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
 #include "reference/meshes/ball_mesh.h"
-#include "reference/meshes/closed_surface.h"
 #include "reference/meshes/filled_surface.h"
+#include "reference/meshes/mesh_surface/test_surfaces.h"
 #include "reference/process/child.h"
 
 namespace stiction::reference {
 namespace {
 
 using Eigen::Index;
-using Eigen::Vector3d;
-
-struct Triangles {
-  std::vector<Vector3d> points;
-  std::vector<Eigen::Vector3i> faces;
-
-  /// One quadrilateral, cut along its shorter way.
-  void quad(int a, int b, int c, int d) {
-    faces.emplace_back(a, b, c);
-    faces.emplace_back(a, c, d);
-  }
-
-  void append(const Triangles& other, const Vector3d& shift, bool inside_out = false) {
-    const Eigen::Vector3i offset = Eigen::Vector3i::Constant(static_cast<int>(points.size()));
-    for (const Vector3d& p : other.points) points.emplace_back(p + shift);
-    for (const Eigen::Vector3i& f : other.faces) {
-      const Eigen::Vector3i face = f + offset;
-      faces.emplace_back(inside_out ? face.reverse().eval() : face);
-    }
-  }
-};
-
-Triangles cube(double edge) {
-  Triangles t;
-  for (int k = 0; k < 8; ++k) {
-    t.points.emplace_back(edge * (k & 1), edge * ((k >> 1) & 1), edge * ((k >> 2) & 1));
-  }
-  t.quad(0, 2, 3, 1);
-  t.quad(4, 5, 7, 6);
-  t.quad(0, 1, 5, 4);
-  t.quad(2, 6, 7, 3);
-  t.quad(0, 4, 6, 2);
-  t.quad(1, 3, 7, 5);
-  return t;
-}
-
-Triangles torus(double big, double small, int around, int across) {
-  Triangles t;
-  for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      const double u = 2.0 * std::numbers::pi * i / around;
-      const double v = 2.0 * std::numbers::pi * j / across;
-      const double ring = big + small * std::cos(v);
-      t.points.emplace_back(ring * std::cos(u), ring * std::sin(u), small * std::sin(v));
-      const int next_i = (i + 1) % around;
-      const int next_j = (j + 1) % across;
-      t.quad(i * across + j, next_i * across + j, next_i * across + next_j, i * across + next_j);
-    }
-  }
-  return t;
-}
-
-class ClosedSurface : public testing::Test {
- protected:
-  /// Each test its own folder, so that tests may run side by side.
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() /
-        ("stiction_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
-    forget_meshes();
-  }
-  // So that the mesher is asked, not what is remembered of it.
-  void forget_meshes() const {
-    std::filesystem::remove_all(folder_ / "cache");
-    setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
-
-  std::filesystem::path write_off(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    file.precision(17);
-    file << "OFF\n" << t.points.size() << ' ' << t.faces.size() << " 0\n";
-    for (const Vector3d& p : t.points) file << p.transpose() << '\n';
-    for (const Eigen::Vector3i& f : t.faces) file << "3 " << f.transpose() << '\n';
-    return folder_ / name;
-  }
-
-  std::filesystem::path write_obj(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    for (const Vector3d& p : t.points) file << "v " << p.transpose() << '\n';
-    for (const Eigen::Vector3i& f : t.faces) {
-      file << "f " << (f.array() + 1).matrix().transpose() << '\n';
-    }
-    return folder_ / name;
-  }
-
-  std::filesystem::path write_ply(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    file << "ply\nformat ascii 1.0\nelement vertex " << t.points.size()
-         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-         << t.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const Vector3d& p : t.points) file << p.transpose() << '\n';
-    for (const Eigen::Vector3i& f : t.faces) file << "3 " << f.transpose() << '\n';
-    return folder_ / name;
-  }
-
-  std::filesystem::path write_stl(const std::string& name, const Triangles& t) const {
-    std::ofstream file(folder_ / name);
-    file << "solid body\n";
-    for (const Eigen::Vector3i& f : t.faces) {
-      file << "facet normal 0 0 0\nouter loop\n";
-      for (const int corner : f) {
-        file << "vertex " << t.points[static_cast<std::size_t>(corner)].transpose() << '\n';
-      }
-      file << "endloop\nendfacet\n";
-    }
-    file << "endsolid body\n";
-    return folder_ / name;
-  }
-
-  static void expect_refused(const std::filesystem::path& file, SurfaceFlaw flaw,
-                             const std::string& reason) {
-    try {
-      body_of_closed_surface(file);
-      ADD_FAILURE() << file << " was accepted";
-    } catch (const SurfaceError& error) {
-      EXPECT_EQ(error.flaw(), flaw) << error.what();
-      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
-    }
-  }
-
-  std::filesystem::path folder_;
-};
 
 void expect_well_shaped(const SurfaceReport& report) {
   // Perturbation stops at 10°; a sliver of that angle has a largest angle of at most 170° − and an
@@ -295,77 +164,6 @@ TEST_F(ClosedSurface, WithoutMemoryCostsItsSurfaceOnly) {
         << error.what();
   }
   unsetenv("STICTION_MESHER");
-}
-
-Triangles box(double x, double y, double z) {
-  Triangles t = cube(1.0);
-  for (Vector3d& p : t.points) p = p.cwiseProduct(Vector3d(x, y, z));
-  return t;
-}
-
-// reference/meshes/mesh_size.h promises it.
-TEST_F(ClosedSurface, HowManyTetrahedraIsToldWithinAFactorOfTwo) {
-  for (const Vector3d& size :
-       {Vector3d(1, 1, 1), Vector3d(1, 1, 0.02), Vector3d(1, 0.02, 0.02), Vector3d(1, 0.5, 0.05)}) {
-    for (const double cell : {0.2, 0.1}) {
-      double told = 0.0;
-      const auto file = write_off("box.off", box(size.x(), size.y(), size.z()));
-      const Ended ended = run_child({find_mesher(mesher_places()).string(), "--cell-size",
-                                     std::to_string(cell), file.string()});
-      std::string word;
-      std::istringstream(ended.errors) >> word >> told;
-      EXPECT_EQ(word, kExpected);
-      const auto made =
-          static_cast<double>(filled_surface_from(ended.output).mesh.tetrahedra.cols());
-      EXPECT_LT(std::abs(std::log2(made / told)), 1.0)
-          << size.transpose() << ", cell " << cell << ": " << told << " told, " << made << " made";
-    }
-  }
-}
-
-// A plate of 1 mm took nine minutes without a word.
-TEST_F(ClosedSurface, WhatWouldTakeTooLongIsRefusedAtOnce) {
-  const auto began = std::chrono::steady_clock::now();
-  expect_refused(write_off("plate.off", box(1, 1, 0.001)), SurfaceFlaw::too_large,
-                 "it is about 0.001 m thin, which no cell_size helps");
-  try {
-    body_of_closed_surface(write_off("cube.off", cube(1000.0)), {.cell_size = 1.0, .unit = 1e-3});
-    ADD_FAILURE() << "it was meshed";
-  } catch (const SurfaceError& error) {
-    EXPECT_EQ(error.flaw(), SurfaceFlaw::too_large);
-    EXPECT_NE(std::string(error.what()).find("choose a cell_size of 0.03 m or more"),
-              std::string::npos)
-        << error.what();
-  }
-  // Most of it is thick, so that the mean tells nothing of its thin part.
-  Triangles mixed = cube(1.0);
-  mixed.append(box(1.0, 1.0, 0.001), Vector3d(2.0, 0.0, 0.0));
-  try {
-    body_of_closed_surface(write_off("mixed.off", mixed), {.most_tetrahedra = 20'000});
-    ADD_FAILURE() << "it was meshed";
-  } catch (const SurfaceError& error) {
-    EXPECT_EQ(error.flaw(), SurfaceFlaw::too_large);
-    EXPECT_NE(std::string(error.what()).find("thin or fine parts"), std::string::npos);
-  }
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  EXPECT_LT(took.count(), 60.0);
-}
-
-TEST_F(ClosedSurface, TellsWhatItDoesWhileItDoesIt) {
-  std::vector<MeshingProgress> told;
-  SurfaceOptions options{.cell_size = 0.04};
-  options.progress = [&](const MeshingProgress& now) { told.push_back(now); };
-  const auto file = write_off("cube.off", cube(1.0));
-  const SurfaceBody body = body_of_closed_surface(file, options);
-  ASSERT_GT(told.size(), 2u);
-  EXPECT_GT(told.back().seconds, told.front().seconds);
-  EXPECT_NEAR(told.back().tetrahedra, 5.0 / std::pow(0.04, 3), 1.0);
-  told.clear();
-  const SurfaceBody again = body_of_closed_surface(file, options);
-  EXPECT_TRUE(told.empty()) << "it is remembered";
-  EXPECT_TRUE(again.mesh.vertices == body.mesh.vertices);
-  EXPECT_TRUE(again.mesh.tetrahedra == body.mesh.tetrahedra);
-  EXPECT_EQ(again.report.given_triangles, 12);
 }
 
 }  // namespace
