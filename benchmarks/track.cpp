@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "benchmarks/track/command/commands.h"
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 
 namespace stiction::track {
@@ -227,19 +228,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   set_help(app, help_page());
   define_commands(app, arguments, chosen);
-  try {
+  const auto parse = [&] {
     app.parse(argc, argv);
-    if (!chosen) {
-      if (arguments.against.empty()) {
-        throw CLI::RequiredError("--against REF, or a subcommand,");
-      }
-      chosen = track_against;
-    }
-    return chosen(arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction track: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+    if (chosen) return;
+    if (arguments.against.empty()) throw CLI::RequiredError("--against REF, or a subcommand,");
+    chosen = track_against;
+  };
+  return stiction::run_program(app, parse, [&] { return chosen(arguments); });
 }

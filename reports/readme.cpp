@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,6 +11,7 @@
 #include "reports/documents/document.h"
 #include "reports/documents/kept_figures.h"
 #include "reports/record/record_json.h"
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 
@@ -86,7 +86,7 @@ class Project {
   void update(const Runs& runs) const {
     for (const FigureRules* rules : told_by(runs)) {
       write(kept_file(*rules), to_json(figures_of(*rules, runs)));
-      fmt::print("{}\n", relative(kept_file(*rules)));
+      show_line(relative(kept_file(*rules)));
     }
   }
 
@@ -95,7 +95,7 @@ class Project {
     for (const FigureRules* rules : told_by(runs)) {
       const KeptFigures kept = read_kept_figures(kept_file(*rules));
       for (const std::string& sentence : disagreements(*rules, kept, figures_of(*rules, runs))) {
-        fmt::print("{}.toml: {}\n", rules->program, sentence);
+        show_line(fmt::format("{}.toml: {}", rules->program, sentence));
         all = false;
       }
     }
@@ -121,11 +121,12 @@ class Project {
       if (before == after) continue;
       same = false;
       if (!only_check) write(file, after);
-      fmt::print("{}{}\n", relative(file),
-                 only_check ? " differs from the kept figures: ./stiction readme writes it" : "");
+      show_line(fmt::format(
+          "{}{}", relative(file),
+          only_check ? " differs from the kept figures: ./stiction readme writes it" : ""));
     }
     for (const std::string& name : texts.unused()) {
-      fmt::print("The figure '{}' stands in no document.\n", name);
+      show_line(fmt::format("The figure '{}' stands in no document.", name));
       same = false;
     }
     return same;
@@ -225,15 +226,5 @@ int main(int argc, char** argv) {
                     {"./stiction readme --against validation-report", "does a fresh run agree?"}},
        .see_also = {"./stiction help validate", "./stiction help compare",
                     "reports/documents/README.md"}});
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
-    return stiction::readme(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction readme: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+  return stiction::run_program(app, argc, argv, [&] { return stiction::readme(arguments); });
 }

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <set>
 #include <thread>
@@ -16,7 +15,9 @@
 #include "reports/formats/markdown.h"
 #include "reports/formats/work_precision.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
+#include "reports/screen/program.h"
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
 #include "reports/text/number.h"
@@ -232,7 +233,7 @@ class Tables {
   // A rule that broke off says so as soon as it does.
   void complain(const Record& record) {
     progress_.clear();
-    fmt::print(stderr, "stiction compare: {}: {}\n", record.case_name, record.error);
+    tell(fmt::format("stiction compare: {}: {}", record.case_name, record.error));
   }
 
   void finished(std::size_t index) {
@@ -247,7 +248,7 @@ class Tables {
       text_ += text;
       if (verbose_) {
         progress_.clear();
-        fmt::print("{}", text);
+        show(text);
         std::fflush(stdout);
       }
       next_ = end;
@@ -307,7 +308,8 @@ int compare(Arguments& arguments) {
   if (arguments.list) {
     std::string last;
     for (const Job& job : jobs) {
-      if (job.which.name != last) fmt::print("{:<34} {}\n", job.which.name, job.which.title);
+      if (job.which.name != last)
+        show_line(fmt::format("{:<34} {}", job.which.name, job.which.title));
       last = job.which.name;
     }
     return kHolds;
@@ -327,25 +329,24 @@ int compare(Arguments& arguments) {
   if (!found.notes.empty() || !found.checks.empty()) store.append(found);
   std::string text = "\n## Findings\n\n";
   for (const std::string& sentence : found.notes) text += "- " + sentence + "\n";
-  if (arguments.verbose) fmt::print("{}\n", text);
+  if (arguments.verbose) show(fmt::format("{}\n", text));
   store.write_file("comparison.md", "# Iteration rules side by side\n" + text +
                                         work_precision_markdown(records) + tables.text());
   store.write_file("report.md", markdown_report(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
   const Screen screen = screen_of(STDOUT_FILENO);
-  fmt::print("{}", bullet(fmt::format("stiction compare · {} runs of {} · {}", records.size(),
-                                      counted(count_cases(jobs), "comparison"),
-                                      duration_text(seconds_since(began))),
-                          screen.width, ""));
+  show(bullet(
+      fmt::format("stiction compare · {} runs of {} · {}", records.size(),
+                  counted(count_cases(jobs), "comparison"), duration_text(seconds_since(began))),
+      screen.width, ""));
   std::string summary = comparison_summary(records, found, screen);
   summary.erase(summary.find_last_not_of('\n') + 1);
-  fmt::print("\n{}\n\n", summary);
-  fmt::print("{}, and every table: {}{}\n", counted(found.notes.size(), "finding"),
-             (store.folder() / "comparison.md").string(),
-             arguments.verbose ? "" : " (here: --verbose)");
+  show(fmt::format("\n{}\n\n", summary));
+  show_line(fmt::format("{}, and every table: {}{}", counted(found.notes.size(), "finding"),
+                        (store.folder() / "comparison.md").string(),
+                        arguments.verbose ? "" : " (here: --verbose)"));
   if (!arguments.no_page) store.tell_caller();
-  if (std::fflush(stdout) != 0) throw InputError("the tables could not be written to stdout");
   return exit_code(records);
 }
 
@@ -354,8 +355,6 @@ int compare(Arguments& arguments) {
 }  // namespace stiction
 
 int main(int argc, char** argv) {
-  // A write beyond a file size limit shall be an error with a sentence, not the end of the program.
-  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Sets iteration rules of static friction side by side: speed against error.",
                "stiction compare");
   stiction::Arguments arguments;
@@ -364,17 +363,9 @@ int main(int argc, char** argv) {
   CLI::App* const of_engines = app.add_subcommand(
       "engines", "Sets engines side by side: who holds, who creeps, at which cost");
   stiction::define_engines(*of_engines, engines);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
+  return stiction::run_program(app, argc, argv, [&]() -> int {
     stiction::check_environment();  // what cannot be had is refused before anything runs
     if (of_engines->parsed()) return stiction::compare_engines(engines);
     return stiction::compare(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction compare: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+  });
 }

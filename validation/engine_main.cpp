@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
 #include "solver/demand.h"
@@ -28,13 +28,13 @@ struct Arguments {
 
 ExitCode list_engines() {
   for (const EngineKind& kind : engine_catalog()) {
-    fmt::print("{:<20} {}\n", kind.name, kind.description);
+    show_line(fmt::format("{:<20} {}", kind.name, kind.description));
   }
   for (const EngineProgram& one : engine_programs()) {
     try {
-      fmt::print("{:<20} {}\n", one.name, find_engine(one.name).description);
+      show_line(fmt::format("{:<20} {}", one.name, find_engine(one.name).description));
     } catch (const std::exception&) {
-      fmt::print("{:<20} not built yet; from Debian's {}\n", one.name, one.packages);
+      show_line(fmt::format("{:<20} not built yet; from Debian's {}", one.name, one.packages));
     }
   }
   return kHolds;
@@ -48,28 +48,29 @@ std::string text_of(const Settings& settings) {
   return text;
 }
 
-ExitCode show(const Arguments& arguments) {
+ExitCode show_engine(const Arguments& arguments) {
   const EngineKind kind = find_engine(arguments.engine);
-  fmt::print("{}: {}\n", kind.name, kind.description);
-  if (!kind.settings_help.empty()) fmt::print("\nSettings (--set NAME=VALUE):\n");
+  show_line(fmt::format("{}: {}", kind.name, kind.description));
+  if (!kind.settings_help.empty()) show("\nSettings (--set NAME=VALUE):\n");
   for (const auto& [name, meaning] : kind.settings_help) {
-    fmt::print("  {:<18} {}\n", name, meaning);
+    show_line(fmt::format("  {:<18} {}", name, meaning));
   }
   if (kind.configurations) {
-    fmt::print("\nConfigurations:\n");
+    show("\nConfigurations:\n");
     for (const Configuration& one : kind.configurations("")) {
-      fmt::print("  {:<18} {}\n", one.name, text_of(one.settings));
-      if (!one.source.empty()) fmt::print("  {:<18} {}\n", "", one.source);
+      show_line(fmt::format("  {:<18} {}", one.name, text_of(one.settings)));
+      if (!one.source.empty()) show_line(fmt::format("  {:<18} {}", "", one.source));
     }
   }
-  if (!kind.ladder.empty()) fmt::print("\nEfforts:\n");
-  for (const Settings& one : kind.ladder) fmt::print("  {}\n", text_of(one));
+  if (!kind.ladder.empty()) show("\nEfforts:\n");
+  for (const Settings& one : kind.ladder) show_line(fmt::format("  {}", text_of(one)));
   return kHolds;
 }
 
 ExitCode check(const Arguments& arguments) {
   const EngineKind kind = find_engine(arguments.engine);
-  fmt::print("{}: {}\n\n", kind.name, kind.description);
+  show_line(fmt::format("{}: {}", kind.name, kind.description));
+  show("\n");
   ExitCode code = kHolds;
   int failed = 0, held = 0;
   for (const Finding& one : check_conformance(kind, parse_settings(arguments.settings))) {
@@ -78,20 +79,20 @@ ExitCode check(const Arguments& arguments) {
     failed += fails ? 1 : 0;
     held += one.conformity == Conformity::kHolds ? 1 : 0;
     if (fails) code = kDoesNotHold;
-    fmt::print("{:<5} {:<24} {}\n", word, one.name, one.sentence);
+    show_line(fmt::format("{:<5} {:<24} {}", word, one.name, one.sentence));
   }
   if (!kind.program.empty() && failed == 0) {
     const ProtocolCost cost = protocol_cost(kind, parse_settings(arguments.settings));
-    fmt::print(
+    show(fmt::format(
         "\nThe protocol: a request takes {:.0f} µs, of which {:.0f} µs are CPU time of the "
         "engine's "
         "process; an observation {:.0f} µs. A step with a body on the ground takes {:.3g} µs of "
         "CPU "
         "time.\n",
-        1e6 * cost.request, 1e6 * cost.request_cpu, 1e6 * cost.observation, 1e6 * cost.step_cpu);
+        1e6 * cost.request, 1e6 * cost.request_cpu, 1e6 * cost.observation, 1e6 * cost.step_cpu));
   }
-  fmt::print("\n{} checks hold, {} fail{}\n", held, failed,
-             failed > 0 ? ": such an engine is not graded" : "");
+  show(fmt::format("\n{} checks hold, {} fail{}\n", held, failed,
+                   failed > 0 ? ": such an engine is not graded" : ""));
   return code;
 }
 
@@ -183,21 +184,11 @@ int main(int argc, char** argv) {
       ->type_name("NAME=VALUE")
       ->group("How it runs");
   stiction::define_help(app, *list, *show, *check);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
+  return stiction::run_program(app, argc, argv, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything runs
     stiction::set_program_limits(arguments.limits);
-    const stiction::ExitCode code = list->parsed()   ? stiction::list_engines()
-                                    : show->parsed() ? stiction::show(arguments)
-                                                     : stiction::check(arguments);
-    if (std::fflush(stdout) != 0) throw stiction::InputError("stdout could not be written to");
-    return code;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction engine: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+    return list->parsed()   ? stiction::list_engines()
+           : show->parsed() ? stiction::show_engine(arguments)
+                            : stiction::check(arguments);
+  });
 }

@@ -6,8 +6,10 @@ With $STICTION_SCREENS, a folder, each screen is kept there as text.
 """
 import fcntl
 import os
+import pathlib
 import pty
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -44,7 +46,7 @@ def seen(written):
     """The lines that stand on the screen at the end: a line that is drawn anew hides the one before."""
     lines = []
     for line in written.replace("\r\n", "\n").split("\n"):
-        lines.append(ESCAPE.sub("", line.split("\r\x1b[K")[-1]))
+        lines.append(ESCAPE.sub("", line.split("\r")[-1]))
     return lines[:-1] if lines and not lines[-1] else lines
 
 
@@ -75,8 +77,70 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         look(validate)
+        look_at_meshing(validate)
+        look_at_script()
         os.chdir("/")
     sys.exit(1 if failures else 0)
+
+
+def look_at_script():
+    """The script's own line of progress while it builds, and its pages."""
+    root = pathlib.Path(__file__).resolve().parent.parent
+    tree = pathlib.Path("tree")
+    (tree / "build/release").mkdir(parents=True)
+    (tree / "bin").mkdir()
+    (tree / "build/release/build.ninja").touch()
+    shutil.copy(root / "stiction", tree)
+    tools = {"bin/cmake": "for k in 1 2 3; do echo \"[$k/3] Building solver/step.cpp\"; done",
+             "bin/dpkg-query": 'for name; do echo "installed $name"; done',  # nothing is missing
+             "build/release/readme": "echo 'what was asked for'"}
+    for name, text in tools.items():
+        (tree / name).write_text(f"#!/bin/sh\n{text}\n")
+        (tree / name).chmod(0o755)
+    path = f"{tree.resolve()}/bin:{os.environ['PATH']}"
+    words = [str(tree / "stiction"), "readme"]
+    written, code = on_terminal(words, 80, 24, PATH=path)
+    check("the script shows the progress of a build, and takes it away",
+          "[2/3] step.cpp" in written and seen(written) == ["what was asked for"] and code == 0, repr(written))
+    written, _ = on_terminal(words, 80, 24, PATH=path, NO_COLOR="1")
+    check("the script, NO_COLOR: no escape, but progress", "\x1b" not in written and "[2/3]" in written, repr(written))
+    written, _ = on_terminal(words, 80, 24, PATH=path, TERM="dumb")
+    check("the script, a dumb terminal: what was asked for alone", written == "what was asked for\r\n", repr(written))
+    for variable in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+        written, _ = on_terminal([str(tree / "stiction"), "help", "test"], 80, 24, **variable)
+        check(f"the script's pages, {variable}: no escape", "\x1b" not in written and "SYNOPSIS" in written, written)
+
+
+MESHED = """
+duration = 0.001
+[[body]]
+name = "cube"
+shape = "surface"
+file = "cube.off"
+cell_size = 0.03
+mass = 1
+position = [0, 0, 1]
+[[check]]
+observable = "speed"
+expected = 0.00981
+tolerance = 1e-3
+reason = "free fall"
+"""
+
+
+def look_at_meshing(validate):
+    """Two hundred thousand tetrahedra take some seconds, in which something is to be seen."""
+    corners = [f"{x} {y} {z}" for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    faces = ["0 2 1", "1 2 3", "4 5 6", "5 7 6", "0 1 4", "1 5 4", "2 6 3", "3 6 7", "0 4 2", "2 4 6", "1 3 5", "3 7 5"]
+    pathlib.Path("cube.off").write_text("\n".join(["OFF", "8 12 0", *corners, *("3 " + face for face in faces)]) + "\n")
+    pathlib.Path("cube.toml").write_text(MESHED)
+    command = [validate, "cube.toml", "--list"]
+    cache = {"XDG_CACHE_HOME": os.getcwd()}
+    written, code = on_terminal(command, 80, 24, **cache)
+    check("meshing is seen while it goes on", re.search(r"meshing cube.off: about 185 185 tetrahedra · \d", written), written)
+    check("… and gone when it is done", len(seen(written)) == 1 and code == 0, seen(written))
+    written, _ = on_terminal(command, 80, 24, **cache)
+    check("… and not done twice", "meshing" not in written, written)
 
 
 def look(validate):
@@ -93,7 +157,7 @@ def look(validate):
         check(f"{size}: who holds is said", any(line.startswith("Who holds") for line in screen))
         progress = re.findall(r"\[(\d+)/(\d+)\] ", written)
         check(f"{size}: progress is shown", len(progress) > 5)
-        long_lines = [line for line in re.split(r"\r\x1b\[K|\n", written)
+        long_lines = [line.rstrip() for line in re.split(r"\r|\n", written)
                       if line.startswith("[") and width(line) >= columns]
         check(f"{size}: … on one line", not long_lines, "\n".join(long_lines))
 
@@ -110,9 +174,14 @@ def look(validate):
     check("… printed whole, with the command that reruns it",
           any("again: ./stiction validate --case 'half-space/free-fall'" in line for line in screen))
     written, _ = on_terminal(failing, 80, 24, NO_COLOR="1")
-    check("NO_COLOR: no colour, but progress", not re.search(r"\x1b\[[0-9;]*m", written))
-    written, _ = on_terminal(quick, 80, 24, TERM="dumb")
-    check("a dumb terminal gets no escape", "\x1b" not in written)
+    check("NO_COLOR: no escape at all", "\x1b" not in written, written)
+    written, _ = on_terminal(quick, 80, 24, NO_COLOR="1")
+    check("… but progress", "\x1b" not in written and len(re.findall(r"\[(\d+)/(\d+)\] ", written)) > 5)
+    written, _ = on_terminal(failing, 80, 24, NO_COLOR="")
+    check("an empty NO_COLOR says nothing", "\x1b[1;31m" in written)
+    for command in (quick, failing, [validate, "--help"], [validate, "--bogus"]):
+        written, _ = on_terminal(command, 80, 24, TERM="dumb")
+        check(f"a dumb terminal gets no escape: {command[1]}", "\x1b" not in written and "\r" not in written.replace("\r\n", ""))
     words = re.compile(r"[a-z/-]{4,}")
     roomy, narrow = (words.findall(" ".join(seen(on_terminal(quick, columns, 120)[0])))
                      for columns in (80, 40))

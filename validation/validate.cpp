@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -23,6 +22,7 @@
 #include "reports/formats/vtk.h"
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/screen/screen.h"
 #include "reports/text/configuration_text.h"
@@ -211,7 +211,8 @@ void list_cases(const std::vector<Case>& cases, const Selection& selection) {
   for (const Job& job : select_jobs(cases, selection)) {
     if (job.which.name == last) continue;
     last = job.which.name;
-    fmt::print("{:<46} {:<6} {}\n", job.which.name, set_name(job.which.set), job.which.title);
+    show_line(
+        fmt::format("{:<46} {:<6} {}", job.which.name, set_name(job.which.set), job.which.title));
   }
 }
 
@@ -250,7 +251,7 @@ int validate(Arguments& arguments) {
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
   if (!arguments.show_expectations.empty()) {
     const RecordFile file = read_records(std::filesystem::path(arguments.show_expectations));
-    fmt::print("{}", show_expectations(file.records, find_engine(arguments.selection.engine)));
+    show(show_expectations(file.records, find_engine(arguments.selection.engine)));
     return kHolds;
   }
   Selection& selection = arguments.selection;
@@ -295,11 +296,11 @@ int validate(Arguments& arguments) {
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("{}{}", arguments.verbose ? "\n" : "", summary_screen(records, screen, took.count()));
-  fmt::print("{}Report: {}\n", arguments.verbose ? "" : "All checks: --verbose, or report.md\n",
-             (store.folder() / "report.md").string());
+  show(fmt::format("{}{}", arguments.verbose ? "\n" : "",
+                   summary_screen(records, screen, took.count())));
+  if (!arguments.verbose) show("All checks: --verbose, or report.md\n");
+  show_line("Report: " + (store.folder() / "report.md").string());
   if (!arguments.no_page) store.tell_caller();
-  if (std::fflush(stdout) != 0) throw InputError("the summary could not be written to stdout");
   return exit_code(records);
 }
 
@@ -308,21 +309,11 @@ int validate(Arguments& arguments) {
 }  // namespace stiction
 
 int main(int argc, char** argv) {
-  // A write beyond a file size limit shall be an error with a sentence, not the end of the program.
-  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Runs the validation cases and writes a report.", "stiction validate");
   stiction::Arguments arguments;
   stiction::define(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
+  return stiction::run_program(app, argc, argv, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything runs
     return stiction::validate(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction validate: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+  });
 }

@@ -14,6 +14,7 @@ cd "$work" || exit 1
 
 # shellcheck source=validation/end_to_end.sh
 source "$checks"
+export XDG_CACHE_HOME=$work/cache # what is remembered elsewhere does not count
 export COLUMNS=200 # sentences are looked for, which a narrow screen breaks
 
 # ---- exit codes 0 and 1 -----------------------------------------------------------------------
@@ -176,6 +177,48 @@ grep -q '"meshes":\[{[^]]*"tetrahedra":[1-9]' surface/latest/records.jsonl ||
 cube 11
 refuses "an open surface" "surface.toml:5: cube.off: it is not closed: some edges have one triangle only" \
   "$validate" surface.toml
+printf 'ply\nformat ascii 1.0\nproperty float x\nend_header\n0\n' >crash.ply
+sed 's/cube.off/crash.ply/' surface.toml >crash.toml
+refuses "a file that CGAL's reader falls over" "crash.toml:5: crash.ply: it can't be read as ply" "$validate" crash.toml
+printf 'OFF\n300000000 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >huge.off
+sed 's/cube.off/huge.off/' surface.toml >huge.toml
+refuses "a file of 44 bytes with 300 million vertices" \
+  "huge.toml:5: huge.off: it says that it has 300000000 vertices, which its 44 bytes cannot hold" "$validate" huge.toml
+cube 12
+sed 's/cell_size = .*/cell_size = 0.001/' surface.toml >fine.toml
+refuses "a mesh that would be too large" \
+  "fine.toml:7: cube.off: it would take about 40 million tetrahedra, more than the 200 000 of most_tetrahedra: choose a cell_size of 0.0059 m or more" \
+  timeout 20 "$validate" fine.toml
+sed -E 's/^([-0-9]+ [-0-9]+ -?)100$/\10.5/' cube.off >plate.off # 1 mm
+sed 's/cube.off/plate.off/' surface.toml >plate.toml
+refuses "a thin plate" "tetrahedra: it is about 0.00099 m thin, which no cell_size helps" timeout 20 "$validate" plate.toml
+sed 's/cell_size = .*/most_tetrahedra = 0/' surface.toml >none.toml
+refuses "no tetrahedra at all" "none.toml:7: 'most_tetrahedra' must lie between 1 and 1e9" "$validate" none.toml
+
+# A mesher that takes its time: where it is no terminal, one line tells of it.
+printf '#!/bin/sh\necho expected 40 0.2 >&2\nsleep 4\nexec %s/mesh_surface "$@"\n' "$build" >slow_mesher
+chmod +x slow_mesher
+holds 0 "meshing that takes long" env STICTION_MESHER="$work/slow_mesher" XDG_CACHE_HOME="$work/other" "$validate" surface.toml --list
+[ "$(cat err)" = "meshing cube.off: about 40 tetrahedra" ] || failed "meshing that takes long" "it is not told in one line"
+sed 's/cell_size = .*/time_limit = 0.5/' surface.toml >hurry.toml
+sed 's/^sleep.*/exec sleep 60/' slow_mesher >stuck_mesher
+chmod +x stuck_mesher
+refuses "meshing that takes longer than it may" \
+  "cube.off: the mesher was stopped after 0.5 s: choose a larger cell_size, such as 0.0004 m, or raise time_limit" \
+  env STICTION_MESHER="$work/stuck_mesher" "$validate" hurry.toml
+
+# ---- meshes are remembered --------------------------------------------------------------------
+kept=("$XDG_CACHE_HOME"/stiction/meshes/*.mesh)
+[ ${#kept[@]} -eq 1 ] || failed "a mesh is remembered" "not one but: ${kept[*]}"
+hash_of() { grep -o '"state_hash":"[^"]*"' "$1/latest/records.jsonl"; }
+for state in whole "cut off" empty; do
+  [ "$state" != "cut off" ] || truncate -s -9 "${kept[0]}"
+  [ "$state" != empty ] || : >"${kept[0]}"
+  exits 0 "with a $state memory of it" "$validate" surface.toml --out remembered
+  [ "$(hash_of remembered)" = "$(hash_of surface)" ] || failed "with a $state memory of it" "the state is another"
+done
+[ -s "${kept[0]}" ] || failed "a damaged memory" "it is not made anew"
+passed "a mesh is remembered, and made anew where its memory is damaged"
 rm cube.off
 refuses "a missing surface" "surface.toml:5: cube.off: there is no such file" "$validate" surface.toml
 cube 12

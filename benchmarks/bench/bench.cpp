@@ -16,6 +16,7 @@
 #include "benchmarks/bench/fixed.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
@@ -139,25 +140,26 @@ bool any_fails(const std::vector<Record>& records) {
 
 int bench(const Arguments& arguments, bool given_min_time) {
   if (arguments.list_fixed) {
-    for (const std::string& name : fixed_names()) fmt::print("{}\n", name);
+    for (const std::string& name : fixed_names()) show_line(name);
     return kHolds;
   }
   if (arguments.machine) {
     const Environment environment = current_environment();
     const nlohmann::json told = {{"machine", environment.machine},
                                  {"toolchain", environment.toolchain}};
-    fmt::print("{}\n", told.dump());
+    show_line(told.dump());
     return kHolds;
   }
   if (!arguments.fixed.empty()) {
-    fmt::print("{}\n", run_fixed(arguments.fixed, arguments.batches));
+    show(run_fixed(arguments.fixed, arguments.batches) + "\n");
     return kHolds;
   }
   const std::vector<Chosen> chosen = choose(arguments.filter, arguments.full);
   if (arguments.list) {
-    for (const Chosen& one : chosen) fmt::print("{}\n", one.name);
+    for (const Chosen& one : chosen) show_line(one.name);
     return kHolds;
   }
+  RecordStore store = RecordStore::create(arguments.out);
   const MachinePeak machine = measure_peak();
   benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
   benchmark::AddCustomContext("flops_per_second", fmt::format("{}", machine.flops_per_second));
@@ -185,27 +187,26 @@ int bench(const Arguments& arguments, bool given_min_time) {
   console.finished();
 
   const std::vector<Record> records = records_of(measure, fits, features);
-  RecordStore store = RecordStore::create(arguments.out);
   for (const Record& record : records) store.append(record);
   store.write_file("bench.md", "# What contact costs\n\n```\n" + console.text() + "```\n");
   store.finish();
   const Screen screen = screen_of(STDOUT_FILENO);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  if (arguments.verbose) fmt::print("\n");
-  fmt::print("{}\n",
-             bullet(fmt::format("stiction bench · {} benchmarks · {} · one core: {:.1f} GB/s of "
-                                "memory, {:.1f} Gflop/s in double",
-                                chosen.size(), duration_text(seconds),
-                                1e-9 * machine.bytes_per_second, 1e-9 * machine.flops_per_second),
-                    screen.width, ""));
-  fmt::print("{}", bench_summary(measure.results(), fits, features, records, screen));
+  if (arguments.verbose) show("\n");
+  show(fmt::format(
+      "{}\n", bullet(fmt::format("stiction bench · {} benchmarks · {} · one core: {:.1f} GB/s of "
+                                 "memory, {:.1f} Gflop/s in double",
+                                 chosen.size(), duration_text(seconds),
+                                 1e-9 * machine.bytes_per_second, 1e-9 * machine.flops_per_second),
+                     screen.width, "")));
+  show(bench_summary(measure.results(), fits, features, records, screen));
   if (!why_not.empty()) {
-    fmt::print("{}", bullet("The cost of optional features was not measured: " + why_not + ".",
-                            screen.width));
+    show(bullet("The cost of optional features was not measured: " + why_not + ".", screen.width));
   }
-  fmt::print("\nEvery phase, size and rule: {}{}\n", (store.folder() / "bench.md").string(),
-             arguments.verbose ? "" : " (here: --verbose)");
+  show("\n");
+  show_line(fmt::format("Every phase, size and rule: {}{}", (store.folder() / "bench.md").string(),
+                        arguments.verbose ? "" : " (here: --verbose)"));
   store.tell_caller();
   return any_fails(records) ? kDoesNotHold : kHolds;
 }
@@ -251,16 +252,9 @@ int main(int argc, char** argv) {
   CLI::App app("Measures the cost per contact of every phase.", "stiction bench");
   Arguments arguments;
   define(app, arguments);
-  try {
-    app.parse(ours);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;
-  }
-  try {
+  const auto parse = [&] { app.parse(ours); };
+  return stiction::run_program(app, parse, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything is measured
     return bench(arguments, given_min_time);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stiction bench: {}\n", error.what());
-    return stiction::kCouldNotRun;
-  }
+  });
 }

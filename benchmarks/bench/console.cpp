@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "reports/screen/program.h"
+
 namespace stiction::bench {
 
 namespace {
@@ -35,7 +37,7 @@ void Console::add(const std::string& lines) {
   text_ += lines;
   if (!verbose_) return;
   progress_.clear();
-  fmt::print("{}", lines);
+  show(lines);
   std::fflush(stdout);
 }
 

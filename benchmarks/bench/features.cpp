@@ -8,6 +8,8 @@
 
 #include "benchmarks/track/measure/callgrind.h"
 #include "benchmarks/track/measure/child.h"
+#include "reports/screen/program.h"
+#include "solver/demand.h"
 #include "solver/step.h"
 
 namespace stiction::bench {
@@ -134,13 +136,12 @@ int run_step_program(int argc, char** argv) {
   const auto feature = std::find_if(features.begin(), features.end(),
                                     [&](const OptionalFeature& one) { return one.name == name; });
   if (feature == features.end() || (use != "used" && use != "unused")) {
-    fmt::print(stderr, "step: needs the name of a feature and 'used' or 'unused'\n");
-    return 2;
+    throw InputError("it needs the name of a feature and 'used' or 'unused'");
   }
   Workload work = feature->prepare(use == "used");
   PhaseSeconds seconds{};
   measured_steps(work, kSteps, name == "timing" && use == "used" ? &seconds : nullptr);
-  fmt::print("{:016x}\n", hash_of(work.state));
+  show_line(fmt::format("{:016x}", hash_of(work.state)));
   return 0;
 }
 

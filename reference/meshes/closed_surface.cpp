@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/meshes/closed_surface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "reference/meshes/box_mesh.h"
 #include "reference/meshes/filled_surface.h"
+#include "reference/meshes/mesh_cache.h"
 #include "reference/process/child.h"
 
 namespace stiction::reference {
@@ -34,25 +41,78 @@ std::filesystem::path mesher_for(const std::string& file) {
   }
 }
 
+// What is no file may have no end, and large files are no sooner read than meshed.
+bool is_remembered(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kMost = 64 << 20;  // bytes
+  std::error_code none;
+  return std::filesystem::is_regular_file(file, none) &&
+         std::filesystem::file_size(file, none) <= kMost;
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// All that a mesh follows from; the unit is for sentences alone.
+MeshOrigin origin_of(const std::filesystem::path& file, const std::string& mesher,
+                     const SurfaceOptions& options) {
+  std::string words;
+  for (const double one :
+       {options.cell_size, options.facet_distance, options.feature_angle,
+        static_cast<double>(options.seed), static_cast<double>(options.most_tetrahedra)}) {
+    words += exact(one) + " ";
+  }
+  return {content_of(file), file.extension().string(), words, content_of(mesher)};
+}
+
+// What the mesher has told on stderr so far.
+struct Expected {
+  double tetrahedra = 0.0;
+  double cell_size = 0.0;  // m
+};
+
+Expected expected_in(const std::string& errors) {
+  Expected expected;
+  std::string word;
+  std::istringstream(errors) >> word >> expected.tetrahedra >> expected.cell_size;
+  return word == kExpected ? expected : Expected{};
+}
+
+std::function<void(double, const Ended&)> meanwhile(const SurfaceOptions& options) {
+  if (!options.progress) return {};
+  return [&options](double seconds, const Ended& so_far) {
+    options.progress({seconds, expected_in(so_far.errors).tetrahedra});
+  };
+}
+
 FilledSurface fill(const std::string& file, const SurfaceOptions& options) {
   const auto fail = [&](const std::string& what) {
     throw MesherError(file + ": the mesher " + what);
   };
   const std::string mesher = mesher_for(file).string();
+  const MeshCache cache(is_remembered(file) ? mesh_cache_folder() : "");
+  MeshOrigin origin;
+  if (is_remembered(file)) origin = origin_of(file, mesher, options);
+  if (std::optional<FilledSurface> known = cache.find(origin)) return *std::move(known);
   Ended ended;
   try {
-    ended =
-        run_child({mesher, "--cell-size", exact(options.cell_size), "--facet-distance",
-                   exact(options.facet_distance), "--feature-angle", exact(options.feature_angle),
-                   "--seed", std::to_string(options.seed), "--", file},
-                  {.time_limit = options.time_limit});
+    ended = run_child(
+        {mesher, "--cell-size", exact(options.cell_size), "--facet-distance",
+         exact(options.facet_distance), "--feature-angle", exact(options.feature_angle), "--seed",
+         std::to_string(options.seed), "--most-tetrahedra", std::to_string(options.most_tetrahedra),
+         "--unit", exact(options.unit), "--", file},
+        {.time_limit = options.time_limit, .meanwhile = meanwhile(options)});
   } catch (const ChildError& error) {
     fail(std::string("can't be run: ") + error.what());
   }
   const std::string sentence = last_line(ended.errors);
   if (ended.code == kNoSuchProgram) fail("can't be run: there is no program '" + mesher + "'");
   if (ended.timed_out) {
-    fail("was stopped after " + exact(options.time_limit) + " s: choose a larger cell_size");
+    const double cell = expected_in(ended.errors).cell_size;
+    fail("was stopped after " + exact(options.time_limit) + " s: choose a larger cell_size" +
+         (cell > 0.0 ? ", such as " + fmt::format("{:.3g} m", 2.0 * cell * options.unit) : "") +
+         ", or raise time_limit");
   }
   if (ended.signal == SIGKILL) {
     fail("was killed (signal 9), as happens when memory runs out: choose a larger cell_size");
@@ -74,6 +134,7 @@ FilledSurface fill(const std::string& file, const SurfaceOptions& options) {
   } catch (const std::invalid_argument& error) {
     fail(std::string("wrote no mesh: ") + error.what());
   }
+  cache.keep(origin, filled);
   return filled;
 }
 
@@ -98,6 +159,8 @@ std::string SurfaceOptions::check() const {
     return "facet_distance must be finite, ≥ 0";
   }
   if (!(feature_angle > 0.0 && feature_angle < 180.0)) return "feature_angle must lie in (0, 180)";
+  if (!(unit > 0.0) || !std::isfinite(unit)) return "unit must be positive and finite";
+  if (most_tetrahedra <= 0) return "most_tetrahedra must be positive";
   if (!(time_limit > 0.0)) return "time_limit must be positive";
   return {};
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -29,8 +31,9 @@ enum class SurfaceFlaw {
   self_intersecting,
   not_bounding,  ///< faces look inwards, or the orientations of nested parts contradict
   not_meshed,    ///< closed, but the mesh asked for doesn't resolve it
+  too_large,     ///< the mesh asked for has too many tetrahedra
 };
-inline constexpr int kSurfaceFlaws = static_cast<int>(SurfaceFlaw::not_meshed) + 1;
+inline constexpr int kSurfaceFlaws = static_cast<int>(SurfaceFlaw::too_large) + 1;
 
 /// Thrown with the file's name and the reason in words.
 class SurfaceError : public std::runtime_error {
@@ -42,6 +45,12 @@ class SurfaceError : public std::runtime_error {
   SurfaceFlaw flaw_;
 };
 
+/// What is known of a mesh while it is made.
+struct MeshingProgress {
+  double seconds = 0.0;     ///< since the mesher was started
+  double tetrahedra = 0.0;  ///< about so many there will be; 0: not known yet
+};
+
 struct SurfaceOptions {
   /// Circumradius of a tetrahedron at most, m. 0: an eighth of the diagonal of the bounding box.
   double cell_size = 0.0;
@@ -50,8 +59,13 @@ struct SurfaceOptions {
   /// Edges whose faces meet at less than 180° minus this are kept as they are, degrees.
   double feature_angle = 40.0;
   unsigned seed = 0;  ///< of CGAL's generator
+  double unit = 1.0;  ///< of the file's lengths, m: for lengths in sentences alone
+  /// A mesh of more is refused, where that can be told before it is made.
+  std::int64_t most_tetrahedra = 200'000;
   /// The mesher is given up after this long, s. A hundred thousand tetrahedra take 5 s.
-  double time_limit = 1800.0;
+  double time_limit = 300.0;
+  /// Called several times a second while the mesher is at work, if there is one.
+  std::function<void(const MeshingProgress&)> progress{};
 
   /// Empty if usable, else what is wrong in words.
   [[nodiscard]] std::string check() const;

@@ -77,9 +77,11 @@ TEST_F(Mesher, IsToldTheFileAndTheOptionsToTheBit) {
   EXPECT_EQ(sentence({.cell_size = 0.1,
                       .facet_distance = std::nextafter(0.1, 1.0),
                       .feature_angle = 30.0,
-                      .seed = 7}),
+                      .seed = 7,
+                      .unit = 1e-3,
+                      .most_tetrahedra = 5000}),
             "part.stl: the mesher failed: --cell-size 0.1 --facet-distance 0.10000000000000002 "
-            "--feature-angle 30 --seed 7 -- part.stl");
+            "--feature-angle 30 --seed 7 --most-tetrahedra 5000 --unit 0.001 -- part.stl");
 }
 
 TEST_F(Mesher, RefusesASurfaceInItsOwnWords) {
@@ -109,7 +111,13 @@ TEST_F(Mesher, ThatCrashesCostsItsSurfaceOnly) {
   EXPECT_EQ(sentence(), "part.stl: the mesher failed: exit code 99");
   mesher_does("exec sleep 60");
   EXPECT_EQ(sentence({.time_limit = 0.1}),
-            "part.stl: the mesher was stopped after 0.1 s: choose a larger cell_size");
+            "part.stl: the mesher was stopped after 0.1 s: choose a larger cell_size, or raise "
+            "time_limit");
+  mesher_does("echo expected 185185 0.03 >&2; exec sleep 60");
+  EXPECT_EQ(
+      sentence({.unit = 0.1, .time_limit = 0.5}),
+      "part.stl: the mesher was stopped after 0.5 s: choose a larger cell_size, such as 0.006 "
+      "m, or raise time_limit");
 }
 
 TEST_F(Mesher, ThatWritesNoWholeMeshIsFoundOut) {

@@ -10,7 +10,8 @@
 /// Internal to closed surfaces: what the program mesh_surface and those who call it say to each
 /// other.
 ///
-///   mesh_surface [--cell-size M] [--facet-distance M] [--feature-angle DEGREES] [--seed N] FILE
+///   mesh_surface [--cell-size M] [--facet-distance M] [--feature-angle DEGREES] [--seed N]
+///                [--most-tetrahedra N] [--unit M] FILE
 ///
 /// writes the filled surface to stdout, as text:
 ///
@@ -22,9 +23,16 @@
 ///   A B C D                                    M lines, vertex indices from 0
 ///   end
 ///
-/// Numbers are the shortest decimals that read back as the same double. When there is nothing to
-/// write, the last line of stderr is one sentence, and the exit code says whose fault it is.
+/// Numbers are the shortest decimals that read back as the same double. Once the surface is found
+/// good, and before it is filled, stderr has a line
+///
+///   expected TETRAHEDRA CELL_SIZE              about so many; m
+///
+/// When there is nothing to write, the last line of stderr is one sentence, and the exit code says
+/// whose fault it is.
 namespace stiction::reference {
+
+inline constexpr const char* kExpected = "expected";
 
 enum MesherExit {
   kFilled = 0,

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -21,9 +22,19 @@ namespace stiction::reference {
 namespace {
 
 constexpr int kSignalled = 128;
+constexpr int kMeanwhile = 200;  // ms
+
+// For poll, ms.
+int wait(const Deadline& deadline, const ChildOptions& options) {
+  const int left = deadline.wait();
+  if (!options.meanwhile) return left;
+  return left < 0 ? kMeanwhile : std::min(left, kMeanwhile);
+}
 
 // Reads until the child has closed both, or its time is over.
-void drain(Pipe& output, Pipe& errors, const Deadline& deadline, Ended& ended) {
+void drain(Pipe& output, Pipe& errors, const Deadline& deadline, const ChildOptions& options,
+           Ended& ended) {
+  const auto began = std::chrono::steady_clock::now();
   std::array<pollfd, 2> waiting = {pollfd{output.end(0), POLLIN, 0},
                                    pollfd{errors.end(0), POLLIN, 0}};
   const std::array<std::string*, 2> texts = {&ended.output, &ended.errors};
@@ -33,7 +44,11 @@ void drain(Pipe& output, Pipe& errors, const Deadline& deadline, Ended& ended) {
       ended.timed_out = true;
       return;
     }
-    if (poll(waiting.data(), waiting.size(), deadline.wait()) < 0) {
+    if (options.meanwhile) {
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began;
+      options.meanwhile(seconds.count(), ended);
+    }
+    if (poll(waiting.data(), waiting.size(), wait(deadline, options)) < 0) {
       if (errno == EINTR) continue;
       return;
     }
@@ -92,7 +107,7 @@ Ended run_child(const std::vector<std::string>& words, const ChildOptions& optio
   }
   output.close_end(1);
   errors.close_end(1);
-  drain(output, errors, deadline, ended);
+  drain(output, errors, deadline, options, ended);
   await(child, deadline, ended);
   return ended;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -18,11 +19,16 @@ class ChildError : public std::runtime_error {
 
 inline constexpr int kNoSuchProgram = 127;  ///< `Ended::code`, as a shell's
 
+struct Ended;
+
 struct ChildOptions {
   std::filesystem::path folder{};  ///< where it runs, empty for here
   /// The child is killed after this long, s.
   double time_limit = std::numeric_limits<double>::infinity();
   bool show_errors = false;  ///< its stderr is this program's, and not kept
+  /// Called some times a second while it runs, with the seconds since it was started and what it has
+  /// written so far; may be empty.
+  std::function<void(double, const Ended&)> meanwhile{};
 };
 
 /// How a child ended.

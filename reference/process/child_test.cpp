@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace stiction::reference {
 namespace {
@@ -39,6 +41,20 @@ TEST(ChildProcess, HasNothingToReadAndNoRunFileToWrite) {
   const Ended ended = run_child({"sh", "-c", "cat; echo \"<$STICTION_RUN_FILE>\""});
   unsetenv("STICTION_RUN_FILE");
   EXPECT_EQ(ended.output, "<>\n");
+}
+
+TEST(ChildProcess, CanBeWatchedWhileItRuns) {
+  std::vector<std::string> seen;
+  double last = 0.0;
+  const Ended ended = run_child({"sh", "-c", "echo begun >&2; sleep 0.7; echo done"},
+                                {.meanwhile = [&](double seconds, const Ended& so_far) {
+                                  EXPECT_GE(seconds, last);
+                                  last = seconds;
+                                  seen.push_back(so_far.errors);
+                                }});
+  EXPECT_EQ(ended.output, "done\n");
+  EXPECT_GE(seen.size(), 4u) << "every 0.2 s";
+  EXPECT_EQ(seen.back(), "begun\n");
 }
 
 TEST(ChildProcess, IsStoppedWhenItsTimeIsOver) {

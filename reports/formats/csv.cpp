@@ -8,6 +8,7 @@
 #include "reports/text/check_text.h"
 #include "reports/text/configuration_text.h"
 #include "reports/text/number.h"
+#include "reports/text/text.h"
 
 namespace stiction {
 namespace {
@@ -21,11 +22,21 @@ constexpr std::string_view kHeader =
     "ns_per_contact_step,state_hash,"
     "revision,toolchain,machine,date";
 
-std::string cell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
+}
+
+// A cell of words. Spreadsheets would take one that begins like a formula for that, so it is told that
+// it is text by the sign that they know.
+std::string words(std::string_view raw) {
+  const std::string text = one_line(raw);
+  const std::size_t first = text.find_first_not_of(' ');
+  const bool is_formula = first != std::string::npos &&
+                          std::string_view("=+-@").find(text[first]) != std::string_view::npos;
+  return is_formula ? "'" + text : text;
 }
 
 std::string optional(const std::optional<double>& value) {
@@ -42,16 +53,17 @@ std::string row(const std::vector<std::string>& values) {
 }
 
 std::string case_cells(const Record& record) {
-  return row({record.case_name, record.title, record.engine, configuration_text(record),
-              settings_text(record.settings), to_string(record.verdict), record.error});
+  return row({words(record.case_name), words(record.title), words(record.engine),
+              words(configuration_text(record)), words(settings_text(record.settings)),
+              to_string(record.verdict), words(record.error)});
 }
 
 std::string check_cells(const Judgement& check) {
-  return row({check.claim.quantity,
-              check.claim.unit,
-              check.claim.statement,
-              check.claim.formula,
-              check.claim.source,
+  return row({words(check.claim.quantity),
+              words(check.claim.unit),
+              words(check.claim.statement),
+              words(check.claim.formula),
+              words(check.claim.source),
               to_string(check.claim.kind),
               format_exact(check.value),
               format_exact(check.claim.expected),
@@ -59,23 +71,23 @@ std::string check_cells(const Judgement& check) {
               check.claim.relative ? "true" : "false",
               optional(check.claim.scale),
               format_exact(check.claim.tolerance),
-              check.claim.reason,
+              words(check.claim.reason),
               format_exact(check.of_tolerance),
               optional(check.digits),
-              check.worst,
+              words(check.worst),
               check.band ? format_exact(check.band->low) : "",
               check.band ? format_exact(check.band->high) : "",
-              check.cause,
-              check.because,
+              words(check.cause),
+              words(check.because),
               to_string(check.verdict)});
 }
 
 // A figure has no claim: quantity, unit, meaning and value, in the columns of a check.
 std::string figure_cells(const Figure& figure) {
   std::vector<std::string> cells(kCheckColumns);
-  cells[0] = figure.quantity;
-  cells[1] = figure.unit;
-  cells[2] = figure.meaning;
+  cells[0] = words(figure.quantity);
+  cells[1] = words(figure.unit);
+  cells[2] = words(figure.meaning);
   cells[6] = format_exact(figure.value);
   return row(cells);
 }
@@ -86,8 +98,8 @@ std::string run_cells(const Record& record) {
   return row({format_exact(cost.cpu_seconds), format_exact(cost.simulated_seconds),
               std::to_string(cost.steps), std::to_string(cost.contact_updates),
               format_exact(cost.contact_phases.median), format_exact(cost.whole_step.median),
-              record.state_hash, environment.revision, environment.toolchain, environment.machine,
-              environment.date});
+              words(record.state_hash), words(environment.revision), words(environment.toolchain),
+              words(environment.machine), words(environment.date)});
 }
 
 }  // namespace

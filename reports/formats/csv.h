@@ -11,7 +11,8 @@ namespace stiction {
 /// CSV after RFC 4180 (comma, CRLF, quotes doubled; UTF-8) with a header row and one row per check.
 /// A record without checks has one row with the check's columns empty, so that an error or a case
 /// that does not apply is not lost. Numbers are written so that they read back exactly; NaN is
-/// "nan". Column names are the fields of reports/record/schema.md; a check's verdict and error are
+/// "nan". Words are one line; those that begin like a formula (= + - @) have "'" before them.
+/// Column names are the fields of reports/record/schema.md; a check's verdict and error are
 /// `verdict` and `error`, its record's `case_verdict` and `case_error`.
 std::string csv_table(const std::vector<Record>& records);
 

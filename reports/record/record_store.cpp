@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr mode_t kFolderMode = 0777;  // less what the umask takes
 constexpr mode_t kFileMode = 0666;
+constexpr const char* kLatest = "latest";
 
 std::string cause(int error) { return std::generic_category().message(error); }
 
@@ -70,6 +72,28 @@ void sync_folder(const fs::path& folder) {
   if (descriptor.get() >= 0) fsync(descriptor.get());
 }
 
+// The deepest files of a run, such as vtk/NAME/contacts_0001.vtp, must be writable at its end too.
+void demand_room(const fs::path& out_dir) {
+  constexpr std::size_t kMost = PATH_MAX - 200;
+  const std::size_t bytes = out_dir.native().size();
+  if (bytes <= kMost) return;
+  throw std::runtime_error(fmt::format(
+      "Reports cannot be written to \"{}…\": its path has {} bytes, and {} are the most "
+      "that leave room for the names of files in it.",
+      out_dir.string().substr(0, 60), bytes, kMost));
+}
+
+// The link to the last run may be there, and nothing else.
+void demand_place_of_link(const fs::path& latest) {
+  std::error_code none;
+  const fs::file_status found = fs::symlink_status(latest, none);
+  if (!fs::exists(found) || fs::is_symlink(found)) return;
+  throw std::runtime_error(
+      fmt::format("\"{}\" is a {}, where the link to the last run belongs: move it, or name "
+                  "another folder for the reports.",
+                  latest.string(), fs::is_directory(found) ? "folder" : "file"));
+}
+
 // mkdir either makes the folder or says that it is taken, in one step, so that two runs never
 // share.
 fs::path make_run_folder(const fs::path& out_dir) {
@@ -86,8 +110,10 @@ fs::path make_run_folder(const fs::path& out_dir) {
 RecordStore RecordStore::create(const fs::path& out_dir) {
   std::error_code error;
   const fs::path absolute = fs::absolute(out_dir, error);
+  if (!error) demand_room(absolute);
   if (!error) fs::create_directories(absolute, error);
   if (error) fail("create folder", out_dir, error.value());
+  demand_place_of_link(absolute / kLatest);
   fs::path folder = make_run_folder(absolute);
   fs::path records_file = folder / "records.jsonl";
   const int descriptor =
@@ -151,8 +177,9 @@ void RecordStore::finish() {
   // The run folder's name is this run's alone, so the temporary link is too.
   const fs::path out_dir = folder_.parent_path();
   const fs::path temporary = out_dir / (fmt::format(".{}.latest", folder_.filename().string()));
-  const fs::path latest = out_dir / "latest";
+  const fs::path latest = out_dir / kLatest;
   const std::lock_guard lock(mutex_);
+  demand_place_of_link(latest);
   if (symlink(folder_.filename().c_str(), temporary.c_str()) != 0) fail("create", temporary, errno);
   if (rename(temporary.c_str(), latest.c_str()) != 0) {
     const int error = errno;

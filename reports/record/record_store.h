@@ -26,7 +26,8 @@ namespace stiction {
 class RecordStore {
  public:
   /// Makes `out_dir` where it is missing and in it a folder named by the UTC time to the second,
-  /// with "-2", "-3" … behind it while that name is taken.
+  /// with "-2", "-3" … behind it while that name is taken. What stands at `out_dir/latest` and is no
+  /// link is refused, so that no run is made in vain.
   static RecordStore create(const std::filesystem::path& out_dir);
 
   ~RecordStore();

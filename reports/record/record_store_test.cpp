@@ -159,11 +159,48 @@ TEST_F(RecordStoreTest, FinishPointsLatestAtTheRun) {
                                                    b.folder().filename().string(), "latest"}));
 }
 
-TEST_F(RecordStoreTest, FinishDoesNotReplaceAFolder) {
+// Before anything has run, and nothing of the folder is changed.
+TEST_F(RecordStoreTest, WhatStandsInPlaceOfTheLinkIsRefusedAtTheStart) {
+  const std::string latest = (out_ / "latest").string();
+  const std::string what = ", where the link to the last run belongs: move it, or name another ";
+  fs::create_directory(latest);
+  EXPECT_EQ(test::message_of([&] { RecordStore::create(out_); }),
+            "\"" + latest + "\" is a folder" + what + "folder for the reports.");
+  fs::remove(latest);
+  std::ofstream(latest) << "mine";
+  EXPECT_EQ(test::message_of([&] { RecordStore::create(out_); }),
+            "\"" + latest + "\" is a file" + what + "folder for the reports.");
+  EXPECT_EQ(content_of(latest), "mine");
+  EXPECT_EQ(names_in(out_), (std::set<std::string>{"latest"}));
+  fs::remove(latest);
+  fs::create_symlink("a run that was deleted", latest);
+  RecordStore::create(out_).finish();
+  EXPECT_TRUE(fs::is_directory(latest));
+}
+
+// Else records would be written, and what stands deeper in the run's folder not.
+TEST_F(RecordStoreTest, APathWithoutRoomForWhatStandsInItIsRefusedAtTheStart) {
+  fs::path deep = out_;
+  while (deep.native().size() < 3900) deep /= std::string(20, 'd');
+  const std::string message = test::message_of([&] { RecordStore::create(deep); });
+  EXPECT_NE(message.find("its path has " + std::to_string(deep.native().size()) + " bytes, and "),
+            std::string::npos)
+      << message;
+  EXPECT_TRUE(fs::is_empty(out_));
+  const std::string name =
+      test::message_of([&] { RecordStore::create(out_ / std::string(300, 'd')); });
+  EXPECT_NE(name.find("File name too long"), std::string::npos) << name;
+}
+
+// Made while the run went on.
+TEST_F(RecordStoreTest, FinishReplacesNeitherAFolderNorAFile) {
   RecordStore store = RecordStore::create(out_);
   fs::create_directory(out_ / "latest");
-  const std::string message = test::message_of([&] { store.finish(); });
-  EXPECT_EQ(message, "Cannot create link \"" + (out_ / "latest").string() + "\": Is a directory.");
+  EXPECT_NE(test::message_of([&] { store.finish(); }).find("is a folder"), std::string::npos);
+  fs::remove(out_ / "latest");
+  std::ofstream(out_ / "latest") << "mine";
+  EXPECT_NE(test::message_of([&] { store.finish(); }).find("is a file"), std::string::npos);
+  EXPECT_EQ(content_of(out_ / "latest"), "mine");
   EXPECT_EQ(names_in(out_).size(), 2u) << "no temporary is left";
 }
 

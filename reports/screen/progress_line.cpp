@@ -2,12 +2,9 @@
 #include "reports/screen/progress_line.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
-#include "reports/screen/screen.h"
 #include "reports/text/number.h"
 #include "reports/text/text.h"
 
@@ -32,29 +29,15 @@ std::string progress_text(std::size_t done, std::size_t total, const std::string
   return counts + shortened(what, room);
 }
 
-ProgressLine::ProgressLine(std::size_t total)
-    : total_(total), moving_(screen_of(STDERR_FILENO).moving) {}
-
 void ProgressLine::show(std::size_t done, const std::string& running, std::optional<double> share) {
-  if (!moving_) return;
+  if (!line_.is_seen()) return;
   const double passed =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   const double part =
       share.value_or(static_cast<double>(std::min(done, total_)) / static_cast<double>(total_));
   const bool known = done >= kFewest && passed >= kSoonest && part > 0.0;
   const double left = known ? passed * (1.0 - part) / part : 0.0;
-  // One column less than there are, so that no terminal breaks the line.
-  fmt::print(stderr, "\r\033[K{}",
-             progress_text(done, total_, running, left, screen_of(STDERR_FILENO).width - 1));
-  std::fflush(stderr);
-  shown_ = true;
-}
-
-void ProgressLine::clear() {
-  if (!shown_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
-  shown_ = false;
+  line_.show(progress_text(done, total_, running, left, StatusLine::width()));
 }
 
 }  // namespace stiction

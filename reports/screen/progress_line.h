@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "reports/screen/status_line.h"
+
 namespace stiction {
 
 /// "[12/183] rules/slab, secant · 1 min 20 s left", of at most `width` columns: the time goes first,
@@ -13,23 +15,18 @@ namespace stiction {
 std::string progress_text(std::size_t done, std::size_t total, const std::string& running,
                           double seconds_left, std::size_t width);
 
-/// The last line of a terminal's standard error, written over as the work goes on; on a pipe, in a
-/// file and on a dumb terminal nothing.
+/// A status line with what is done of so many jobs, what runs and the time that is left.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::size_t total);
-  ~ProgressLine() { clear(); }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
+  explicit ProgressLine(std::size_t total) : total_(total) {}
 
   /// `share`: how much of the work is done, from 0 to 1, where jobs are not alike.
   void show(std::size_t done, const std::string& running, std::optional<double> share = {});
-  void clear();  ///< before anything else is written
+  void clear() { line_.clear(); }  ///< before anything else is written
 
  private:
   std::size_t total_;
-  bool moving_;
-  bool shown_ = false;
+  StatusLine line_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 

@@ -17,7 +17,7 @@ struct Screen {
 };
 
 /// Of the file descriptor. Its width is COLUMNS where that is set, else the terminal's, else 80, its
-/// height the terminal's; no colour with NO_COLOR, on a dumb terminal, or where it is none.
+/// height the terminal's; no colour with NO_COLOR that is not empty, on a dumb terminal, or where it is none.
 Screen screen_of(int descriptor);
 
 /// "- text", made one line, in lines of at most `width` columns, but of 20 at least; further lines

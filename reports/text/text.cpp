@@ -32,11 +32,25 @@ CodePoint code_point_at(std::string_view text, std::size_t position) {
   return {value, bytes, true};
 }
 
-// Control characters (C0, DEL, C1), directional overrides that can disguise text, and the two
-// non-characters that XML 1.0 excludes.
+// Marks and overrides of direction, which can disguise text.
+bool turns_direction(char32_t c) {
+  return c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069);
+}
+
+// Those, control characters (C0, DEL, C1), and the two non-characters that XML 1.0 excludes.
 bool is_dropped(char32_t c) {
-  return c < 0x20 || (c >= 0x7F && c <= 0x9F) || (c >= 0x202A && c <= 0x202E) ||
-         (c >= 0x2066 && c <= 0x2069) || c == 0xFFFE || c == 0xFFFF;
+  return c < 0x20 || (c >= 0x7F && c <= 0x9F) || turns_direction(c) || c == 0xFFFE || c == 0xFFFF;
+}
+
+// Length of the style of a terminal that `text` begins with, one of those that this project gives; 0
+// if of none.
+std::size_t style_length(std::string_view text) {
+  for (const std::string_view style :
+       {"\033[0m", "\033[1m", "\033[2m", "\033[32m", "\033[33m", "\033[1;31m"}) {
+    if (text.starts_with(style)) return style.size();
+  }
+  return 0;
 }
 
 bool is_combining(char32_t c) {
@@ -78,6 +92,22 @@ std::string one_line(std::string_view text) {
     position += c.bytes;
   }
   return line;
+}
+
+std::string printable(std::string_view text, bool styled) {
+  std::string lines;
+  std::size_t begin = 0;  // of what is not yet in `lines`
+  for (std::size_t end = 0; end < text.size();) {
+    const std::size_t style = styled ? style_length(text.substr(end)) : 0;
+    const std::size_t kept = style > 0 ? style : text[end] == '\n' ? 1 : 0;
+    if (kept > 0) {
+      lines += one_line(text.substr(begin, end - begin));
+      lines += text.substr(end, kept);
+      begin = end + kept;
+    }
+    end += std::max<std::size_t>(kept, 1);
+  }
+  return lines + one_line(text.substr(begin));
 }
 
 std::size_t display_width(std::string_view text) {

@@ -9,11 +9,17 @@
 namespace stiction {
 
 /// Text that comes from records is not trusted: a TOML file, another engine or a broken disk wrote
-/// it. Every readable output passes it through `one_line` before its own escaping.
+/// it. Every readable output passes it through `one_line` before its own escaping, and what is
+/// printed passes through `printable` at last (show, reports/screen/program.h).
 
 /// One line of valid UTF-8: line breaks and tabs become spaces, other control characters (terminal
-/// escapes among them) and characters that XML forbids are dropped, broken UTF-8 becomes U+FFFD.
+/// escapes among them), characters that turn the direction of text and those that XML forbids are
+/// dropped, broken UTF-8 becomes U+FFFD.
 std::string one_line(std::string_view text);
+
+/// The lines of `text`, each as `one_line` has it. `styled`: the terminal styles that this project
+/// gives (bold, colours of verdicts) stay.
+std::string printable(std::string_view text, bool styled = false);
 
 /// Terminal columns that valid UTF-8 takes: code points, combining marks not counted. East Asian
 /// wide characters count as one, which can misalign a table and nothing else.

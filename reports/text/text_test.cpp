@@ -19,6 +19,28 @@ TEST(OneLine, BreaksAndControls) {
   EXPECT_EQ(one_line("a\u2028b\u202Ec\uFFFE"), "a bc");
 }
 
+TEST(OneLine, NothingTurnsTheDirectionOfText) {
+  for (const char* const sign : {"\u061C", "\u200E", "\u200F", "\u202A", "\u202B", "\u202C",
+                                 "\u202D", "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"}) {
+    EXPECT_EQ(one_line(std::string("a") + sign + "b"), "ab");
+  }
+}
+
+TEST(Printable, KeepsLinesAndDropsTheRest) {
+  EXPECT_EQ(printable("a\nb\n"), "a\nb\n");
+  EXPECT_EQ(printable("\n\na"), "\n\na");
+  EXPECT_EQ(printable(std::string("a\r\nb\0\u202E\x1b]0;x\x07 c\td\xff", 20)),
+            "a\nb]0;x c d\uFFFD");
+}
+
+// What was not given by bold() or a verdict is text, which could hide the text behind it.
+TEST(Printable, StylesAreThoseOfThisProjectAndOnlyWhereAsked) {
+  const std::string text = "\x1b[1mname\x1b[0m \x1b[1;31mFAIL\x1b[0m";
+  EXPECT_EQ(printable(text, true), text);
+  EXPECT_EQ(printable(text), "[1mname[0m [1;31mFAIL[0m");
+  EXPECT_EQ(printable("\x1b[8mhidden \x1b[2Jaway \x1b", true), "[8mhidden [2Jaway ");
+}
+
 TEST(OneLine, BrokenUtf8IsReplacedByteByByte) {
   EXPECT_EQ(one_line("a\xff"
                      "b"),

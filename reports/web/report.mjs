@@ -13,6 +13,7 @@ import { read_recordings } from "./make/recordings.mjs";
 import { read_run } from "./make/read_run.mjs";
 import { is_engine_case } from "./model/engine.js";
 import { run_heads } from "./make/run_heads.mjs";
+import { show, tell } from "./make/tell.mjs";
 import { write_svg_files } from "./make/svg_files.mjs";
 
 // Broken runs are told of; the others are shown.
@@ -57,9 +58,8 @@ async function manual(options) {
   });
   const file = options.manual || join(runs[0].folder, "verification-manual.html");
   write_whole(file, /\.pdf$/i.test(file) ? pdf_of(html) : html);
-  for (const warning of new Set([...warnings, ...recording_warnings]))
-    console.error(`stiction report: ${warning}`);
-  console.log(`Manual: ${file} (${(statSync(file).size / 1e6).toFixed(1)} MB)`);
+  for (const warning of new Set([...warnings, ...recording_warnings])) tell(warning);
+  show(`Manual: ${file} (${(statSync(file).size / 1e6).toFixed(1)} MB)`);
 }
 
 async function report(options) {
@@ -83,20 +83,20 @@ async function report(options) {
     page.warnings.push(`The page has ${size} all the same: that many records are listed in it.`);
   const file = options.out ?? join(runs[0].folder, "report.html");
   write_whole(file, page.html);
-  for (const warning of page.warnings) console.error(`stiction report: ${warning}`);
+  for (const warning of page.warnings) tell(warning);
   if (options.svg) {
     const count = await write_svg_files(options.svg, data);
-    console.log(`Plots: ${count} SVG files in ${options.svg}`);
+    show(`Plots: ${count} SVG files in ${options.svg}`);
   }
-  console.log(`Page: ${file} (${size})`);
+  show(`Page: ${file} (${size})`);
 }
 
 try {
   const options = parse_arguments(process.argv.slice(2));
-  if (options.help) console.log(USAGE);
+  if (options.help) show(USAGE);
   else if (options.manual !== undefined) await manual(options);
   else await report(options);
 } catch (error) {
-  console.error(`stiction report: ${error.message}`);
+  tell(error.message);
   process.exitCode = 2;
 }

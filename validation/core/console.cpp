@@ -12,6 +12,7 @@
 #include "reports/formats/failure_block.h"
 #include "reports/formats/table.h"
 #include "reports/record/record_json.h"
+#include "reports/screen/program.h"
 
 namespace stiction {
 
@@ -60,7 +61,7 @@ Console::Console(const std::vector<Job>& jobs, const Screen& screen, ConsoleOpti
       total_(std::accumulate(weights_.begin(), weights_.end(), 0.0)),
       waiting_(jobs.size()),
       progress_(jobs.size()) {
-  if (options_.verbose) fmt::print("{}", table_header(screen_));
+  if (options_.verbose) show(table_header(screen_));
   std::fflush(stdout);
   show_progress();
 }
@@ -70,14 +71,14 @@ void Console::finished(std::size_t index, const Record& record) {
   ++count_done_;
   progress_.clear();
   if (record.verdict == Verdict::kError) {
-    fmt::print(stderr, "stiction validate: {}: {}\n", record.case_name, record.error);
+    tell(fmt::format("stiction validate: {}: {}", record.case_name, record.error));
   }
   // What an engine cannot take stands in a few lines at the end.
   waiting_[index] = options_.verbose && record.verdict != Verdict::kNotApplicable
                         ? table_rows(record, screen_)
                         : std::string();
   *waiting_[index] += failure_block(record, screen_, options_.rerun(record));
-  while (next_ < waiting_.size() && waiting_[next_]) fmt::print("{}", *waiting_[next_++]);
+  while (next_ < waiting_.size() && waiting_[next_]) show(*waiting_[next_++]);
   std::fflush(stdout);
   show_progress();
 }

@@ -8,6 +8,7 @@ build=$(cd "${1:?usage: tutorial_test.sh BUILD_DIR [--update]}" && pwd)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 document=$root/validation/user/TUTORIAL.md
 work=$(mktemp -d)
+export XDG_CACHE_HOME=$work/cache
 trap 'rm -rf "$work"' EXIT
 
 # A tree as the text expects it: the kit, the rules, the build; and a `stiction` that builds nothing but a new rule.

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/meshes/closed_surface.h"
 #include "reports/text/names.h"
 #include "reports/text/text.h"
 #include "solver/demand.h"
+#include "validation/user/surface_shape.h"
 #include "validation/user/toml_reader.h"
 
 namespace stiction {
@@ -119,29 +119,6 @@ MeshShape read_mesh(TomlTable& table) {
     table.refuse("tetrahedra", "a mesh needs at least one tetrahedron");
   }
   return shape;
-}
-
-// A closed surface from a file, found from the folder of the problem's own file.
-MeshShape read_surface(TomlTable& table) {
-  const std::filesystem::path given = table.text("file");
-  reference::SurfaceOptions options;
-  options.cell_size = table.number("cell_size", options.cell_size);
-  options.feature_angle = table.number("feature_angle_deg", options.feature_angle);
-  const double scale = table.number("scale", 1.0);
-  if (!(scale > 0.0)) table.refuse("scale", "'scale' must be positive");
-  options.cell_size /= scale;  // the mesher sees the file's own units
-  if (const std::string wrong = options.check(); !wrong.empty()) {
-    table.refuse(table.has("cell_size") ? "cell_size" : "feature_angle_deg", wrong);
-  }
-  try {
-    MeshShape shape{reference::body_of_closed_surface(table.folder() / given, options).mesh};
-    shape.mesh.vertices *= scale;
-    return shape;
-  } catch (const reference::SurfaceError& error) {
-    table.refuse("file", error.what());
-  } catch (const reference::MesherError& error) {
-    throw NotMeshed(table.at("file", error.what()));
-  }
 }
 
 void read_body(TomlTable table, UserProblem& user) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "benchmarks/track/measure/child.h"
+#include "reports/screen/program.h"
 
 namespace stiction::track {
 
@@ -84,7 +85,7 @@ std::optional<Found> bisect(const Project& project, const std::string& metric,
   const std::vector<std::string> commits = commits_between(project, good_commit, bad_commit);
   const Tree before = build_tree(project, good_commit);
   const auto probe = [&](const std::string& commit) -> std::optional<Comparison> {
-    fmt::print(stderr, "stiction track: {}\n", subject_of(project, commit));
+    tell("stiction track: " + subject_of(project, commit));
     try {
       const Outcome outcome = compare_trees(project, before, build_tree(project, commit), narrow);
       const std::optional<Comparison> one = comparison_of(outcome, metric);
@@ -94,7 +95,7 @@ std::optional<Found> bisect(const Project& project, const std::string& metric,
       return one;
     } catch (const TrackError& error) {
       if (commit == bad_commit) throw;
-      fmt::print(stderr, "stiction track: stepped over: {}\n", error.what());
+      tell(fmt::format("stiction track: stepped over: {}", error.what()));
       return std::nullopt;
     }
   };

@@ -14,6 +14,7 @@
 #include "benchmarks/track/store/trend_records.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/program.h"
 #include "reports/screen/screen.h"
 
 namespace stiction::track {
@@ -21,6 +22,7 @@ namespace stiction::track {
 namespace {
 
 namespace fs = std::filesystem;
+using stiction::show;
 
 Project project_of(const Arguments& arguments) {
   Project project;
@@ -56,7 +58,7 @@ void show(const Outcome& outcome, bool recorded, const Arguments& arguments) {
     if (arguments.all || arguments.verbose) return table(outcome, arguments.all);
     return summary(outcome, recorded, screen_of(STDOUT_FILENO));
   };
-  fmt::print("{}", text());
+  show(text());
 }
 
 int code_of(const Outcome& outcome, const Arguments& arguments) {
@@ -105,7 +107,8 @@ int track_record(const Arguments& arguments) {
   const StoredRun run = measure(project, present_tree(project), scope_of(arguments));
   History history = history_of(arguments);
   const std::int64_t id = history.add(run);
-  fmt::print("Run {} of {}: {} metrics.\n", id, run.revision, run.measurements.all().size());
+  show_line(
+      fmt::format("Run {} of {}: {} metrics.", id, run.revision, run.measurements.all().size()));
   return kHolds;
 }
 
@@ -137,25 +140,25 @@ int track_history(const Arguments& arguments) {
   }
   const std::vector<StoredRun> runs = history.runs(machine);
   for (const StoredRun& run : runs) {
-    fmt::print("{:>5}  {}  {:<13}  {}\n", run.id, run.date, run.revision, run.label);
+    show_line(fmt::format("{:>5}  {}  {:<13}  {}", run.id, run.date, run.revision, run.label));
   }
-  if (machine) fmt::print("Machine: {}\n", machine->text());
+  if (machine) show_line(fmt::format("Machine: {}", machine->text()));
   if (runs.size() < all.size()) {
-    fmt::print("{} runs of other machines are left out; --any-machine shows them.\n",
-               all.size() - runs.size());
+    show_line(fmt::format("{} runs of other machines are left out; --any-machine shows them.",
+                          all.size() - runs.size()));
   }
   for (const Trend& trend : trends) {
     if (arguments.metric.empty() && !arguments.all) break;
-    fmt::print("{} [{}]\n", trend.metric.name(), trend.metric.unit);
+    show_line(fmt::format("{} [{}]", trend.metric.name(), trend.metric.unit));
     for (std::size_t k = 0; k < trend.runs.size(); ++k) {
-      fmt::print("  {:>5}  {:.6g}\n", trend.runs[k], trend.medians[k]);
+      show_line(fmt::format("  {:>5}  {:.6g}", trend.runs[k], trend.medians[k]));
     }
   }
   if (arguments.out.empty()) return kHolds;
   RecordStore store = RecordStore::create(arguments.out);
   for (const Record& record : trend_records(trends, current_environment())) store.append(record);
   store.finish();
-  fmt::print("Records: {}\n", store.folder().string());
+  show_line(fmt::format("Records: {}", store.folder().string()));
   store.tell_caller();
   return kHolds;
 }
@@ -165,7 +168,8 @@ int track_import(const Arguments& arguments) {
   if (run.date.empty()) run.date = current_environment().date;
   History history = history_of(arguments);
   const std::int64_t id = history.add(run);
-  fmt::print("Run {}: {} metrics of {}.\n", id, run.measurements.all().size(), run.machine.text());
+  show_line(fmt::format("Run {}: {} metrics of {}.", id, run.measurements.all().size(),
+                        run.machine.text()));
   return kHolds;
 }
 
@@ -174,7 +178,7 @@ int track_export(const Arguments& arguments) {
   const std::string text =
       to_google_json(history.run(arguments.run == 0 ? last_id(history) : arguments.run));
   if (arguments.file == "-") {
-    fmt::print("{}", text);
+    show(text);
     return kHolds;
   }
   std::ofstream stream(arguments.file);
@@ -188,17 +192,17 @@ int track_bisect(const Arguments& arguments) {
   const std::optional<Found> found =
       bisect(project, arguments.metric, arguments.good, arguments.bad, scope_of(arguments));
   if (!found) {
-    fmt::print("{} did not move between {} and {}.\n", arguments.metric, arguments.good,
-               arguments.bad);
+    show_line(fmt::format("{} did not move between {} and {}.", arguments.metric, arguments.good,
+                          arguments.bad));
     return kHolds;
   }
   const Comparison& one = found->comparison;
   const std::string unit = one.metric.unit == "1" ? "" : " " + one.metric.unit;
-  fmt::print("{} moved in {}: {:.6g} → {:.6g}{}.\n", arguments.metric,
-             subject_of(project, found->commit), one.before, one.after, unit);
+  show_line(fmt::format("{} moved in {}: {:.6g} → {:.6g}{}.", arguments.metric,
+                        subject_of(project, found->commit), one.before, one.after, unit));
   for (const std::string& commit : found->also) {
-    fmt::print("It may be this one too, which could not be measured: {}\n",
-               subject_of(project, commit));
+    show_line(fmt::format("It may be this one too, which could not be measured: {}",
+                          subject_of(project, commit)));
   }
   return one.change == Change::kWorse ? kDoesNotHold : kHolds;
 }

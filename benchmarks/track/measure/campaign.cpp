@@ -9,6 +9,7 @@
 #include "benchmarks/track/measure/fixed_runs.h"
 #include "benchmarks/track/store/fingerprint.h"
 #include "reports/record/environment.h"
+#include "reports/screen/program.h"
 #include "reports/screen/progress_line.h"
 
 namespace stiction::track {
@@ -42,12 +43,12 @@ CaseAccuracy measure_counts(const Project& project, const Tree& tree, const Name
                             const Scope& scope, StoredRun& run) {
   CaseAccuracy accuracy;
   if (scope.accuracy) {
-    fmt::print(stderr, "stiction track: cases of {}\n", tree.label);
+    tell("stiction track: cases of " + tree.label);
     accuracy = measure_accuracy(tree, scope.cases, project, scope.fresh);
     run.measurements.merge(accuracy.measurements);
   }
   if (scope.counts) {
-    fmt::print(stderr, "stiction track: counts of {}\n", tree.label);
+    tell("stiction track: counts of " + tree.label);
     ProgressLine progress(names.size());
     std::size_t done = 0;
     for (const std::string& name : names) {
@@ -104,7 +105,7 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
     outcome.bit_equal += found->second == hash ? 1 : 0;
   }
   if (scope.times) {
-    fmt::print(stderr, "stiction track: times, in turn\n");
+    tell("stiction track: times, in turn");
     time_in_turn(before, after, names, scope.timing, outcome.before.measurements,
                  outcome.after.measurements);
   }
@@ -113,7 +114,7 @@ Outcome compare_trees(const Project& project, const Tree& before, const Tree& af
   outcome.disappeared = missing(outcome.before.measurements, outcome.after.measurements);
   const Names suspects = of_changed_times(outcome.comparisons);
   if (!suspects.empty()) {
-    fmt::print(stderr, "stiction track: once more, to be sure: {}\n", fmt::join(suspects, ", "));
+    tell(fmt::format("stiction track: once more, to be sure: {}", fmt::join(suspects, ", ")));
     Measurements of_before, of_after;
     // Half as long again, so that a true change is not lost to a burst of noise.
     TimingPlan plan = scope.timing;

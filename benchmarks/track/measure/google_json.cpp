@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/track/measure/child.h"
+#include "reports/text/text.h"
 
 namespace stiction::track {
 
@@ -24,12 +25,27 @@ double unit_seconds(const std::string& unit, const std::string& what) {
   return found->second;
 }
 
+// The same, its texts and names on one line: another program wrote them.
+json of_plain_text(const json& value) {
+  if (value.is_string()) return one_line(value.get<std::string>());
+  if (!value.is_structured()) return value;
+  json plain = value.is_array() ? json::array() : json::object();
+  for (const auto& [name, one] : value.items()) {
+    if (value.is_array()) {
+      plain.push_back(of_plain_text(one));
+    } else {
+      plain[one_line(name)] = of_plain_text(one);
+    }
+  }
+  return plain;
+}
+
 json parsed(const std::string& text, const std::string& what) {
   json file = json::parse(text, nullptr, false);
   if (!file.is_object() || !file.contains("benchmarks") || !file["benchmarks"].is_array()) {
     throw TrackError(fmt::format("{}: this is not Google Benchmark's JSON", what));
   }
-  return file;
+  return of_plain_text(file);
 }
 
 GoogleResult result_of(const json& entry, const std::string& what) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "benchmarks/track/measure/child.h"
+#include "reports/screen/program.h"
 
 namespace stiction::track {
 
@@ -110,7 +111,7 @@ Tree build_tree(const Project& project, const std::string& reference) {
             .build = source / "build" / "release"};
   check_out(project, commit, source);
   if (!fs::exists(tree.build / "build.ninja")) {
-    fmt::print(stderr, "stiction track: building {}; a few minutes the first time\n", tree.label);
+    tell(fmt::format("stiction track: building {}; a few minutes the first time", tree.label));
   }
   // Each time: the options of the present build may have changed since.
   std::vector<std::string> words = {"cmake",

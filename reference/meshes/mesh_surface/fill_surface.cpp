@@ -20,10 +20,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iostream>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
+
+#include "reference/meshes/mesh_size.h"
+#include "reference/meshes/mesh_surface/declared_counts.h"
+#include "reference/meshes/mesh_surface/reading_guard.h"
 
 namespace stiction::reference {
 
@@ -41,6 +48,11 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::C
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Eigen::Index;
 using Eigen::Vector3d;
+
+constexpr std::uint64_t kLargestFile = 500'000'000;  // bytes
+
+/// Slender bodies have 2 tetrahedra a vertex, others up to 6.
+constexpr std::size_t kFewestAVertex = 2;
 
 struct Soup {
   std::vector<Kernel::Point_3> points;
@@ -65,15 +77,26 @@ Soup read(const std::filesystem::path& file, const Demand& demand) {
   const std::set<std::string> known = {".off", ".obj", ".ply", ".stl"};
   demand(known.contains(extension), SurfaceFlaw::unknown_format,
          "the name must end with .off, .obj, .ply or .stl");
+  const std::string format = extension.substr(1);
+  const std::uint64_t bytes = std::filesystem::file_size(file);
+  demand(bytes <= kLargestFile, SurfaceFlaw::unreadable,
+         "it has " + in_words(1e-6 * static_cast<double>(bytes)) + " MB; at most " +
+             in_words(1e-6 * static_cast<double>(kLargestFile)) + " are read");
+  std::ifstream head(file, std::ios::binary);
+  const std::string claim = claims_too_much(head, format, bytes);
+  demand(claim.empty(), SurfaceFlaw::unreadable, claim);
+  const std::string refusal = "it can't be read as " + format;
   Soup soup;
   bool good = false;
   try {
+    const ReadingGuard guard(kFirstFlaw + static_cast<int>(SurfaceFlaw::unreadable),
+                             demand.name + ": " + refusal, bytes);
     good = CGAL::IO::read_polygon_soup(file.string(), soup.points, soup.faces,
                                        parameters::verbose(false));
   } catch (const std::exception&) {
     good = false;
   }
-  demand(good, SurfaceFlaw::unreadable, "it can't be read as " + extension.substr(1));
+  demand(good, SurfaceFlaw::unreadable, refusal);
   return soup;
 }
 
@@ -129,6 +152,16 @@ double diagonal(const Surface& surface) {
   return box.diagonal().norm();
 }
 
+/// Throws before it takes minutes: of so thin or fine a body, or with so small a cell, the mesh would
+/// have too many tetrahedra.
+void demand_size(const MeshSize& size, const SurfaceOptions& options, const Demand& demand) {
+  const double expected = size.tetrahedra();
+  const auto most = static_cast<double>(options.most_tetrahedra);
+  demand(expected <= most, SurfaceFlaw::too_large,
+         "it would take about " + in_words(expected) + " tetrahedra, more than the " +
+             in_words(most) + " of most_tetrahedra: " + size.advice(most, options.unit));
+}
+
 /// Cells of the complex, in the triangulation's order (time stamps, so the same every time).
 TetMesh mesh_of(const Complex& complex) {
   TetMesh mesh;
@@ -166,6 +199,9 @@ FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptio
   filled.given_triangles = static_cast<Index>(surface.size_of_facets());
   filled.given_volume = CGAL::to_double(pmp::volume(surface));
   const double cell = options.cell_size > 0.0 ? options.cell_size : diagonal(surface) / 8.0;
+  const MeshSize size{filled.given_volume, CGAL::to_double(pmp::area(surface)), cell};
+  demand_size(size, options, demand);
+  std::cerr << kExpected << ' ' << size.tetrahedra() << ' ' << cell << std::endl;
   const double distance = options.facet_distance > 0.0 ? options.facet_distance : cell / 20.0;
 
   CGAL::get_default_random() = CGAL::Random(options.seed);
@@ -177,8 +213,20 @@ FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptio
                           parameters::cell_radius_edge_ratio = 2.0, parameters::cell_size = cell);
   // Slivers below 10° are moved apart; asking for 15° takes a hundred times as long. No time
   // limits of CGAL's: they would make the result depend on the machine.
-  Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::manifold(),
-                                               parameters::no_exude(), parameters::no_perturb());
+  CGAL::Mesh_error_code stopped = CGAL::CGAL_MESH_3_NO_ERROR;
+  Complex complex = CGAL::make_mesh_3<Complex>(
+      domain, criteria, parameters::manifold(), parameters::no_exude(), parameters::no_perturb(),
+      parameters::mesh_3_options(
+          parameters::maximal_number_of_vertices =
+              static_cast<std::size_t>(options.most_tetrahedra) / kFewestAVertex,
+          parameters::pointer_to_error_code = &stopped));
+  demand(
+      stopped == CGAL::CGAL_MESH_3_NO_ERROR &&
+          complex.number_of_cells_in_complex() <= static_cast<std::size_t>(options.most_tetrahedra),
+      SurfaceFlaw::too_large,
+      "it takes more than the " + in_words(static_cast<double>(options.most_tetrahedra)) +
+          " tetrahedra of most_tetrahedra, as it has thin or fine parts: take these away, or "
+          "raise most_tetrahedra");
   CGAL::perturb_mesh_3(complex, domain, parameters::sliver_bound = 10.0);
 
   filled.mesh = mesh_of(complex);

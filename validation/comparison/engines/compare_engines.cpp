@@ -11,6 +11,7 @@
 
 #include "reports/formats/csv.h"
 #include "reports/record/record_store.h"
+#include "reports/screen/program.h"
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
 #include "reports/text/names.h"
@@ -106,13 +107,13 @@ ExitCode compare_engines(const EngineComparison& asked) {
   const std::vector<Question> questions = chosen_questions(asked);
   if (asked.list) {
     for (const Question& one : questions) {
-      fmt::print("{:<14} {:<32} {}\n", one.id, one.case_name, one.words);
+      show_line(fmt::format("{:<14} {:<32} {}", one.id, one.case_name, one.words));
     }
     return kHolds;
   }
   const Engines engines = find_engines(asked);
   for (const std::string& sentence : engines.left_out) {
-    fmt::print(stderr, "stiction compare engines: left out: {}\n", sentence);
+    tell("stiction compare engines: left out: " + sentence);
   }
   const std::vector<Trial> trials = engine_trials(engines.asked, questions, asked.quick);
   std::vector<Job> jobs;
@@ -158,14 +159,14 @@ ExitCode compare_engines(const EngineComparison& asked) {
   const Screen screen = screen_of(STDOUT_FILENO);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  fmt::print("{}\n",
-             bullet(fmt::format("stiction compare engines · {} engines in {} configurations · {} "
-                                "questions · {}",
-                                engines.asked.size(), answers.rows().size(), questions.size(),
-                                duration_text(seconds)),
-                    screen.width, ""));
-  fmt::print("{}", engine_summary(answers, screen));
-  if (asked.verbose) fmt::print("\n{}\n{}", said, engine_matrix(answers, screen.width));
+  show(fmt::format(
+      "{}\n", bullet(fmt::format("stiction compare engines · {} engines in {} configurations · {} "
+                                 "questions · {}",
+                                 engines.asked.size(), answers.rows().size(), questions.size(),
+                                 duration_text(seconds)),
+                     screen.width, "")));
+  show(engine_summary(answers, screen));
+  if (asked.verbose) show(fmt::format("\n{}\n{}", said, engine_matrix(answers, screen.width)));
   const std::string cheapest = cheapest_ways(answers);
   std::string builds = builds_tables(answers);
   if (!builds.empty()) builds = "\n## Other builds beside their engine\n\n" + builds;
@@ -176,10 +177,10 @@ ExitCode compare_engines(const EngineComparison& asked) {
                   matrix, said, cheapest, builds, sources_text(engines.asked)));
   store.write_file("records.csv", csv_table(records));
   store.finish();
-  fmt::print("\nEvery answer: {}{}\n", (store.folder() / "engines.md").string(),
-             asked.verbose ? "" : " (here: --verbose)");
+  show("\n");
+  show_line(fmt::format("Every answer: {}{}", (store.folder() / "engines.md").string(),
+                        asked.verbose ? "" : " (here: --verbose)"));
   if (!asked.no_page) store.tell_caller();
-  if (std::fflush(stdout) != 0) throw InputError("the matrix could not be written to stdout");
   return kHolds;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validation/engine/kit/stiction_engine.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -12,6 +14,15 @@
 namespace stiction::kit {
 
 namespace {
+
+// Without one of its standard streams the engine behind would be given its number for the first file
+// that it opens, and answers would go there.
+void make_sure_of_standard_streams() {
+  const int modes[] = {O_RDONLY, O_RDONLY, O_WRONLY};
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", modes[stream]));
+  }
+}
 
 // What the engine behind prints must not come between the lines of the protocol.
 FILE* answers_alone() {
@@ -36,6 +47,7 @@ int serve(const stiction_engine& engine) {
   for (std::string line; !session.over() && read_line(line);) {
     const std::string text = session.reply(line) + "\n";
     if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0) {
+      std::fprintf(stderr, "the answer could not be written to the standard output\n");
       return 2;
     }
   }
@@ -47,6 +59,8 @@ int serve(const stiction_engine& engine) {
 }  // namespace stiction::kit
 
 int stiction_engine_main(const stiction_engine* engine, int argc, char** argv) {
+  stiction::kit::make_sure_of_standard_streams();
+  std::signal(SIGPIPE, [](int) {});  // that nobody listens is an error of the write
   const struct {
     const char* name;
     bool is_there;

@@ -263,12 +263,22 @@ def _finite(value):
     return value
 
 
+def _make_sure_of_standard_streams():
+    """Without one of them the engine behind would be given its number for the first file that it opens."""
+    for stream, mode in enumerate((os.O_RDONLY, os.O_RDONLY, os.O_WRONLY)):
+        try:
+            os.fstat(stream)
+        except OSError:
+            os.open(os.devnull, mode)
+
+
 def main(kind):
     """Speaks the protocol until `quit` or the end of the input. What the engine prints goes to stderr."""
+    _make_sure_of_standard_streams()
     out = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     session = _Session(kind)
-    for line in sys.stdin:
+    for line in sys.stdin or ():
         message = {}
         try:
             message = json.loads(line)

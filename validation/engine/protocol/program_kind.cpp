@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "reports/text/names.h"
+#include "reports/text/text.h"
 #include "solver/demand.h"
 #include "validation/engine/kit/stiction_engine.h"
 #include "validation/engine/protocol/manifest_words.h"
@@ -32,8 +33,25 @@ std::map<std::string, bool*> words_of(ProgramTraits& traits) {
   return words;
 }
 
+// What an engine says of itself is printed.
+std::string words_of(const JsonField& field) { return one_line(field.text()); }
+
+// Names and values are told back to it, so that they are not changed.
 Settings settings_of(const JsonField& field) {
-  return field.map([](const JsonField& one) { return one.text(); });
+  Settings settings = field.map([](const JsonField& one) { return one.text(); });
+  for (const auto& [name, value] : settings) {
+    if (name == one_line(name) && value == one_line(value)) continue;
+    field.fail("its names and values must be one line of plain text each");
+  }
+  return settings;
+}
+
+Settings settings_help_of(const JsonField& field) {
+  Settings help = field.map([](const JsonField& one) { return words_of(one); });
+  for (const auto& [name, meaning] : help) {
+    if (name != one_line(name)) field.fail("its names must be one line of plain text each");
+  }
+  return help;
 }
 
 bool is_name(const std::string& name) {
@@ -66,8 +84,8 @@ EngineKind kind_of(ProgramTraits traits) {
     if (!is_name(kind.name)) {
       told["name"].fail("must be 1 to 40 letters, digits, '-', '_', '.' or spaces");
     }
-    kind.description = told["description"].text();
-    const std::string version = told["version"].text();
+    kind.description = words_of(told["description"]);
+    const std::string version = words_of(told["version"]);
     if (!version.empty()) kind.description += " (" + version + ")";
     const auto known = words_of(traits);
     told["can"].list([&](const JsonField& word) {
@@ -79,13 +97,13 @@ EngineKind kind_of(ProgramTraits traits) {
       return *found->second = true;
     });
     if (told.has("symplectic_euler")) traits.symplectic_euler = told["symplectic_euler"].boolean();
-    if (told.has("settings")) kind.settings_help = settings_of(told["settings"]);
+    if (told.has("settings")) kind.settings_help = settings_help_of(told["settings"]);
     if (told.has("ladder")) kind.ladder = told["ladder"].list(settings_of);
     if (told.has("configurations")) {
       configurations = told["configurations"].list([](const JsonField& one) {
         return Configuration{.settings = settings_of(one["settings"]),
-                             .name = one["name"].text(),
-                             .source = one["source"].text()};
+                             .name = words_of(one["name"]),
+                             .source = words_of(one["source"])};
       });
     }
   } catch (const std::runtime_error& what) {
