@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <functional>
 
 #include "benchmarks/track/command/commands.h"
@@ -200,6 +201,8 @@ void define_commands(CLI::App& app, Arguments& arguments,
 
 int main(int argc, char** argv) {
   using namespace stiction::track;
+  // A write beyond a file size limit shall be an error with a sentence, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("Tells whether a change made something slower, or less accurate.", "stiction track");
   Arguments arguments;
   std::function<int(const Arguments&)> chosen;

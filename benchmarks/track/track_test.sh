@@ -147,6 +147,54 @@ refuses "the wrong way round" "does not come before" \
   bisect --metric "$friction#time" --good HEAD --bad "$good"
 refuses "an unknown metric" "is not measured" bisect --metric "$friction#colour" --good "$good"
 
+# ---- a history that cannot be written -----------------------------------------------------------
+# sql FILE WORDS …: runs these as one statement after the other, in a process of its own.
+sql() { python3 -c 'import sqlite3, sys
+base = sqlite3.connect(sys.argv[1], isolation_level=None)
+for words in sys.argv[2:]: base.execute(words)' "$@"; }
+# measured: whether a program was run since the last call.
+export STICTION_TEST_CALLS=$work/calls
+measured() { [ -s "$work/calls" ] && rm "$work/calls"; }
+sql other.sqlite 'CREATE TABLE notes (text)' && cp other.sqlite kept.sqlite
+printf '{"benchmarks": [{"name": "BM_x", "cpu_time": 5}]}' >given.json
+for command in record history 'compare 1' 'export e.json' 'import given.json' '--against HEAD'; do
+  # shellcheck disable=SC2086 # words
+  refuses "another program's file: $command" "is another program's SQLite file" $command --history other.sqlite
+  cmp -s other.sqlite kept.sqlite || failed "$last" "it was written to"
+done
+for command in history 'compare 1' 'export e.json'; do
+  # shellcheck disable=SC2086
+  refuses "a misspelt file: $command" "there is no such file" $command --history none/misspelt.sqlite
+  [ ! -e none ] && [ ! -e e.json ] || failed "$last" "it was made"
+done
+holds 0 "record" record --no-times --history lost.sqlite
+measured || failed "$last" "nothing was measured"
+python3 -c 'import sqlite3, sys, time
+base = sqlite3.connect(sys.argv[1], isolation_level=None)
+base.execute("BEGIN EXCLUSIVE")
+print("held", flush=True)
+time.sleep(60)' lost.sqlite >"$work/held" &
+holder=$!
+until [ -s "$work/held" ]; do sleep 0.05; done
+refuses "a locked history" "is locked: another program is writing to it" --against HEAD --history lost.sqlite
+refuses "a locked history to record in" "is locked" record --history lost.sqlite
+! measured || failed "$last" "something was measured before"
+kill "$holder" && wait "$holder" 2>/dev/null
+present 50 1000 1e-9 5 pass -O3
+# The stand-in's own hook: what somebody does to the file in the middle of it.
+export STICTION_TEST_HOOK="printf x >$PWD/lost.sqlite"
+refuses "a history that breaks while it is measured" "is not in the history: lost.sqlite: file is not a database" \
+  --against HEAD --no-times --history lost.sqlite
+says "3 better" 'better slab/creep#digits: creep'
+unset STICTION_TEST_HOOK
+again=$(sed -n "s/.*by .\/stiction track import '\([^']*\)'.*/\1/p" "$work/err")
+holds 0 "what it lost can be added later" import "$again" --history found.sqlite
+rm lost.sqlite
+export STICTION_TEST_HOOK="rm -rf $PWD/lost.sqlite && mkdir -p $PWD/lost.sqlite"
+refuses "a record that cannot be kept" "is not in the history: lost.sqlite" record --no-times --history lost.sqlite
+unset STICTION_TEST_HOOK && rm -r lost.sqlite
+present 50 1000 1e-9 6 pass -O3
+
 # ---- history ------------------------------------------------------------------------------------
 holds 0 "record" record --history h.sqlite && holds 0 "record again" record --history h.sqlite
 holds 0 "history" history --history h.sqlite --metric '*#time' --out trends
@@ -156,7 +204,12 @@ holds 0 "compare two runs" compare 1 2 --history h.sqlite
 holds 0 "export" export e.json --history h.sqlite --run 1
 holds 0 "import what was exported" import e.json --history h.sqlite
 holds 0 "compare it with where it came from" compare 1 3 --history h.sqlite
-says "nothing is worse, 0 better, of 5 metrics"
+says "nothing is worse, 0 better, of 9 metrics"
+holds 0 "export what was imported" export e3.json --history h.sqlite --run 3
+cmp -s e.json e3.json || failed "$last" "it differs from what was imported"
+holds 0 "record without times" record --no-times --history n.sqlite
+holds 0 "export it" export n.json --history n.sqlite
+holds 0 "import it" import n.json --history n.sqlite
 holds 0 "import a file of another program" import - --history h.sqlite <<'JSON'
 {"context": {"num_cpus": 8, "date": "2026-01-01"}, "benchmarks": [
  {"name": "BM_x", "run_type": "iteration", "cpu_time": 5, "time_unit": "us"},

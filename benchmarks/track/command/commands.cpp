@@ -36,9 +36,37 @@ Project project_of(const Arguments& arguments) {
   return project;
 }
 
-History history_of(const Arguments& arguments) {
-  return History(arguments.history.empty() ? project_of(arguments).work / "history.sqlite"
-                                           : fs::path(arguments.history));
+fs::path history_file(const Arguments& arguments) {
+  return arguments.history.empty() ? project_of(arguments).work / "history.sqlite"
+                                   : fs::path(arguments.history);
+}
+
+// Adds runs to the history, each of which gets its id; gives what went wrong, empty if nothing: what was
+// measured is told all the same. What the history has not got is kept as a file that can be imported.
+std::string keep(const Arguments& arguments, const std::vector<StoredRun*>& runs) {
+  std::vector<std::string> kept;
+  try {
+    History history(history_file(arguments));
+    for (StoredRun* run : runs) run->id = history.add(*run);
+    return "";
+  } catch (const TrackError& error) {
+    for (const StoredRun* run : runs) {
+      if (run->id != 0) continue;
+      const fs::path file = project_of(arguments).work / ("unkept-" + run->revision + ".json");
+      std::ofstream stream(file);
+      stream << to_google_json(*run) << std::flush;
+      if (stream) kept.push_back(fmt::format("./stiction track import '{}'", file.string()));
+    }
+    return fmt::format(
+        "what was measured is not in the history: {}{}", error.what(),
+        kept.empty() ? "" : fmt::format("; later it can be added by {}", fmt::join(kept, ", ")));
+  }
+}
+
+int tell_unkept(const std::string& sentence) {
+  std::fflush(stdout);
+  fmt::print(stderr, "stiction track: {}\n", sentence);
+  return kCouldNotRun;
 }
 
 Scope scope_of(const Arguments& arguments) {
@@ -89,28 +117,28 @@ std::string content(const std::string& file) {
 int track_against(const Arguments& arguments) {
   const Project project = project_of(arguments);
   const Tree after = present_tree(project);
+  if (!arguments.no_record) check_writable(history_file(arguments));
   const Tree before = build_tree(project, arguments.against);
   Outcome outcome = compare_trees(project, before, after, scope_of(arguments));
-  if (!arguments.no_record) {
-    History history = history_of(arguments);
-    outcome.before.id = history.add(outcome.before);
-    outcome.after.id = history.add(outcome.after);
-  }
-  show(outcome, !arguments.no_record, arguments);
-  return code_of(outcome, arguments);
+  const std::string unkept =
+      arguments.no_record ? "" : keep(arguments, {&outcome.before, &outcome.after});
+  show(outcome, !arguments.no_record && unkept.empty(), arguments);
+  return unkept.empty() ? code_of(outcome, arguments) : tell_unkept(unkept);
 }
 
 int track_record(const Arguments& arguments) {
   const Project project = project_of(arguments);
-  const StoredRun run = measure(project, present_tree(project), scope_of(arguments));
-  History history = history_of(arguments);
-  const std::int64_t id = history.add(run);
-  fmt::print("Run {} of {}: {} metrics.\n", id, run.revision, run.measurements.all().size());
+  const Tree tree = present_tree(project);
+  check_writable(history_file(arguments));
+  StoredRun run = measure(project, tree, scope_of(arguments));
+  const std::string unkept = keep(arguments, {&run});
+  if (!unkept.empty()) return tell_unkept(unkept);
+  fmt::print("Run {} of {}: {} metrics.\n", run.id, run.revision, run.measurements.all().size());
   return kHolds;
 }
 
 int track_compare(const Arguments& arguments) {
-  const History history = history_of(arguments);
+  const History history(history_file(arguments), Access::kRead);
   Outcome outcome{.before = history.run(arguments.other),
                   .after = history.run(arguments.run == 0 ? last_id(history) : arguments.run)};
   const std::string what = difference(outcome.before.machine, outcome.after.machine);
@@ -128,7 +156,7 @@ int track_compare(const Arguments& arguments) {
 }
 
 int track_history(const Arguments& arguments) {
-  const History history = history_of(arguments);
+  const History history(history_file(arguments), Access::kRead);
   const std::vector<StoredRun> all = history.runs(std::nullopt);
   const std::optional<Machine> machine = machine_of(all, arguments);
   const std::vector<Trend> trends = history.trends(arguments.metric, machine);
@@ -163,14 +191,13 @@ int track_history(const Arguments& arguments) {
 int track_import(const Arguments& arguments) {
   StoredRun run = run_from_google_json(content(arguments.file), arguments.file);
   if (run.date.empty()) run.date = current_environment().date;
-  History history = history_of(arguments);
-  const std::int64_t id = history.add(run);
+  const std::int64_t id = History(history_file(arguments)).add(run);
   fmt::print("Run {}: {} metrics of {}.\n", id, run.measurements.all().size(), run.machine.text());
   return kHolds;
 }
 
 int track_export(const Arguments& arguments) {
-  const History history = history_of(arguments);
+  const History history(history_file(arguments), Access::kRead);
   const std::string text =
       to_google_json(history.run(arguments.run == 0 ? last_id(history) : arguments.run));
   if (arguments.file == "-") {
