@@ -49,6 +49,11 @@ refuses() {
   tail -n 1 "$work/err" | grep -qF -- "$sentence" || failed "$what" "stderr lacks: $sentence"
 }
 
+# sql FILE WORDS …: runs these as one statement after the other, in a process of its own.
+sql() { python3 -c 'import sqlite3, sys
+base = sqlite3.connect(sys.argv[1], isolation_level=None)
+for words in sys.argv[2:]: base.execute(words)' "$@"; }
+
 # present TIME UPDATES ERROR DIGITS VERDICT FLAGS: builds a present tree of these numbers.
 present() {
   printf '# %s %s %s %s\n' "$1" "$2" "$3" "$6" >bench.numbers
@@ -145,13 +150,28 @@ holds 0 "bisect tells what did not move" bisect --metric "$friction#allocations"
 says "did not move"
 refuses "the wrong way round" "does not come before" \
   bisect --metric "$friction#time" --good HEAD --bad "$good"
-refuses "an unknown metric" "is not measured" bisect --metric "$friction#colour" --good "$good"
+# unknown METRIC WORDS …: it is refused before anything is built, and these metrics are listed.
+unknown() {
+  local metric=$1 words
+  shift
+  rm -rf build/track/*/build
+  holds 2 "an unknown metric: $metric" bisect --metric "$metric" --good "$good"
+  grep -qF "there is no metric '$metric'; there are:" "$work/err" || failed "$last" "it does not say so"
+  for words in "$@"; do
+    grep -qF -- "$words" "$work/err" || failed "$last" "it lists no $words"
+  done
+  [ -z "$(find build/track -name bench)" ] || failed "$last" "a revision was built"
+}
+unknown "$friction#colour" "  $friction#time" "  $friction#instructions" "  $friction#digits: error"
+unknown 'slab/creep#digits: crep' "  slab/creep#digits: creep" "  slab/creep#verdict"
+unknown 'friction:none/slab/contacts:7#time' "  $friction#WHAT, WHAT being time, instructions" "CASE#digits: CHECK"
+holds 0 "a metric that only the history knows" record --no-times --history known.sqlite
+sql known.sqlite "INSERT INTO metric (name, subject, what, unit, kind, direction) VALUES ('$friction#colour', '', '', '', '', '')"
+refuses "… is looked for" "'$friction#colour' is not measured by" \
+  bisect --metric "$friction#colour" --good "$good" --history known.sqlite
+refuses "no name of a metric" "is no metric: its name is SUBJECT#WHAT" bisect --metric time --good "$good"
 
 # ---- a history that cannot be written -----------------------------------------------------------
-# sql FILE WORDS …: runs these as one statement after the other, in a process of its own.
-sql() { python3 -c 'import sqlite3, sys
-base = sqlite3.connect(sys.argv[1], isolation_level=None)
-for words in sys.argv[2:]: base.execute(words)' "$@"; }
 # measured: whether a program was run since the last call.
 export STICTION_TEST_CALLS=$work/calls
 measured() { [ -s "$work/calls" ] && rm "$work/calls"; }

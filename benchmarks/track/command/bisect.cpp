@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "benchmarks/track/command/known_metric.h"
 #include "benchmarks/track/measure/child.h"
 
 namespace stiction::track {
@@ -78,10 +79,12 @@ std::optional<Found> first_moved(const std::vector<std::string>& commits, const 
 }
 
 std::optional<Found> bisect(const Project& project, const std::string& metric,
-                            const std::string& good, const std::string& bad, const Scope& scope) {
+                            const std::string& good, const std::string& bad, const Scope& scope,
+                            const std::filesystem::path& history) {
   const Scope narrow = scope_of_metric(metric, scope);
   const std::string good_commit = commit_of(project, good), bad_commit = commit_of(project, bad);
   const std::vector<std::string> commits = commits_between(project, good_commit, bad_commit);
+  demand_known(project, metric, narrow, history);
   const Tree before = build_tree(project, good_commit);
   const auto probe = [&](const std::string& commit) -> std::optional<Comparison> {
     fmt::print(stderr, "stiction track: {}\n", subject_of(project, commit));

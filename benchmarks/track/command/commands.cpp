@@ -213,7 +213,8 @@ int track_export(const Arguments& arguments) {
 int track_bisect(const Arguments& arguments) {
   const Project project = project_of(arguments);
   const std::optional<Found> found =
-      bisect(project, arguments.metric, arguments.good, arguments.bad, scope_of(arguments));
+      bisect(project, arguments.metric, arguments.good, arguments.bad, scope_of(arguments),
+             history_file(arguments));
   if (!found) {
     fmt::print("{} did not move between {} and {}.\n", arguments.metric, arguments.good,
                arguments.bad);

@@ -160,6 +160,15 @@ StoredRun History::run(std::int64_t id) const {
   throw TrackError(fmt::format("{} has no run {}", database_.getFilename(), id));
 }
 
+std::vector<std::string> History::metrics() const {
+  return in(database_.getFilename(), [&] {
+    std::vector<std::string> names;
+    SQLite::Statement row(database_, "SELECT name FROM metric ORDER BY name");
+    while (row.executeStep()) names.push_back(text(row, 0));
+    return names;
+  });
+}
+
 std::vector<Trend> History::trends(const std::string& glob,
                                    const std::optional<Machine>& machine) const {
   std::vector<Trend> trends;

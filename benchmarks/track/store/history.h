@@ -64,6 +64,9 @@ class History {
   /// One run with its measurements. Throws TrackError when there is none of this id.
   StoredRun run(std::int64_t id) const;
 
+  /// Names of all metrics that were ever measured, in order.
+  std::vector<std::string> metrics() const;
+
   /// Metrics whose name matches the glob (all when it is empty), by name.
   std::vector<Trend> trends(const std::string& glob, const std::optional<Machine>& machine) const;
 
