@@ -96,7 +96,7 @@ HelpPage help_page() {
       .exit_codes = kExitCodes,
       .files = {{"build/track/history.sqlite",
                  "every run, unless --no-record (benchmarks/schema.md)"},
-                {"build/track/trees/", "other revisions and their builds"}},
+                {"build/track/REVISION/", "other revisions and their builds"}},
       .examples =
           {{"./stiction track --against main", "the present tree against main"},
            {"./stiction track --against main --quick --markdown",
@@ -203,6 +203,7 @@ int main(int argc, char** argv) {
   using namespace stiction::track;
   // A write beyond a file size limit shall be an error with a sentence, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  forget_git_variables();
   CLI::App app("Tells whether a change made something slower, or less accurate.", "stiction track");
   Arguments arguments;
   std::function<int(const Arguments&)> chosen;

@@ -171,6 +171,44 @@ refuses "… is looked for" "'$friction#colour' is not measured by" \
   bisect --metric "$friction#colour" --good "$good" --history known.sqlite
 refuses "no name of a metric" "is no metric: its name is SUBJECT#WHAT" bisect --metric time --good "$good"
 
+# ---- folders of other revisions -------------------------------------------------------------------
+commit "a revision of its own"
+tree=build/track/$(git rev-parse HEAD | cut -c1-12)
+branch=$(git symbolic-ref HEAD)
+# unharmed: the person's clone stands where it stood, with what it had.
+unharmed() {
+  [ "$(git symbolic-ref HEAD)" = "$branch" ] || failed "$last" "the clone's own branch was left"
+  [ "$(cat note)" = mine ] || failed "$last" "a change of the clone's own is lost"
+}
+printf 'mine' >note
+anew=(--against HEAD --no-times --no-accuracy)
+holds 0 "a revision is built" "${anew[@]}"
+rm "$tree/.git"
+holds 0 "one that lost its .git is made anew" "${anew[@]}" && unharmed
+[ -f "$tree/.git" ] || failed "$last" "it was not"
+rm "$tree/.git" && mkdir "$tree/.git"
+holds 0 "one whose .git is empty" "${anew[@]}" && unharmed
+[ -f "$tree/.git" ] || failed "$last" "it is so still"
+printf 'gitdir: /nowhere\n' >"$tree/.git"
+holds 0 "one whose .git leads nowhere" "${anew[@]}" && unharmed
+rm -rf ".git/worktrees/$(basename "$tree")"
+holds 0 "one that git has forgotten" "${anew[@]}" && unharmed
+GIT_DIR=$PWD/.git GIT_WORK_TREE=$PWD holds 0 "from a hook of git" "${anew[@]}" && unharmed
+git worktree add -q --detach "$work/mine" && mv "$work/mine" "$work/away"
+git worktree add -q --detach build/track/0123456789ab && rm -r build/track/0123456789ab
+holds 0 "entries of worktrees whose folder is gone" "${anew[@]}" && unharmed
+git worktree list | grep -q "^$work/mine " || failed "$last" "a person's was removed"
+git worktree list | grep -q 0123456789ab && failed "$last" "track's own was left"
+mv "$work/away" "$work/mine" && git -C "$work/mine" status >/dev/null || failed "$last" "a person's is broken"
+STICTION_TEST_HOOK="touch $work/started; sleep 2" "$build/track" "${anew[@]}" >/dev/null 2>&1 &
+first=$!
+until [ -e "$work/started" ]; do sleep 0.05; done
+refuses "two at once" "another ./stiction track is at work in $PWD/build/track" "${anew[@]}"
+refuses "a record beside it" "another ./stiction track is at work" record --history n.sqlite
+{ kill -KILL "$first" && wait "$first"; } 2>/dev/null
+holds 0 "once the first has ended, however that was" "${anew[@]}"
+git checkout -q note
+
 # ---- a history that cannot be written -----------------------------------------------------------
 # measured: whether a program was run since the last call.
 export STICTION_TEST_CALLS=$work/calls

@@ -11,6 +11,7 @@
 #include "benchmarks/track/command/output.h"
 #include "benchmarks/track/measure/child.h"
 #include "benchmarks/track/measure/google_json.h"
+#include "benchmarks/track/measure/work_lock.h"
 #include "benchmarks/track/store/trend_records.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
@@ -117,6 +118,7 @@ std::string content(const std::string& file) {
 int track_against(const Arguments& arguments) {
   const Project project = project_of(arguments);
   const Tree after = present_tree(project);
+  const WorkLock lock(project.work);
   if (!arguments.no_record) check_writable(history_file(arguments));
   const Tree before = build_tree(project, arguments.against);
   Outcome outcome = compare_trees(project, before, after, scope_of(arguments));
@@ -129,6 +131,7 @@ int track_against(const Arguments& arguments) {
 int track_record(const Arguments& arguments) {
   const Project project = project_of(arguments);
   const Tree tree = present_tree(project);
+  const WorkLock lock(project.work);
   check_writable(history_file(arguments));
   StoredRun run = measure(project, tree, scope_of(arguments));
   const std::string unkept = keep(arguments, {&run});
@@ -212,6 +215,7 @@ int track_export(const Arguments& arguments) {
 
 int track_bisect(const Arguments& arguments) {
   const Project project = project_of(arguments);
+  const WorkLock lock(project.work);
   const std::optional<Found> found =
       bisect(project, arguments.metric, arguments.good, arguments.bad, scope_of(arguments),
              history_file(arguments));
