@@ -8,6 +8,8 @@
 #include <functional>
 
 #include "benchmarks/track/command/commands.h"
+#include "benchmarks/track/store/scratch.h"
+#include "reference/process/interruption.h"
 #include "reports/screen/help_page.h"
 
 namespace stiction::track {
@@ -203,6 +205,7 @@ int main(int argc, char** argv) {
   using namespace stiction::track;
   // A write beyond a file size limit shall be an error with a sentence, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  stiction::reference::end_in_order("stiction track");
   forget_git_variables();
   CLI::App app("Tells whether a change made something slower, or less accurate.", "stiction track");
   Arguments arguments;
@@ -239,6 +242,8 @@ int main(int argc, char** argv) {
       }
       chosen = track_against;
     }
+    const stiction::reference::LastWords words([] { return "; nothing of it is in the history"; },
+                                               [] { Scratch::remove_all(); });
     return chosen(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? stiction::kHolds : stiction::kCouldNotRun;

@@ -12,6 +12,7 @@
 #include <set>
 #include <thread>
 
+#include "reference/process/interruption.h"
 #include "reports/formats/csv.h"
 #include "reports/formats/markdown.h"
 #include "reports/formats/work_precision.h"
@@ -315,6 +316,7 @@ int compare(Arguments& arguments) {
   const auto began = std::chrono::steady_clock::now();
   jobs = with_builds(std::move(jobs));
   RecordStore store = RecordStore::create(arguments.out);
+  const reference::LastWords words([&store] { return store.last_words(); });
   std::vector<Record> records(jobs.size());
   Tables tables(jobs, records, arguments.verbose);
   run_jobs(jobs, arguments.jobs, 1.0, [&](std::size_t index, Record record) {
@@ -356,6 +358,7 @@ int compare(Arguments& arguments) {
 int main(int argc, char** argv) {
   // A write beyond a file size limit shall be an error with a sentence, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  stiction::reference::end_in_order("stiction compare");
   CLI::App app("Sets iteration rules of static friction side by side: speed against error.",
                "stiction compare");
   stiction::Arguments arguments;
