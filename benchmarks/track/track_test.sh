@@ -209,6 +209,21 @@ refuses "a record beside it" "another ./stiction track is at work" record --hist
 holds 0 "once the first has ended, however that was" "${anew[@]}"
 git checkout -q note
 
+# ---- signals --------------------------------------------------------------------------------------
+mkdir "$work/tmp" && rm -f "$work/started"
+TMPDIR=$work/tmp STICTION_TEST_HOOK="case \$1 in --benchmark*) touch $work/started; sleep 61.5;; esac" \
+  env --default-signal=INT "$build/track" record --no-counts --no-accuracy --history n.sqlite >"$work/out" 2>"$work/err" &
+last="interrupted while it times"
+until [ -e "$work/started" ]; do sleep 0.05; done
+[ -n "$(ls "$work/tmp")" ] || failed "$last" "it has no temporary folder yet"
+kill -INT $!
+wait $!
+[ $? -eq 130 ] || failed "$last" "its exit code is not 130"
+grep -q 'stiction track: interrupted; nothing of it is in the history' "$work/err" || failed "$last" "it does not say so"
+[ -z "$(ls "$work/tmp")" ] || failed "$last" "it left a temporary folder"
+! pgrep -f "sleep 61.5" >/dev/null || failed "$last" "what it started runs on"
+printf 'ok    %s\n' "$last"
+
 # ---- a history that cannot be written -----------------------------------------------------------
 # measured: whether a program was run since the last call.
 export STICTION_TEST_CALLS=$work/calls
