@@ -23,7 +23,7 @@ constexpr const char* kWhere = "Where";
 const std::vector<std::pair<std::string, std::string>> kExitCodes = {
     {"0", "nothing is worse"},
     {"1", "something is"},
-    {"2", "could not measure: bad input, a revision that cannot be built"},
+    {"2", "could not measure: bad input, a revision that cannot be built; or could not keep it"},
     {"3", "something is better and nothing worse (with --report-improvement)"}};
 
 void define_scope(CLI::App& app, Arguments& arguments) {
