@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "benchmarks/track/command/commands.h"
+#include "benchmarks/track/store/scratch.h"
+#include "reference/process/interruption.h"
 #include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 
@@ -21,7 +23,7 @@ constexpr const char* kWhere = "Where";
 const std::vector<std::pair<std::string, std::string>> kExitCodes = {
     {"0", "nothing is worse"},
     {"1", "something is"},
-    {"2", "could not measure: bad input, a revision that cannot be built"},
+    {"2", "could not measure: bad input, a revision that cannot be built; or could not keep it"},
     {"3", "something is better and nothing worse (with --report-improvement)"}};
 
 void define_scope(CLI::App& app, Arguments& arguments) {
@@ -96,7 +98,7 @@ HelpPage help_page() {
       .exit_codes = kExitCodes,
       .files = {{"build/track/history.sqlite",
                  "every run, unless --no-record (benchmarks/schema.md)"},
-                {"build/track/trees/", "other revisions and their builds"}},
+                {"build/track/REVISION/", "other revisions and their builds"}},
       .examples =
           {{"./stiction track --against main", "the present tree against main"},
            {"./stiction track --against main --quick --markdown",
@@ -201,6 +203,8 @@ void define_commands(CLI::App& app, Arguments& arguments,
 
 int main(int argc, char** argv) {
   using namespace stiction::track;
+  stiction::reference::end_in_order("stiction track");
+  forget_git_variables();
   CLI::App app("Tells whether a change made something slower, or less accurate.", "stiction track");
   Arguments arguments;
   std::function<int(const Arguments&)> chosen;
@@ -234,5 +238,9 @@ int main(int argc, char** argv) {
     if (arguments.against.empty()) throw CLI::RequiredError("--against REF, or a subcommand,");
     chosen = track_against;
   };
-  return stiction::run_program(app, parse, [&] { return chosen(arguments); });
+  return stiction::run_program(app, parse, [&] {
+    const stiction::reference::LastWords words([] { return "; nothing of it is in the history"; },
+                                               [] { Scratch::remove_all(); });
+    return chosen(arguments);
+  });
 }

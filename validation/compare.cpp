@@ -11,6 +11,7 @@
 #include <set>
 #include <thread>
 
+#include "reference/process/interruption.h"
 #include "reports/formats/csv.h"
 #include "reports/formats/markdown.h"
 #include "reports/formats/work_precision.h"
@@ -317,6 +318,7 @@ int compare(Arguments& arguments) {
   const auto began = std::chrono::steady_clock::now();
   jobs = with_builds(std::move(jobs));
   RecordStore store = RecordStore::create(arguments.out);
+  const reference::LastWords words([&store] { return store.last_words(); });
   std::vector<Record> records(jobs.size());
   Tables tables(jobs, records, arguments.verbose);
   run_jobs(jobs, arguments.jobs, 1.0, [&](std::size_t index, Record record) {
@@ -355,6 +357,7 @@ int compare(Arguments& arguments) {
 }  // namespace stiction
 
 int main(int argc, char** argv) {
+  stiction::reference::end_in_order("stiction compare");
   CLI::App app("Sets iteration rules of static friction side by side: speed against error.",
                "stiction compare");
   stiction::Arguments arguments;

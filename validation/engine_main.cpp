@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "reference/process/interruption.h"
 #include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
@@ -164,6 +165,7 @@ void define_help(CLI::App& app, CLI::App& list, CLI::App& show, CLI::App& check)
 }  // namespace stiction
 
 int main(int argc, char** argv) {
+  stiction::reference::end_in_order("stiction engine");
   CLI::App app("Engines, and whether an adapter speaks right.", "stiction engine");
   stiction::Arguments arguments;
   app.require_subcommand(1);

@@ -15,6 +15,7 @@
 #include <set>
 #include <thread>
 
+#include "reference/process/interruption.h"
 #include "reports/formats/csv.h"
 #include "reports/formats/junit.h"
 #include "reports/formats/markdown.h"
@@ -272,6 +273,7 @@ int validate(Arguments& arguments) {
   demand_conformance(find_engine(selection.engine), selection.settings);
 
   RecordStore store = RecordStore::create(arguments.out);
+  const reference::LastWords words([&store] { return store.last_words(); });
   const Screen screen = screen_of(STDOUT_FILENO);
   std::vector<Record> records(jobs.size());
   Console console(jobs, screen,
@@ -309,6 +311,7 @@ int validate(Arguments& arguments) {
 }  // namespace stiction
 
 int main(int argc, char** argv) {
+  stiction::reference::end_in_order("stiction validate");
   CLI::App app("Runs the validation cases and writes a report.", "stiction validate");
   stiction::Arguments arguments;
   stiction::define(app, arguments);

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <thread>
 
+#include "reference/process/interruption.h"
 #include "reference/process/pipe.h"
 
 namespace stiction::reference {
@@ -68,8 +69,10 @@ void await(pid_t child, const Deadline& deadline, Ended& ended) {
     if (ended.timed_out) kill(child, SIGKILL);
     const bool may_wait = deadline.wait() < 0 || ended.timed_out;
     const pid_t answer = waitpid(child, &status, may_wait ? 0 : WNOHANG);
+    const int number = errno;
+    if (answer == child || (answer < 0 && number != EINTR)) forget_child(child);
     if (answer == child) break;
-    if (answer < 0 && errno != EINTR) fail("a child process is lost", errno);
+    if (answer < 0 && number != EINTR) fail("a child process is lost", number);
     if (answer == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     ended.timed_out = ended.timed_out || deadline.passed();
   }
@@ -97,8 +100,14 @@ Ended run_child(const std::vector<std::string>& words, const ChildOptions& optio
   }
   const Deadline deadline(options.time_limit);
   pid_t child = 0;
-  const int wrong = posix_spawnp(&child, arguments[0], actions.get(), nullptr, arguments.data(),
-                                 variables.data());
+  Attributes attributes;
+  set_up_child(attributes.get());
+  int wrong = 0;
+  start_child([&] {
+    wrong = posix_spawnp(&child, arguments[0], actions.get(), attributes.get(), arguments.data(),
+                         variables.data());
+    return wrong == 0 ? child : 0;
+  });
   Ended ended;
   if (wrong == EAGAIN || wrong == ENOMEM) fail("no child process", wrong);
   if (wrong != 0) {

@@ -18,6 +18,8 @@
 #include <thread>
 #include <utility>
 
+#include "reference/process/interruption.h"
+
 namespace stiction::reference {
 
 namespace {
@@ -50,27 +52,16 @@ class WithoutSigpipe {
 };
 
 // A group of its own, so that what it starts ends with it, and signals as a program expects them.
-class Attributes {
- public:
-  Attributes() {
-    posix_spawnattr_init(&attributes_);
-    sigset_t all, none;
-    sigfillset(&all);
-    sigemptyset(&none);
-    posix_spawnattr_setsigdefault(&attributes_, &all);
-    posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-    posix_spawnattr_setflags(
-        &attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  }
-  ~Attributes() { posix_spawnattr_destroy(&attributes_); }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
-  posix_spawnattr_t* get() { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_;
-};
+void set_up_engine(posix_spawnattr_t* attributes) {
+  sigset_t all, none;
+  sigfillset(&all);
+  sigemptyset(&none);
+  posix_spawnattr_setsigdefault(attributes, &all);
+  posix_spawnattr_setsigmask(attributes, &none);
+  posix_spawnattr_setpgroup(attributes, 0);
+  posix_spawnattr_setflags(attributes,
+                           POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+}
 
 void set_nonblocking(int end) { fcntl(end, F_SETFL, fcntl(end, F_GETFL) | O_NONBLOCK); }
 
@@ -100,8 +91,13 @@ void Conversation::start(std::vector<std::string>& words) {
   posix_spawn_file_actions_adddup2(actions.get(), output_.end(1), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(actions.get(), errors_.end(1), STDERR_FILENO);
   Attributes attributes;
-  const int wrong = posix_spawnp(&child_, arguments[0], actions.get(), attributes.get(),
-                                 arguments.data(), variables.data());
+  set_up_engine(attributes.get());
+  int wrong = 0;
+  start_child([&] {
+    wrong = posix_spawnp(&child_, arguments[0], actions.get(), attributes.get(), arguments.data(),
+                         variables.data());
+    return wrong == 0 ? child_ : 0;
+  });
   if (wrong != 0) {
     child_ = -1;
     fail(fmt::format("'{}' cannot be started", words[0]), wrong);
@@ -135,6 +131,7 @@ int Conversation::reap(bool at_once) {
     answer = waitpid(child_, &status, at_once ? 0 : WNOHANG);
   } while (answer < 0 && errno == EINTR);
   if (answer == 0) return -1;
+  forget_child(child_);
   if (!at_once) kill(-child_, SIGKILL);  // what it has left behind
   child_ = -1;
   return answer < 0 ? 0 : status;

@@ -43,6 +43,19 @@ class Actions {
   posix_spawn_file_actions_t actions_;
 };
 
+/// How a child is started.
+class Attributes {
+ public:
+  Attributes() { posix_spawnattr_init(&attributes_); }
+  ~Attributes() { posix_spawnattr_destroy(&attributes_); }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+  posix_spawnattr_t* get() { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
 /// This program's, but for what children are not told; ends with null.
 std::vector<char*> environment_of_child();
 

@@ -188,6 +188,20 @@ void RecordStore::finish() {
   }
 }
 
+std::string RecordStore::last_words() {
+  mutex_.lock();  // for good
+  if (complete_records_ == 0) {
+    unlink(records_file_.c_str());
+    rmdir(folder_.c_str());  // stays when something else is in it
+    return " before anything was finished";
+  }
+  return fmt::format(
+      "; {} in {}; ./stiction report '{}' makes a page of {}",
+      complete_records_ == 1 ? "1 finished record is"
+                             : fmt::format("{} finished records are", complete_records_),
+      records_file_.string(), folder_.string(), complete_records_ == 1 ? "it" : "them");
+}
+
 void RecordStore::tell_caller() const {
   const char* const file = std::getenv("STICTION_RUN_FILE");
   if (file != nullptr) std::ofstream(file) << folder_.string() << '\n';

@@ -46,6 +46,10 @@ class RecordStore {
   /// Points `out_dir/latest` at this run in one step: a reader sees the old or the new target.
   void finish();
 
+  /// For a program that is ended in the middle of its run: waits for the write in progress, lets no other
+  /// begin, and says where the finished records are; a run without any is removed.
+  std::string last_words();
+
   /// For programs that make something of the run: writes its folder to the file that the
   /// environment variable STICTION_RUN_FILE names, where ./stiction looks; nothing without it.
   void tell_caller() const;

@@ -11,7 +11,7 @@ function(stiction_man name)
     set(command $<TARGET_FILE:${program}> ${words})
   endif()
   list(JOIN command " " command)
-  add_custom_command(OUTPUT ${page} DEPENDS ${program} ${STICTION_ROOT}/reports/screen/man_page
+  add_custom_command(OUTPUT ${page} DEPENDS ${program} ${STICTION_ROOT}/reports/screen/man_page ${STICTION_ROOT}/reports/screen/help.sh
                             ${STICTION_ROOT}/reports/web/make/arguments.mjs
     COMMAND ${CMAKE_COMMAND} -E make_directory ${STICTION_BUILD}/man
     COMMAND bash -c "set -o pipefail; COLUMNS=80 ${command} --help | ${STICTION_ROOT}/reports/screen/man_page ${PROJECT_VERSION} >${page}"
@@ -42,4 +42,5 @@ add_custom_target(man ALL DEPENDS ${STICTION_MAN_PAGES})
 install(FILES ${STICTION_MAN_PAGES} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 if(STICTION_BUILD_TESTS)
   add_test(NAME reports.man_pages COMMAND ${STICTION_ROOT}/reports/screen/man_test.sh ${STICTION_BUILD})
+  add_test(NAME reports.script COMMAND ${STICTION_ROOT}/reports/screen/script_test.sh)
 endif()

@@ -12,6 +12,7 @@ import { pdf_of } from "./make/pdf.mjs";
 import { read_recordings } from "./make/recordings.mjs";
 import { read_run } from "./make/read_run.mjs";
 import { is_engine_case } from "./model/engine.js";
+import { told_changes } from "./make/told_changes.mjs";
 import { run_heads } from "./make/run_heads.mjs";
 import { show, tell } from "./make/tell.mjs";
 import { write_svg_files } from "./make/svg_files.mjs";
@@ -33,6 +34,15 @@ function read_all(folders, warnings) {
   warnings.push(...failures.map((failure) => `${failure}. It is left out.`));
   return runs;
 }
+
+// A run's own page stays beside that of a comparison.
+const page_name = (against) =>
+  against.length === 0
+    ? "report.html"
+    : `report-against-${against
+        .map(({ name }) => name.replace(/[^\w.-]/g, "_"))
+        .join("-")
+        .slice(0, 200)}.html`;
 
 const is_of_engines = ({ records }) => records.some((record) => is_engine_case(record.case));
 
@@ -75,21 +85,35 @@ async function report(options) {
     warnings: [...new Set(warnings)],
     title: options.title ?? default_title(runs),
   });
+  const told = data.comparison
+    ? told_changes(data.comparison, against.map(({ name }) => name).join(", "))
+    : null;
   const bundles = read_bundles(join(dirname(fileURLToPath(import.meta.url)), "bundle"));
   const page = html_page({ data, bundles, recordings, limit_bytes: options.limit_bytes });
   const bytes = Buffer.byteLength(page.html);
   const size = `${(bytes / 1e6).toFixed(1)} MB`;
   if (bytes > options.limit_bytes)
     page.warnings.push(`The page has ${size} all the same: that many records are listed in it.`);
-  const file = options.out ?? join(runs[0].folder, "report.html");
+  const file = options.out ?? join(runs[0].folder, page_name(against));
   write_whole(file, page.html);
   for (const warning of page.warnings) tell(warning);
   if (options.svg) {
     const count = await write_svg_files(options.svg, data);
     show(`Plots: ${count} SVG files in ${options.svg}`);
   }
+  if (told) {
+    show(told.text);
+    process.exitCode = told.code;
+  }
   show(`Page: ${file} (${size})`);
 }
+
+// What is being written is written whole first: these come between two pieces of work.
+for (const [signal, number] of [
+  ["SIGINT", 2],
+  ["SIGTERM", 15],
+])
+  process.once(signal, () => process.exit(128 + number));
 
 try {
   const options = parse_arguments(process.argv.slice(2));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "benchmarks/track/command/known_metric.h"
 #include "benchmarks/track/measure/child.h"
 #include "reports/screen/program.h"
 
@@ -79,10 +80,12 @@ std::optional<Found> first_moved(const std::vector<std::string>& commits, const 
 }
 
 std::optional<Found> bisect(const Project& project, const std::string& metric,
-                            const std::string& good, const std::string& bad, const Scope& scope) {
+                            const std::string& good, const std::string& bad, const Scope& scope,
+                            const std::filesystem::path& history) {
   const Scope narrow = scope_of_metric(metric, scope);
   const std::string good_commit = commit_of(project, good), bad_commit = commit_of(project, bad);
   const std::vector<std::string> commits = commits_between(project, good_commit, bad_commit);
+  demand_known(project, metric, narrow, history);
   const Tree before = build_tree(project, good_commit);
   const auto probe = [&](const std::string& commit) -> std::optional<Comparison> {
     tell("stiction track: " + subject_of(project, commit));

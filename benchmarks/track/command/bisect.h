@@ -26,9 +26,11 @@ using Probe = std::function<std::optional<Comparison>(const std::string& commit)
 std::optional<Found> first_moved(const std::vector<std::string>& commits, const Probe& probe);
 
 /// Builds and measures revisions between `good` and `bad` as needed. Only the metric's own subject
-/// is measured. Throws TrackError for a metric that is in neither of the two.
+/// is measured. Throws TrackError for a metric that is in neither of the two; before anything is built
+/// for one that neither the present tree nor the history knows.
 std::optional<Found> bisect(const Project& project, const std::string& metric,
-                            const std::string& good, const std::string& bad, const Scope& scope);
+                            const std::string& good, const std::string& bad, const Scope& scope,
+                            const std::filesystem::path& history);
 
 /// The part of a scope that measures this metric: one benchmark's times or counts, or the cases.
 /// Throws TrackError for a name that has no '#'.

@@ -11,6 +11,7 @@
 #include "benchmarks/track/command/output.h"
 #include "benchmarks/track/measure/child.h"
 #include "benchmarks/track/measure/google_json.h"
+#include "benchmarks/track/measure/work_lock.h"
 #include "benchmarks/track/store/trend_records.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
@@ -38,9 +39,37 @@ Project project_of(const Arguments& arguments) {
   return project;
 }
 
-History history_of(const Arguments& arguments) {
-  return History(arguments.history.empty() ? project_of(arguments).work / "history.sqlite"
-                                           : fs::path(arguments.history));
+fs::path history_file(const Arguments& arguments) {
+  return arguments.history.empty() ? project_of(arguments).work / "history.sqlite"
+                                   : fs::path(arguments.history);
+}
+
+// Adds runs to the history, each of which gets its id; gives what went wrong, empty if nothing: what was
+// measured is told all the same. What the history has not got is kept as a file that can be imported.
+std::string keep(const Arguments& arguments, const std::vector<StoredRun*>& runs) {
+  std::vector<std::string> kept;
+  try {
+    History history(history_file(arguments));
+    for (StoredRun* run : runs) run->id = history.add(*run);
+    return "";
+  } catch (const TrackError& error) {
+    for (const StoredRun* run : runs) {
+      if (run->id != 0) continue;
+      const fs::path file = project_of(arguments).work / ("unkept-" + run->revision + ".json");
+      std::ofstream stream(file);
+      stream << to_google_json(*run) << std::flush;
+      if (stream) kept.push_back(fmt::format("./stiction track import '{}'", file.string()));
+    }
+    return fmt::format(
+        "what was measured is not in the history: {}{}", error.what(),
+        kept.empty() ? "" : fmt::format("; later it can be added by {}", fmt::join(kept, ", ")));
+  }
+}
+
+int tell_unkept(const std::string& sentence) {
+  std::fflush(stdout);
+  tell("stiction track: " + sentence);
+  return kCouldNotRun;
 }
 
 Scope scope_of(const Arguments& arguments) {
@@ -91,29 +120,31 @@ std::string content(const std::string& file) {
 int track_against(const Arguments& arguments) {
   const Project project = project_of(arguments);
   const Tree after = present_tree(project);
+  const WorkLock lock(project.work);
+  if (!arguments.no_record) check_writable(history_file(arguments));
   const Tree before = build_tree(project, arguments.against);
   Outcome outcome = compare_trees(project, before, after, scope_of(arguments));
-  if (!arguments.no_record) {
-    History history = history_of(arguments);
-    outcome.before.id = history.add(outcome.before);
-    outcome.after.id = history.add(outcome.after);
-  }
-  show(outcome, !arguments.no_record, arguments);
-  return code_of(outcome, arguments);
+  const std::string unkept =
+      arguments.no_record ? "" : keep(arguments, {&outcome.before, &outcome.after});
+  show(outcome, !arguments.no_record && unkept.empty(), arguments);
+  return unkept.empty() ? code_of(outcome, arguments) : tell_unkept(unkept);
 }
 
 int track_record(const Arguments& arguments) {
   const Project project = project_of(arguments);
-  const StoredRun run = measure(project, present_tree(project), scope_of(arguments));
-  History history = history_of(arguments);
-  const std::int64_t id = history.add(run);
-  show_line(
-      fmt::format("Run {} of {}: {} metrics.", id, run.revision, run.measurements.all().size()));
+  const Tree tree = present_tree(project);
+  const WorkLock lock(project.work);
+  check_writable(history_file(arguments));
+  StoredRun run = measure(project, tree, scope_of(arguments));
+  const std::string unkept = keep(arguments, {&run});
+  if (!unkept.empty()) return tell_unkept(unkept);
+  show_line(fmt::format("Run {} of {}: {} metrics.", run.id, run.revision,
+                        run.measurements.all().size()));
   return kHolds;
 }
 
 int track_compare(const Arguments& arguments) {
-  const History history = history_of(arguments);
+  const History history(history_file(arguments), Access::kRead);
   Outcome outcome{.before = history.run(arguments.other),
                   .after = history.run(arguments.run == 0 ? last_id(history) : arguments.run)};
   const std::string what = difference(outcome.before.machine, outcome.after.machine);
@@ -131,7 +162,7 @@ int track_compare(const Arguments& arguments) {
 }
 
 int track_history(const Arguments& arguments) {
-  const History history = history_of(arguments);
+  const History history(history_file(arguments), Access::kRead);
   const std::vector<StoredRun> all = history.runs(std::nullopt);
   const std::optional<Machine> machine = machine_of(all, arguments);
   const std::vector<Trend> trends = history.trends(arguments.metric, machine);
@@ -166,15 +197,14 @@ int track_history(const Arguments& arguments) {
 int track_import(const Arguments& arguments) {
   StoredRun run = run_from_google_json(content(arguments.file), arguments.file);
   if (run.date.empty()) run.date = current_environment().date;
-  History history = history_of(arguments);
-  const std::int64_t id = history.add(run);
+  const std::int64_t id = History(history_file(arguments)).add(run);
   show_line(fmt::format("Run {}: {} metrics of {}.", id, run.measurements.all().size(),
                         run.machine.text()));
   return kHolds;
 }
 
 int track_export(const Arguments& arguments) {
-  const History history = history_of(arguments);
+  const History history(history_file(arguments), Access::kRead);
   const std::string text =
       to_google_json(history.run(arguments.run == 0 ? last_id(history) : arguments.run));
   if (arguments.file == "-") {
@@ -189,8 +219,10 @@ int track_export(const Arguments& arguments) {
 
 int track_bisect(const Arguments& arguments) {
   const Project project = project_of(arguments);
+  const WorkLock lock(project.work);
   const std::optional<Found> found =
-      bisect(project, arguments.metric, arguments.good, arguments.bad, scope_of(arguments));
+      bisect(project, arguments.metric, arguments.good, arguments.bad, scope_of(arguments),
+             history_file(arguments));
   if (!found) {
     show_line(fmt::format("{} did not move between {} and {}.", arguments.metric, arguments.good,
                           arguments.bad));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "benchmarks/track/store/remembered.h"
 #include "benchmarks/track/store/scratch.h"
 

@@ -14,6 +14,10 @@ namespace stiction::track {
 /// measured.
 std::vector<std::string> fixed_benchmarks(const Tree& tree, const std::vector<std::string>& globs);
 
+/// What `count_fixed` may measure.
+inline const std::vector<std::string> kCounted = {"instructions", "contact updates", "sweeps",
+                                                  "allocations", "digits: error"};
+
 /// What exactly so much work costs and gives, counted, not timed:
 ///   instructions     of a batch, (callgrind at 3 batches − callgrind at 1) / 2, per contact; not
 ///                    there without valgrind

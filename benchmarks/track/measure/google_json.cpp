@@ -5,6 +5,8 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "benchmarks/track/measure/child.h"
 #include "reports/text/text.h"
@@ -67,6 +69,102 @@ Machine machine_of(const json& context) {
           .flags = context.value("flags", context.value("library_build_type", "unknown"))};
 }
 
+constexpr std::int64_t kVersion = 1;  // of our own part
+
+// All of a run, to the last bit: what Google Benchmark has no place for stands here too.
+json part_of(const StoredRun& run) {
+  json metrics = json::array();
+  for (const auto& [name, measurement] : run.measurements.all()) {
+    const Metric& metric = measurement.metric;
+    metrics.push_back({{"subject", metric.subject},
+                       {"what", metric.what},
+                       {"unit", metric.unit},
+                       {"kind", to_string(metric.kind)},
+                       {"samples", measurement.samples}});
+  }
+  return {{"version", kVersion},
+          {"date", run.date},
+          {"revision", run.revision},
+          {"label", run.label},
+          {"machine",
+           {{"processor", run.machine.processor},
+            {"cores", run.machine.cores},
+            {"compiler", run.machine.compiler},
+            {"flags", run.machine.flags}}},
+          {"metrics", std::move(metrics)}};
+}
+
+Metric metric_of(const json& told, const std::string& what) {
+  const std::string kind = told.at("kind");
+  Metric metric{.subject = told.at("subject"), .what = told.at("what"), .unit = told.at("unit")};
+  const std::optional<Kind> known = parse_kind(kind);
+  if (!known) {
+    throw TrackError(
+        fmt::format("{}: '{}' is of an unknown kind, '{}'", what, metric.name(), kind));
+  }
+  metric.kind = *known;
+  return metric;
+}
+
+StoredRun run_from_part(const json& part, const std::string& what) {
+  if (part.at("version").get<std::int64_t>() != kVersion) {
+    throw TrackError(fmt::format("{} was written by a newer version of stiction", what));
+  }
+  const json& machine = part.at("machine");
+  StoredRun run{.date = part.at("date"),
+                .revision = part.at("revision"),
+                .label = part.at("label"),
+                .machine = {machine.at("processor"), machine.at("cores"), machine.at("compiler"),
+                            machine.at("flags")}};
+  for (const json& told : part.at("metrics")) {
+    const Metric metric = metric_of(told, what);
+    if (run.measurements.find(metric.name()) != nullptr) {
+      throw TrackError(fmt::format("{}: there are two metrics '{}'", what, metric.name()));
+    }
+    const auto samples = told.at("samples").get<std::vector<double>>();
+    if (samples.empty()) {
+      throw TrackError(fmt::format("{}: '{}' has no samples", what, metric.name()));
+    }
+    for (const double sample : samples) run.measurements.add(metric, sample);
+  }
+  if (run.measurements.all().empty()) throw TrackError(what + ": there is no result in it");
+  return run;
+}
+
+// For other readers: each sample of a time as a repetition, the first with what else was measured of its
+// subject as counters. Google Benchmark knows no result without a time.
+json google_entries(const StoredRun& run) {
+  std::map<std::string, json> counters;  // by subject
+  for (const auto& [name, one] : run.measurements.all()) {
+    if (one.metric.what != "time") {
+      counters[one.metric.subject][one.metric.what] = one.samples.front();
+    }
+  }
+  json entries = json::array();
+  for (const auto& [name, one] : run.measurements.all()) {
+    const std::string& subject = one.metric.subject;
+    if (one.metric.what != "time") continue;
+    for (std::size_t k = 0; k < one.samples.size(); ++k) {
+      json entry = {{"name", subject},
+                    {"run_name", subject},
+                    {"run_type", "iteration"},
+                    {"repetitions", one.samples.size()},
+                    {"repetition_index", k},
+                    {"threads", 1},
+                    {"iterations", 1},
+                    {"real_time", one.samples[k] * 1e9},
+                    {"cpu_time", one.samples[k] * 1e9},
+                    {"time_unit", "ns"}};
+      // What is called as one of these fields is, stands in our own part alone.
+      if (k == 0 && counters.contains(subject)) {
+        for (const auto& [what, value] : counters[subject].items()) entry.emplace(what, value);
+      }
+      entries.push_back(std::move(entry));
+    }
+  }
+  return entries;
+}
+
 }  // namespace
 
 std::vector<GoogleResult> read_google_results(const std::string& text, const std::string& what) {
@@ -86,6 +184,7 @@ std::vector<GoogleResult> read_google_results(const std::string& text, const std
 StoredRun run_from_google_json(const std::string& text, const std::string& what) {
   try {
     const json file = parsed(text, what);
+    if (file.contains("stiction")) return run_from_part(file["stiction"], what);
     const json context = file.value("context", json::object());
     StoredRun run{.date = context.value("date", ""),
                   .revision = context.value("revision", ""),
@@ -95,14 +194,14 @@ StoredRun run_from_google_json(const std::string& text, const std::string& what)
       if (entry.value("run_type", "iteration") != "iteration") continue;
       const GoogleResult result = result_of(entry, what);
       run.measurements.add({result.name, "time", "s", Kind::kTime}, result.seconds);
-      if (entry.value("repetition_index", 0) != 0) continue;
-      // Our own exports carry the other metrics as {"what": {unit, kind, value}}.
+      // Exports from before our own part carried other metrics so.
       const json others = entry.value("stiction", json::object());
-      for (const auto& [name, metric] : others.items()) {
-        const std::string kind = metric.at("kind");
-        run.measurements.add(
-            {result.name, name, metric.at("unit"), parse_kind(kind).value_or(Kind::kOther)},
-            metric.at("value").get<double>());
+      for (const auto& [name, told] : others.items()) {
+        const json named = {{"subject", result.name},
+                            {"what", name},
+                            {"unit", told.at("unit")},
+                            {"kind", told.at("kind")}};
+        run.measurements.add(metric_of(named, what), told.at("value").get<double>());
       }
     }
     if (run.measurements.all().empty()) throw TrackError(what + ": there is no result in it");
@@ -113,42 +212,6 @@ StoredRun run_from_google_json(const std::string& text, const std::string& what)
 }
 
 std::string to_google_json(const StoredRun& run) {
-  std::map<std::string, std::vector<const Measurement*>> by_subject;
-  for (const auto& [name, measurement] : run.measurements.all()) {
-    by_subject[measurement.metric.subject].push_back(&measurement);
-  }
-  json benchmarks = json::array();
-  for (const auto& [subject, measurements] : by_subject) {
-    json counters = json::object();
-    const Measurement* times = nullptr;
-    for (const Measurement* one : measurements) {
-      if (one->metric.what == "time") {
-        times = one;
-      } else {
-        counters[one->metric.what] = {{"unit", one->metric.unit},
-                                      {"kind", to_string(one->metric.kind)},
-                                      {"value", one->samples.front()}};
-      }
-    }
-    if (times == nullptr) continue;  // Google Benchmark knows no result without a time
-    for (std::size_t k = 0; k < times->samples.size(); ++k) {
-      json entry = {{"name", subject},
-                    {"run_name", subject},
-                    {"run_type", "iteration"},
-                    {"repetitions", times->samples.size()},
-                    {"repetition_index", k},
-                    {"threads", 1},
-                    {"iterations", 1},
-                    {"real_time", times->samples[k] * 1e9},
-                    {"cpu_time", times->samples[k] * 1e9},
-                    {"time_unit", "ns"}};
-      if (k == 0 && !counters.empty()) {
-        entry["stiction"] = counters;
-        for (const auto& [what, metric] : counters.items()) entry[what] = metric["value"];
-      }
-      benchmarks.push_back(std::move(entry));
-    }
-  }
   const json file = {{"context",
                       {{"date", run.date},
                        {"revision", run.revision},
@@ -157,8 +220,10 @@ std::string to_google_json(const StoredRun& run) {
                        {"num_cpus", run.machine.cores},
                        {"compiler", run.machine.compiler},
                        {"flags", run.machine.flags}}},
-                     {"benchmarks", std::move(benchmarks)}};
-  return file.dump(1) + "\n";
+                     {"benchmarks", google_entries(run)},
+                     {"stiction", part_of(run)}};
+  // JSON knows no bytes that are not UTF-8: a name with such has U+FFFD in their place.
+  return file.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace stiction::track

@@ -20,10 +20,13 @@ struct GoogleResult {
 /// that reports an error of its own.
 std::vector<GoogleResult> read_google_results(const std::string& text, const std::string& what);
 
-/// A run of the history from such a file of any program: machine and date from its context.
+/// A run of the history from such a file of any program: machine and date from its context. From one that
+/// `to_google_json` wrote, that run, to the last bit, without its id. Throws TrackError for what is not
+/// such a file.
 StoredRun run_from_google_json(const std::string& text, const std::string& what);
 
-/// The same way back: times as repetitions in seconds, everything else as counters of its subject.
+/// The same way back: times as repetitions in nanoseconds, what else was measured of their subject as
+/// counters, and all of the run once more in an object of our own (benchmarks/schema.md).
 std::string to_google_json(const StoredRun& run);
 
 }  // namespace stiction::track

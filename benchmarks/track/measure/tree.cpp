@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 
 #include "benchmarks/track/measure/child.h"
 #include "reports/screen/program.h"
@@ -45,20 +48,51 @@ std::vector<std::string> same_options(const fs::path& build) {
   return options;
 }
 
+// Whether git takes the folder itself for a worktree: from one without a sound .git it goes up to the
+// clone that the folder stands in, and would work there.
+bool is_worktree(const fs::path& source) {
+  if (!fs::exists(source / ".git")) return false;
+  const Ended top = run({"git", "-C", source.string(), "rev-parse", "--show-toplevel"});
+  std::error_code differ;
+  return top.code == 0 && fs::equivalent(last_line(top.output), source, differ);
+}
+
+// Git's entries of worktrees in our folder that were removed by hand; those of others, which may stand
+// on a disk that is not there just now, are theirs (so no `git worktree prune`).
+void forget_lost_trees(const Project& project) {
+  const fs::path ours = fs::weakly_canonical(project.work);
+  constexpr std::string_view kPath = "worktree ";
+  for (const std::string& line : lines_of(
+           git(project, "git cannot list its worktrees", {"worktree", "list", "--porcelain"}))) {
+    if (!line.starts_with(kPath)) continue;
+    const fs::path path = line.substr(kPath.size());
+    if (path.parent_path() != ours || fs::exists(path)) continue;
+    git(project, "git cannot forget " + path.string(),
+        {"worktree", "remove", "--force", "--force", path.string()});
+  }
+}
+
 void check_out(const Project& project, const std::string& commit, const fs::path& source) {
-  // A worktree whose folder was removed by hand is forgotten first.
-  git(project, "git cannot tidy its worktrees", {"worktree", "prune"});
-  if (!fs::exists(source / ".git")) {
+  const std::string what = "git cannot check out " + commit.substr(0, kShortLength);
+  const bool is_there = is_worktree(source);
+  if (!is_there) fs::remove_all(source);  // what is left of one
+  forget_lost_trees(project);
+  if (!is_there) {
     fs::create_directories(source.parent_path());
-    git(project, "git cannot check out " + commit.substr(0, kShortLength),
-        {"worktree", "add", "--force", "--detach", source.string(), commit});
+    git(project, what, {"worktree", "add", "--force", "--detach", source.string(), commit});
     return;
   }
-  demand_run("git cannot check out " + commit.substr(0, kShortLength),
+  demand_run(what,
              {"git", "-C", source.string(), "checkout", "--quiet", "--force", "--detach", commit});
 }
 
 }  // namespace
+
+void forget_git_variables() {
+  for (const std::string& name : lines_of(run({"git", "rev-parse", "--local-env-vars"}).output)) {
+    unsetenv(name.c_str());
+  }
+}
 
 std::string commit_of(const Project& project, const std::string& reference) {
   const Ended ended = run({"git", "-C", project.root.string(), "rev-parse", "--verify", "--quiet",

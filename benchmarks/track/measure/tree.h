@@ -23,6 +23,10 @@ struct Project {
   std::filesystem::path work;   ///< worktrees, what is remembered, the history
 };
 
+/// Takes the variables with which git tells a hook of its clone (GIT_DIR, GIT_INDEX_FILE, …) out of the
+/// environment: a git that is to work in another folder would work in that clone.
+void forget_git_variables();
+
 /// The full commit id of a revision. Throws TrackError when git knows none of that name.
 std::string commit_of(const Project& project, const std::string& reference);
 
@@ -37,8 +41,9 @@ std::string subject_of(const Project& project, const std::string& commit);
 /// The tree that is worked on, already built. Throws TrackError when a program is missing.
 Tree present_tree(const Project& project);
 
-/// Checks out `reference` under `project.work` and builds it there with the compiler and
-/// options of the present build; what is there already is only brought up to date. Throws
+/// Checks out `reference` under `project.work`, which the caller holds (work_lock.h), and builds it there
+/// with the compiler and options of the present build; what is there already is only brought up to date,
+/// a worktree that git no longer takes for one is made anew. Throws
 /// TrackError when git, cmake or the compiler fail, with their last line.
 Tree build_tree(const Project& project, const std::string& reference);
 

@@ -5,7 +5,6 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
-#include <system_error>
 #include <utility>
 
 #include "benchmarks/track/measure/child.h"
@@ -15,58 +14,9 @@ namespace stiction::track {
 
 namespace {
 
-constexpr int kBusyMilliseconds = 60000;
-constexpr std::int64_t kVersion = 1;
-
-// benchmarks/schema.md says what the columns mean.
-constexpr const char* kTables = R"(
-CREATE TABLE machine (
-  id INTEGER PRIMARY KEY, processor TEXT NOT NULL, cores INTEGER NOT NULL,
-  compiler TEXT NOT NULL, flags TEXT NOT NULL, UNIQUE (processor, cores, compiler, flags));
-CREATE TABLE run (
-  id INTEGER PRIMARY KEY AUTOINCREMENT, date TEXT NOT NULL, revision TEXT NOT NULL,
-  label TEXT NOT NULL, machine INTEGER NOT NULL REFERENCES machine);
-CREATE TABLE metric (
-  id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, subject TEXT NOT NULL, what TEXT NOT NULL,
-  unit TEXT NOT NULL, kind TEXT NOT NULL, direction TEXT NOT NULL);
-CREATE TABLE sample (
-  run INTEGER NOT NULL REFERENCES run, metric INTEGER NOT NULL REFERENCES metric,
-  repetition INTEGER NOT NULL, value REAL NOT NULL,
-  PRIMARY KEY (run, metric, repetition)) WITHOUT ROWID;
-CREATE INDEX sample_of_metric ON sample (metric, run);
-PRAGMA user_version = 1;
-)";
-
 constexpr const char* kRuns =
     "SELECT run.id, date, revision, label, processor, cores, compiler, flags "
     "FROM run JOIN machine ON machine.id = run.machine ORDER BY run.id";
-
-/// What `work` gives; SQLite's errors get the file's name.
-template <class Work>
-auto in(const std::string& file, Work work) {
-  try {
-    return work();
-  } catch (const SQLite::Exception& error) {
-    throw TrackError(fmt::format("{}: {}", file, error.what()));
-  }
-}
-
-SQLite::Database open(const std::filesystem::path& file) {
-  std::error_code ignored;  // SQLite says what is wrong
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
-  return in(file.string() + " cannot be opened", [&] {
-    return SQLite::Database(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyMilliseconds);
-  });
-}
-
-std::int64_t version_of(SQLite::Database& database) {
-  return database.execAndGet("PRAGMA user_version").getInt64();
-}
-
-/// A write transaction, taken at once; rolled back unless committed.
-SQLite::Transaction begin(SQLite::Database& database) {
-  return SQLite::Transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-}
 
 /// The one number that a query for an id gives.
 template <class... Value>
@@ -126,20 +76,8 @@ std::string difference(const Machine& a, const Machine& b) {
   return text;
 }
 
-History::History(const std::filesystem::path& file) : database_(open(file)) {
-  in(file.string(), [&] {
-    // The rollback journal, synced at every step: a commit is on disk when it returns.
-    database_.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
-    if (version_of(database_) > 0) return;
-    SQLite::Transaction transaction = begin(database_);
-    // Somebody else may have made the tables in between.
-    if (version_of(database_) == 0) database_.exec(kTables);
-    transaction.commit();
-  });
-  if (in(file.string(), [&] { return version_of(database_); }) > kVersion) {
-    throw TrackError(fmt::format("{} was written by a newer version of stiction", file.string()));
-  }
-}
+History::History(const std::filesystem::path& file, Access access)
+    : database_(open_history(file, access)) {}
 
 std::int64_t History::id_of(const Machine& machine) {
   SQLite::Statement insert(database_,
@@ -159,7 +97,17 @@ std::int64_t History::id_of(const Metric& metric) {
       "VALUES (?, ?, ?, ?, ?, ?)");
   execute(insert, metric.name(), metric.subject, metric.what, metric.unit, to_string(metric.kind),
           higher_is_better(metric.kind) ? "higher" : "lower");
-  return id_from(database_, "SELECT id FROM metric WHERE name = ?", metric.name());
+  SQLite::Statement known(database_, "SELECT id, unit, kind FROM metric WHERE name = ?");
+  known.bind(1, metric.name());
+  known.executeStep();
+  const std::string unit = text(known, 1), kind = text(known, 2);
+  // Values in two units under one name could not be told apart.
+  if (unit != metric.unit || kind != to_string(metric.kind)) {
+    throw TrackError(fmt::format("{} holds '{}' as a {} in {}, this run as a {} in {}",
+                                 database_.getFilename(), metric.name(), kind, unit,
+                                 to_string(metric.kind), metric.unit));
+  }
+  return known.getColumn(0).getInt64();
 }
 
 std::int64_t History::add(const StoredRun& run) {
@@ -210,6 +158,15 @@ StoredRun History::run(std::int64_t id) const {
     });
   }
   throw TrackError(fmt::format("{} has no run {}", database_.getFilename(), id));
+}
+
+std::vector<std::string> History::metrics() const {
+  return in(database_.getFilename(), [&] {
+    std::vector<std::string> names;
+    SQLite::Statement row(database_, "SELECT name FROM metric ORDER BY name");
+    while (row.executeStep()) names.push_back(text(row, 0));
+    return names;
+  });
 }
 
 std::vector<Trend> History::trends(const std::string& glob,

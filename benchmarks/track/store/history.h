@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "benchmarks/track/decide/metric.h"
+#include "benchmarks/track/store/history_file.h"
 
 namespace stiction::track {
 
@@ -50,16 +51,21 @@ struct Trend {
 /// minute. Failures are TrackError with the file's name.
 class History {
  public:
-  /// Opens the file, and makes it where it is missing. Refuses a file of a newer version.
-  explicit History(const std::filesystem::path& file);
+  /// As open_history does (history_file.h).
+  explicit History(const std::filesystem::path& file, Access access = Access::kWrite);
 
-  std::int64_t add(const StoredRun& run);  ///< gives its id
+  /// Gives its id. Throws TrackError, besides what SQLite says, for a metric that the history knows in
+  /// another unit or as another kind.
+  std::int64_t add(const StoredRun& run);
 
   /// Runs without their measurements, oldest first; of one machine, or of all.
   std::vector<StoredRun> runs(const std::optional<Machine>& machine) const;
 
   /// One run with its measurements. Throws TrackError when there is none of this id.
   StoredRun run(std::int64_t id) const;
+
+  /// Names of all metrics that were ever measured, in order.
+  std::vector<std::string> metrics() const;
 
   /// Metrics whose name matches the glob (all when it is empty), by name.
   std::vector<Trend> trends(const std::string& glob, const std::optional<Machine>& machine) const;

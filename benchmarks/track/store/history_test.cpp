@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include "benchmarks/track/measure/child.h"
@@ -100,12 +101,92 @@ TEST_F(HistoryTest, RefusesWhatItCannotRead) {
   EXPECT_EQ(refusal([&] { History(file_).run(7); }), file_.string() + " has no run 7");
   EXPECT_EQ(refusal([] { History("/dev/null/history.sqlite"); }),
             "/dev/null/history.sqlite cannot be opened: unable to open database file");
-  const auto text = scratch_.folder() / "text";
-  std::ofstream(text) << std::string(5000, 'x');
-  EXPECT_EQ(refusal([&] { History{text}; }), text.string() + ": file is not a database");
+  for (const std::size_t size : {1, 600, 5000}) {
+    const auto text = scratch_.folder() / "text";
+    std::ofstream(text) << std::string(size, 'x');
+    EXPECT_EQ(refusal([&] { History{text}; }), text.string() + ": file is not a database");
+    EXPECT_EQ(content_of(text), std::string(size, 'x'));
+  }
   SQLite::Database(file_, SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
   EXPECT_EQ(refusal([&] { History{file_}; }),
             file_.string() + " was written by a newer version of stiction");
+}
+
+// A file that another program has made, by SQL.
+std::filesystem::path foreign(const std::filesystem::path& folder, const std::string& sql) {
+  const std::filesystem::path file = folder / "foreign.sqlite";
+  std::filesystem::remove(file);
+  SQLite::Database(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(sql);
+  return file;
+}
+
+TEST_F(HistoryTest, LeavesTheFilesOfOtherProgramsAlone) {
+  for (const char* sql :
+       {"CREATE TABLE notes (text TEXT)", "CREATE TABLE run (id); PRAGMA user_version = 1",
+        "CREATE TABLE notes (text TEXT); PRAGMA user_version = 7",
+        "CREATE TABLE run (id); PRAGMA application_id = 252006",
+        "PRAGMA journal_mode = WAL; CREATE TABLE run (id); PRAGMA user_version = 1"}) {
+    const std::filesystem::path file = foreign(scratch_.folder(), sql);
+    const std::string before = content_of(file);
+    const std::string sentence =
+        file.string() +
+        " is another program's SQLite file and was left as it is; name a history of stiction, or "
+        "a file that is not there yet";
+    EXPECT_EQ(refusal([&] { History{file}; }), sentence) << sql;
+    EXPECT_EQ(refusal([&] { History(file, Access::kRead); }), sentence) << sql;
+    EXPECT_EQ(refusal([&] { check_writable(file); }), sentence) << sql;
+    EXPECT_EQ(content_of(file), before) << sql;
+  }
+}
+
+TEST_F(HistoryTest, AReaderMakesNoFile) {
+  const std::string sentence =
+      file_.string() + " is no history: there is no such file; './stiction track record' makes one";
+  EXPECT_EQ(refusal([&] { History(file_, Access::kRead); }), sentence);
+  EXPECT_FALSE(std::filesystem::exists(file_.parent_path()));
+  const auto empty = scratch_.folder() / "empty";
+  std::ofstream{empty};
+  EXPECT_EQ(refusal([&] { History(empty, Access::kRead); }),
+            empty.string() +
+                " is no history: the file is empty; './stiction track record' makes "
+                "one");
+  EXPECT_TRUE(content_of(empty).empty());
+  History{empty}.add(run_of(1.0));
+  EXPECT_EQ(History(empty, Access::kRead).runs(std::nullopt).size(), 1u);
+}
+
+// Those from before a history carried its program's mark.
+TEST_F(HistoryTest, TakesAHistoryWithoutAMark) {
+  History(file_).add(run_of(1.0));
+  SQLite::Database(file_, SQLite::OPEN_READWRITE).exec("PRAGMA application_id = 0");
+  EXPECT_EQ(History(file_).add(run_of(2.0)), 2);
+  EXPECT_EQ(History(file_, Access::kRead).runs(std::nullopt).size(), 2u);
+}
+
+TEST_F(HistoryTest, IsFoundUnwritableBeforeAnythingIsMeasured) {
+  check_writable(file_);
+  EXPECT_TRUE(History(file_, Access::kRead).runs(std::nullopt).empty());
+  {
+    SQLite::Database other(file_, SQLite::OPEN_READWRITE);
+    const SQLite::Transaction held(other, SQLite::TransactionBehavior::EXCLUSIVE);
+    EXPECT_EQ(refusal([&] { check_writable(file_, 50); }),
+              file_.string() +
+                  " is locked: another program is writing to it; let that end, or "
+                  "name another file with --history");
+  }
+  SQLite::Database(file_, SQLite::OPEN_READWRITE).exec("DROP TABLE sample");
+  EXPECT_EQ(refusal([&] { check_writable(file_); }), file_.string() + ": no such table: sample");
+}
+
+// Values in two units under one name could not be told apart.
+TEST_F(HistoryTest, RefusesAMetricInAnotherUnit) {
+  History history(file_);
+  history.add(run_of(1.0));
+  StoredRun other;
+  other.measurements.add({"subject", "metric 3", "ms", Kind::kTime}, 1.0);
+  EXPECT_EQ(refusal([&] { history.add(other); }),
+            file_.string() + " holds 'subject#metric 3' as a time in s, this run as a time in ms");
+  EXPECT_EQ(history.runs(std::nullopt).size(), 1u);
 }
 
 TEST_F(HistoryTest, SaysWhichFileIsDamaged) {
@@ -119,6 +200,7 @@ TEST_F(HistoryTest, SaysWhichFileIsDamaged) {
   EXPECT_EQ(refusal([&] { History(file_).runs(std::nullopt); }), sentence);
   EXPECT_EQ(refusal([&] { History(file_).trends("", std::nullopt); }), sentence);
   EXPECT_EQ(refusal([&] { History(file_).add(run_of(2.0)); }), sentence);
+  EXPECT_EQ(refusal([&] { check_writable(file_); }), sentence);
 }
 
 TEST_F(HistoryTest, WritesNothingToAFileThatLacksATable) {

@@ -6,6 +6,9 @@
 set -euo pipefail
 read -r _ nanoseconds updates error flags < <(tail -n 1 "$0")
 [ -z "${STICTION_RUN_FILE:-}" ] || exit 9 # it would be told of a run that is nobody's
+# Told that it was called, and what shall happen meanwhile.
+[ -z "${STICTION_TEST_CALLS:-}" ] || printf '%s\n' "$1" >>"$STICTION_TEST_CALLS"
+eval "${STICTION_TEST_HOOK:-}"
 name=friction:fixed-point/slab/contacts:1000
 case $1 in
   --list-fixed) echo $name ;;

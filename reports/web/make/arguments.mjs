@@ -11,12 +11,13 @@ SYNOPSIS
 DESCRIPTION
        Makes a page of what runs of validate, compare, bench or track have
        recorded: verdicts, plots and recordings, in one file that opens offline and
-       can be mailed. With --against it says what changed since an earlier run.
+       can be mailed. With --against it says what changed since an earlier run:
+       in the page, which is then another file, and in short on the screen.
 
 ARGUMENTS
        DIR
-              A run's folder, or an out-dir whose 'latest' points to one; several
-              are merged
+              A run's folder, or an out-dir whose 'latest' points to one, else its
+              newest; several are merged
 
 WHAT IS SHOWN
        --against DIR
@@ -26,7 +27,8 @@ WHAT IS SHOWN
 
 WHAT IS WRITTEN
        --out FILE
-              The page; without it report.html in the first run's folder
+              The page; without it report.html in the first run's folder, with
+              --against report-against-NAME.html, NAME being that of the earlier run
        --svg DIR
               Each plot as an SVG file too
        --manual [FILE]
@@ -44,9 +46,11 @@ OPTIONS
 
 EXIT STATUS
        0
-              written
+              written; with --against nothing got worse
+       1
+              something did: a verdict is worse, or a check has fewer digits
        2
-              could not: bad input, a full disk
+              could not: bad input, a full disk, no case that both runs have
 
 FILES
        RUN/report.html

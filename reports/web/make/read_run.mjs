@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { existsSync, realpathSync, statSync } from "node:fs";
+import { existsSync, readdirSync, realpathSync, statSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { clean } from "./clean_text.mjs";
 import { checked } from "./check_record.mjs";
@@ -7,14 +7,33 @@ import { read_lines } from "./read_lines.mjs";
 
 const MOST_WARNINGS = 8;
 
-// A run's folder, an out-dir with `latest`, or the file itself.
+// "2025-11-20T23-41-05Z", and "-2" behind it for the second of that second.
+const RUN_FOLDER = /^(\d{4}-\d\d-\d\dT\d\d-\d\d-\d\dZ)(?:-(\d+))?$/;
+
+// The newest of an out-dir's runs that has a record, undefined if none: what was interrupted has no `latest`.
+function newest_records_file(path) {
+  const runs = readdirSync(path)
+    .map((name) => RUN_FOLDER.exec(name))
+    .filter((match) => match !== null)
+    .map(([name, time, number]) => ({ time, number: Number(number ?? 1), name }))
+    .sort((a, b) => (a.time === b.time ? b.number - a.number : a.time < b.time ? 1 : -1));
+  return runs
+    .map(({ name }) => join(path, name, "records.jsonl"))
+    .find((file) => existsSync(file) && statSync(file).size > 0);
+}
+
+// A run's folder, an out-dir with `latest` or else its newest run, or the file itself.
 function records_file_of(path) {
   if (!existsSync(path)) throw new Error(`${path} does not exist`);
   if (statSync(path).isFile()) return path;
   for (const file of [join(path, "records.jsonl"), join(path, "latest", "records.jsonl")]) {
     if (existsSync(file)) return file;
   }
-  throw new Error(`${path} holds no records.jsonl, nor does ${join(path, "latest")}`);
+  const newest = newest_records_file(path);
+  if (newest) return newest;
+  throw new Error(
+    `${path} holds no records.jsonl, nor does ${join(path, "latest")} or a run in it`,
+  );
 }
 
 /**

@@ -23,6 +23,7 @@ import {
   varied_records,
 } from "./records.mjs";
 import { make_page, report } from "./report.mjs";
+import { temporary_folder } from "./temporary.mjs";
 
 const good = lines_of([record(), record({ case: "other" })]);
 
@@ -46,6 +47,57 @@ test("an out-dir is read by its 'latest'", () => {
   const folder = make_run(good, "2025-11-20T23-41-05Z");
   symlinkSync("2025-11-20T23-41-05Z", join(dirname(folder), "latest"));
   assert.equal(report(dirname(folder)).status, 0);
+});
+
+// Runs of an out-dir, by their names.
+function out_dir(runs) {
+  const folder = temporary_folder();
+  for (const [name, text] of Object.entries(runs)) {
+    mkdirSync(join(folder, name));
+    writeFileSync(join(folder, name, "records.jsonl"), text);
+  }
+  return folder;
+}
+
+test("an out-dir without 'latest' is read by its newest run that has a record", () => {
+  const folder = out_dir({
+    "2025-11-20T23-41-05Z": good,
+    "2025-11-20T23-41-06Z-2": good,
+    "2025-11-20T23-41-06Z-10": good,
+    "2025-11-20T23-41-07Z": "",
+    "2026-other": good,
+  });
+  const { status, out } = report(folder);
+  assert.equal(status, 0);
+  assert.match(out, /2025-11-20T23-41-06Z-10\/report\.html/);
+});
+
+test("a comparison says what changed, by its exit code too, and leaves the run's own page", () => {
+  const verdicts = (...list) =>
+    lines_of(list.map((verdict, i) => record({ case: `case/${i}`, verdict })));
+  const folder = out_dir({
+    "2025-11-20T23-41-05Z": verdicts("pass", "pass", "fail"),
+    "2025-11-20T23-41-06Z": verdicts("pass", "fail", "pass"),
+    "2025-11-20T23-41-07Z": lines_of([record({ case: "another" })]),
+  });
+  const [before, after, foreign] = readdirSync(folder)
+    .sort()
+    .map((name) => join(folder, name));
+  report(after);
+  const own = readFileSync(join(after, "report.html"), "utf8");
+  const { status, out } = report(after, "--against", before);
+  assert.equal(status, 1);
+  assert.match(
+    out,
+    /Against 2025-11-20T23-41-05Z: 2 verdicts changed, 1 better, 1 worse, of 3 compared\./,
+  );
+  assert.match(out, /verdict worse {2}case\/1: pass → fail/);
+  assert.equal(readFileSync(join(after, "report.html"), "utf8"), own);
+  assert.ok(existsSync(join(after, "report-against-2025-11-20T23-41-05Z.html")));
+  const same = report(before, "--against", before);
+  assert.equal(same.status, 0);
+  assert.match(same.out, /0 verdicts changed, 0 better, 0 worse, of 3 compared/);
+  refused([after, "--against", foreign], /no case of 2025-11-20T23-41-07Z is in this run too/);
 });
 
 test("nothing to show is refused in words", () => {

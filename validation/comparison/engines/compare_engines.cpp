@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "reference/process/interruption.h"
 #include "reports/formats/csv.h"
 #include "reports/record/record_store.h"
 #include "reports/screen/program.h"
@@ -123,6 +124,7 @@ ExitCode compare_engines(const EngineComparison& asked) {
   }
 
   RecordStore store = RecordStore::create(asked.out);
+  const reference::LastWords words([&store] { return store.last_words(); });
   std::vector<Record> records(jobs.size());
   const auto began = std::chrono::steady_clock::now();
   std::size_t done = 0;
