@@ -110,7 +110,10 @@ def main():
         try_streams("engine list", program("engine", "list"), 0)
         try_streams("engine show", program("engine", "show", "stiction"), 0)
         try_streams("engine check", program("engine", "check", str(build / "hosted_engine")), 0)
-        try_streams("track history", program("track", "history", "--history", str(folder / "none.sqlite")), 0)
+        (folder / "import.json").write_text('{"benchmarks": [{"name": "a", "cpu_time": 1, "time_unit": "ns"}]}')
+        history = ["--history", str(folder / "history.sqlite")]
+        subprocess.run(program("track", "import", "import.json", *history), check=True, capture_output=True)
+        try_streams("track history", program("track", "history", *history), 0)
         try_streams("readme of no tree", program("readme", "--check", "--root", str(folder)), 2)
         try_streams("an engine's program", program("hosted_engine", "--bogus"), 2)
         try_streams("a step", program("step_with_all", "timing", "used"), 0)

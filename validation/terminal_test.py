@@ -91,6 +91,9 @@ def look_at_script():
     (tree / "bin").mkdir()
     (tree / "build/release/build.ninja").touch()
     shutil.copy(root / "stiction", tree)
+    (tree / "reports" / "screen").mkdir(parents=True)
+    for sourced in ("help.sh", "children.sh"):
+        shutil.copy(root / "reports" / "screen" / sourced, tree / "reports" / "screen")
     tools = {"bin/cmake": "for k in 1 2 3; do echo \"[$k/3] Building solver/step.cpp\"; done",
              "bin/dpkg-query": 'for name; do echo "installed $name"; done',  # nothing is missing
              "build/release/readme": "echo 'what was asked for'"}

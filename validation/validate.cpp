@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <set>
 #include <thread>
@@ -36,7 +38,9 @@
 #include "validation/engine/conformance/conformance.h"
 #include "validation/heap_counter.h"
 #include "validation/judge/show_expectations.h"
+#include "validation/user/problem_keys.h"
 #include "validation/user/user_case.h"
+#include "validation/user/user_screen.h"
 
 namespace stiction {
 
@@ -52,6 +56,9 @@ struct Arguments {
   bool vtk = false;
   bool no_page = false;
   bool verbose = false;
+  bool help_problem = false;
+  bool check_only = false;
+  double max_seconds = std::numeric_limits<double>::infinity();
   std::string out = "validation-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   double tolerance_scale = 1.0;
@@ -108,9 +115,10 @@ HelpPage help_page() {
 }
 
 void define(CLI::App& app, Arguments& arguments) {
-  app.add_option("problem", arguments.problems,
-                 "Your own problems, as TOML files (validation/user/examples/ramp.toml explains); "
-                 "without any, the built-in cases run")
+  app.add_option(
+         "problem", arguments.problems,
+         "Your own problems, as TOML files (--help-problem explains them); without any, the "
+         "built-in cases run")
       ->type_name("PROBLEM");
   app.add_option("--case", arguments.selection.globs,
                  "Only cases whose name matches, e.g. 'incline/*' or '*/mu=0.3/*'; repeatable")
@@ -120,6 +128,13 @@ void define(CLI::App& app, Arguments& arguments) {
                  "Another suite than the usual one: 'stability', hard cases, how many digits "
                  "survive and where it breaks")
       ->type_name("NAME")
+      ->group("What runs");
+  app.add_flag("--help-problem", arguments.help_problem,
+               "Explain the file of a problem: all tables, keys, observables and units")
+      ->group("What runs");
+  app.add_flag("--check-only", arguments.check_only,
+               "Read your problems, say in words what they are and about how long they take, and "
+               "end")
       ->group("What runs");
   app.add_flag("--list", arguments.list, "Show the names of the cases and end")->group("What runs");
   app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind")
@@ -161,6 +176,11 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--verbose", arguments.verbose,
                "Print every check of every record, as report.md has it")
       ->group("What is written");
+  app.add_option("--max-seconds", arguments.max_seconds,
+                 "A case whose steps take more CPU time is given up, and its record says so")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber)
+      ->group("How it runs");
   app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
@@ -181,8 +201,9 @@ void define(CLI::App& app, Arguments& arguments) {
       ->type_name("S")
       ->check([](const std::string& text) {
         char* end = nullptr;
-        const bool is_scale = std::strtod(text.c_str(), &end) >= 0.0 && *end == '\0';
-        return is_scale ? std::string() : "must be a number from 0, not '" + text + "'";
+        const double scale = std::strtod(text.c_str(), &end);
+        const bool is_scale = scale >= 0.0 && std::isfinite(scale) && *end == '\0';
+        return is_scale ? std::string() : "must be a finite number from 0 on, not '" + text + "'";
       })
       ->capture_default_str()
       ->group("How it runs");
@@ -255,22 +276,34 @@ int validate(Arguments& arguments) {
     show(show_expectations(file.records, find_engine(arguments.selection.engine)));
     return kHolds;
   }
+  if (arguments.help_problem) {
+    show(problem_help(screen_of(STDOUT_FILENO).width));
+    return kHolds;
+  }
   Selection& selection = arguments.selection;
   selection.settings = parse_settings(arguments.settings);
   if (arguments.quick) selection.set = CaseSet::kQuick;
   if (arguments.full) selection.set = CaseSet::kFull;
 
+  const std::vector<UserCase> problems = read_user_problems(arguments.problems);
   std::vector<Case> cases;
-  for (const std::string& file : arguments.problems) cases.push_back(read_user_problem(file));
+  for (const UserCase& one : problems) cases.push_back(one.which);
   if (cases.empty()) cases = cases_for(find_engine(selection.engine));
   if (arguments.list) {
     if (!arguments.quick) selection.set = CaseSet::kFull;
     list_cases(cases, selection);
     return kHolds;
   }
-  const std::vector<Job> jobs = select_jobs(cases, selection);
+  std::vector<Job> jobs = select_jobs(cases, selection);
+  for (Job& job : jobs) job.cpu_limit = arguments.max_seconds;
   refuse_settings(jobs);
   demand_conformance(find_engine(selection.engine), selection.settings);
+  if (arguments.check_only) {
+    if (problems.empty()) throw InputError("--check-only needs a problem's file");
+    show_problems(problems, jobs);
+    return kHolds;
+  }
+  tell_long_runs(problems, jobs);
 
   RecordStore store = RecordStore::create(arguments.out);
   const reference::LastWords words([&store] { return store.last_words(); });

@@ -148,9 +148,9 @@ holds 0 "a mesh of one's own falls" "$validate" tet.toml
 mesh_of inverted '[[0, 2, 1, 3], [1, 4, 2, 3]]'
 refuses "an inverted tetrahedron" "body 'tet': tetrahedron 0 is inverted" "$validate" inverted.toml
 mesh_of flat_tet '[[0, 1, 2, 3], [1, 4, 2, 0]]'
-refuses "a tetrahedron of zero volume" "body 'tet': tetrahedron 1 has zero volume" "$validate" flat_tet.toml
+refuses "a tetrahedron of zero volume" "body 'tet': tetrahedron 1 is flat" "$validate" flat_tet.toml
 mesh_of beyond '[[0, 1, 2, 3], [1, 4, 2, 9]]'
-refuses "an index out of range" "tetrahedron 1 refers to vertex 9, but there are only 5" \
+refuses "an index out of range" "there is no vertex 9; there are 5, counted from 0" \
   "$validate" beyond.toml
 problem flat 's/size = .*/size = [0.2, 0.2, 0.0]/'
 refuses "a box without height" "a box needs three positive edges" \

@@ -2,6 +2,8 @@
 #include "solver/scene/gravity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace stiction {
 
@@ -16,8 +18,15 @@ Eigen::Vector3d smooth_keyframes(const std::vector<double>& time,
   return value[k - 1] + smooth_step(s) * (value[k] - value[k - 1]);
 }
 
+Eigen::Vector3d Oscillation::at(double t) const {
+  if (!(t > begins)) return Eigen::Vector3d::Zero();
+  const double grown = t < full_from ? smooth_step((t - begins) / (full_from - begins)) : 1.0;
+  const double angle = 2.0 * std::numbers::pi * frequency * (t - begins) + phase;
+  return grown * std::sin(angle) * amplitude;
+}
+
 double Gravity::scale() const {
-  double strongest = 0.0;
+  double strongest = oscillation.amplitude.norm();
   for (const Eigen::Vector3d& a : acceleration) strongest = std::max(strongest, a.norm());
   return strongest;
 }

@@ -16,16 +16,41 @@ inline double smooth_step(double s) { return s * s * s * (10.0 + s * (6.0 * s - 
 Eigen::Vector3d smooth_keyframes(const std::vector<double>& time,
                                  const std::vector<Eigen::Vector3d>& value, double t);
 
+/// amplitude · e(t) · sin(2π · frequency · (t − begins) + phase), where e grows from 0 at `begins` to
+/// 1 at `full_from` by the smooth step, or at once where they are equal; zero before.
+struct Oscillation {
+  Eigen::Vector3d amplitude = Eigen::Vector3d::Zero();  ///< in the unit of what oscillates
+  double frequency = 0.0;                               ///< Hz, ≥ 0
+  double phase = 0.0;                                   ///< rad
+  double begins = 0.0;                                  ///< s
+  double full_from = 0.0;                               ///< s, ≥ begins
+  bool moves() const { return !amplitude.isZero(0.0); }
+  Eigen::Vector3d at(double t) const;
+};
+
+/// Keyframes, and an oscillation on top of them where there is one.
+inline Eigen::Vector3d over_time(const std::vector<double>& time,
+                                 const std::vector<Eigen::Vector3d>& value,
+                                 const Oscillation& oscillation, double t) {
+  const Eigen::Vector3d steady = smooth_keyframes(time, value, t);
+  return oscillation.moves() ? Eigen::Vector3d(steady + oscillation.at(t)) : steady;
+}
+
 /// Planned displacement from the initial place over time; none is at rest.
 struct Motion {
   std::vector<double> time{};                          ///< s, increasing
   std::vector<Eigen::Vector3d> offset{};               ///< m, one a keyframe
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s: steadily, on top of them
-  bool moves() const { return !time.empty() || !velocity.isZero(0.0); }
-  Eigen::Vector3d at(double t) const { return smooth_keyframes(time, offset, t) + t * velocity; }
+  Oscillation oscillation{};                           ///< m, on top of both
+  bool moves() const { return !time.empty() || !velocity.isZero(0.0) || oscillation.moves(); }
+  Eigen::Vector3d at(double t) const {
+    return over_time(time, offset, oscillation, t) + t * velocity;
+  }
   /// From t on, over `dt` (s), m/s: a difference of places, but for the steady part.
   Eigen::Vector3d mean_velocity(double t, double dt) const {
-    return (smooth_keyframes(time, offset, t + dt) - smooth_keyframes(time, offset, t)) / dt +
+    return (over_time(time, offset, oscillation, t + dt) -
+            over_time(time, offset, oscillation, t)) /
+               dt +
            velocity;
   }
 };
@@ -35,9 +60,10 @@ struct Motion {
 struct Gravity {
   std::vector<double> time;                   ///< s, increasing
   std::vector<Eigen::Vector3d> acceleration;  ///< m/s², one a keyframe
-  Eigen::Vector3d at(double t) const { return smooth_keyframes(time, acceleration, t); }
-  /// The strongest of its keyframes, m/s²; 0 without any, for a weightless scene has no scale of its
-  /// own.
+  Oscillation oscillation{};                  ///< m/s², on top of them
+  Eigen::Vector3d at(double t) const { return over_time(time, acceleration, oscillation, t); }
+  /// The strongest of its keyframes and its amplitude, m/s²; 0 without any, for a weightless scene
+  /// has no scale of its own.
   double scale() const;
 };
 

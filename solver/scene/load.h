@@ -9,12 +9,13 @@
 
 namespace stiction {
 
-/// A vector over time: keyframes joined by the C² smooth step, constant outside them; without any
-/// it is zero.
+/// A vector over time: keyframes joined by the C² smooth step, constant outside them, and an
+/// oscillation on top; without either it is zero.
 struct VectorOverTime {
   std::vector<double> time{};            ///< s, increasing
   std::vector<Eigen::Vector3d> value{};  ///< one a keyframe
-  Eigen::Vector3d at(double t) const { return smooth_keyframes(time, value, t); }
+  Oscillation oscillation{};
+  Eigen::Vector3d at(double t) const { return over_time(time, value, oscillation, t); }
 };
 
 /// A force on a body, spread over it like its mass, and a couple, spread as if the body were rigid.

@@ -60,7 +60,8 @@ void check_tetrahedra(const std::string& who, const TetMesh& mesh) {
       refuse(who, ": tetrahedron ", e, " is inverted (volume ", volume, " m³)");
     }
     if (!(volume > smallest)) {
-      refuse(who, ": tetrahedron ", e, " has zero volume (", volume, " m³)");
+      refuse(who, ": tetrahedron ", e, " is flat (volume ", volume, " m³, longest edge ", longest,
+             " m)");
     }
   }
 }
@@ -80,8 +81,23 @@ void check_keyframes(const std::string& who, const char* values, const std::vect
   }
 }
 
+void check_oscillation(const std::string& who, const Oscillation& one) {
+  const double numbers = one.frequency + one.phase + one.begins + one.full_from;
+  if (!one.amplitude.allFinite() || !std::isfinite(numbers)) {
+    refuse(who, ": a number of its oscillation is not finite");
+  }
+  if (one.frequency < 0.0) {
+    refuse(who, ": the frequency must not be negative, not ", one.frequency, " Hz");
+  }
+  if (one.full_from < one.begins) {
+    refuse(who, ": an oscillation that begins at ", one.begins, " s cannot be full from ",
+           one.full_from, " s on");
+  }
+}
+
 void check_motion(const std::string& who, const Motion& motion) {
   check_keyframes(who + ", its motion", "offsets", motion.time, motion.offset);
+  check_oscillation(who + ", its motion", motion.oscillation);
   if (!motion.velocity.allFinite()) refuse(who, ", its motion: the velocity is not finite");
 }
 
@@ -144,6 +160,8 @@ void check_loads(const SceneDescription& description) {
     check_body_of("a load", load.body);
     check_keyframes("a load", "forces", load.force.time, load.force.value);
     check_keyframes("a load", "couples", load.couple.time, load.couple.value);
+    check_oscillation("a load, its force", load.force.oscillation);
+    check_oscillation("a load, its couple", load.couple.oscillation);
   }
   for (const Spring& spring : description.springs) {
     check_body_of("a spring", spring.body);
@@ -170,6 +188,7 @@ void check_description(const SceneDescription& description) {
   }
   check_keyframes("gravity", "accelerations", description.gravity.time,
                   description.gravity.acceleration);
+  check_oscillation("gravity", description.gravity.oscillation);
   const Drag& drag = description.drag;
   if (!(drag.rate >= 0.0) || !std::isfinite(drag.rate)) {
     refuse("the drag must be non-negative and finite, not ", drag.rate, " 1/s");

@@ -67,11 +67,11 @@ const Mistake kMistakes[] = {
      [](S& s) { std::swap(mesh(s).tetrahedra(1, 0), mesh(s).tetrahedra(2, 0)); },
      "body 'cube': tetrahedron 0 is inverted (volume -0.166666667 m³)"},
     {"FlatTetrahedron", [](S& s) { mesh(s).vertices.col(3) = Vec3(0.25, 0.25, 0.0); },
-     "body 'cube': tetrahedron 0 has zero volume (0 m³)"},
+     "body 'cube': tetrahedron 0 is flat (volume 0 m³, longest edge 1.41421356 m)"},
     {"RepeatedCorner", [](S& s) { mesh(s).tetrahedra(3, 0) = 2; },
-     "body 'cube': tetrahedron 0 has zero volume (0 m³)"},
+     "body 'cube': tetrahedron 0 is flat (volume 0 m³, longest edge 1.41421356 m)"},
     {"AlmostFlatTetrahedron", [](S& s) { mesh(s).vertices.col(3) = Vec3(0.25, 0.25, 1e-13); },
-     "body 'cube': tetrahedron 0 has zero volume (1.66666667e-14 m³)"},
+     "body 'cube': tetrahedron 0 is flat (volume 1.66666667e-14 m³, longest edge 1.41421356 m)"},
     {"FrequencyBeyondNumbers",
      [](S& s) {
        material(s).density = 1e-200;
@@ -81,7 +81,7 @@ const Mistake kMistakes[] = {
      "frequency"},
     {"AlmostFlatInvertedTetrahedron",
      [](S& s) { mesh(s).vertices.col(3) = Vec3(0.25, 0.25, -1e-13); },
-     "body 'cube': tetrahedron 0 has zero volume (-1.66666667e-14 m³)"},
+     "body 'cube': tetrahedron 0 is flat (volume -1.66666667e-14 m³, longest edge 1.41421356 m)"},
     {"NegativeDensity", [](S& s) { material(s).density = -1000.0; },
      "body 'cube': density must be positive and finite, not -1000 kg/m³"},
     {"ZeroDensity", [](S& s) { material(s).density = 0.0; },

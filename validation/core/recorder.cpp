@@ -30,7 +30,7 @@ Recorder::Recorder(const Problem& problem) : gravity_(problem.gravity) {
   recording_.title = problem.name;
   for (const ProblemBody& body : problem.bodies) recording_.bodies.push_back({body.name, 0, {}});
   for (const Obstacle& obstacle : problem.obstacles) {
-    if (!obstacle.motion.time.empty()) continue;
+    if (obstacle.motion.moves()) continue;
     recording_.planes.push_back({obstacle.name, triple(obstacle.point), triple(obstacle.normal)});
   }
 }

@@ -55,11 +55,15 @@ void Simulation::advance_to(double time) {
 
 void Simulation::advance(std::uint64_t steps) {
   const std::uint64_t target = engine_->steps_done() + steps;
-  const auto advance_until = [this](std::uint64_t step) {
-    if (step > engine_->steps_done()) {
+  // Under a limit by few steps at first, and then by twice as many, so that it is kept about.
+  std::uint64_t most = std::isfinite(cpu_limit_) ? 1 : steps;
+  const auto advance_until = [&](std::uint64_t step) {
+    while (step > engine_->steps_done()) {
       const ArithmeticWatch arithmetic;
-      engine_->advance(step - engine_->steps_done());
+      engine_->advance(std::min(most, step - engine_->steps_done()));
       if (faults_.empty()) faults_ = arithmetic.found();
+      if (engine_->cpu_seconds() > cpu_limit_) break;
+      most = std::min(steps, 2 * most);
     }
     if (engine_->cpu_seconds() > cpu_limit_) {
       throw InputError(fmt::format("gave up at t = {:.3g} s: its CPU time is used up", time()));

@@ -53,13 +53,20 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
     need(body.must_deform, manifest.deformable, "bodies that deform");
     need(body.held.has_value(), manifest.held_parts, "held parts");
     need(!body.motion.velocity.isZero(0.0), manifest.steady_motion, "steadily moving supports");
+    need(body.motion.oscillation.moves(), manifest.oscillation, "sines over time");
     need(body.self_collision, manifest.self_contact, "a body's contact with itself");
   }
   need(problem.bodies.size() > 1, manifest.body_contact, "contact between bodies");
   for (const Obstacle& obstacle : problem.obstacles) {
     need(!obstacle.motion.time.empty(), manifest.moving_obstacles, "moving obstacles");
     need(!obstacle.motion.velocity.isZero(0.0), manifest.steady_motion, "steadily moving supports");
+    need(obstacle.motion.oscillation.moves(), manifest.oscillation, "sines over time");
   }
+  for (const Load& load : problem.loads) {
+    need(load.force.oscillation.moves() || load.couple.oscillation.moves(), manifest.oscillation,
+         "sines over time");
+  }
+  need(problem.gravity.oscillation.moves(), manifest.oscillation, "sines over time");
   need(problem.drag.rate > 0.0, manifest.drag, "a medium that damps");
   need(!problem.loads.empty() || !problem.springs.empty(), manifest.loads, "loads on bodies");
   need(problem.gravity.time.size() > 1, manifest.varying_gravity, "gravity that changes");

@@ -32,6 +32,7 @@ struct Manifest {
   bool self_contact = false;   ///< … and themselves
   bool moving_obstacles = false;
   bool steady_motion = false;    ///< of held parts and obstacles: Motion::velocity
+  bool oscillation = false;      ///< of supports, loads and gravity: a sine over time
   bool drag = false;             ///< a medium that damps all motion
   bool varying_gravity = false;  ///< over time
   bool loads = false;            ///< forces, couples and springs on bodies

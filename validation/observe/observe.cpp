@@ -51,43 +51,45 @@ const std::vector<Observable>& observables() {
   using S = const Sample&;
   using D = const Vec3&;
   static const std::vector<Observable> all = {
-      {"position", "m", "centre of mass along the direction", false, true,
+      {"position", "m", "centre of mass along the direction", false, true, false,
        [](S, S at, D d) { return d.dot(at.motion.position); }},
-      {"velocity", "m/s", "of the centre of mass along the direction", false, true,
+      {"velocity", "m/s", "of the centre of mass along the direction", false, true, false,
        [](S, S at, D d) { return d.dot(at.motion.velocity); }},
-      {"speed", "m/s", "magnitude of the velocity of the centre of mass", false, false,
+      {"speed", "m/s", "magnitude of the velocity of the centre of mass", false, false, false,
        [](S, S at, D) { return at.motion.velocity.norm(); }},
       {"displacement", "m", "of the centre of mass along the direction, between from and at", true,
-       true, [](S from, S at, D d) { return d.dot(at.motion.position - from.motion.position); }},
-      {"drift", "m", "distance of the centre of mass between from and at", true, false,
+       true, false,
+       [](S from, S at, D d) { return d.dot(at.motion.position - from.motion.position); }},
+      {"drift", "m", "distance of the centre of mass between from and at", true, false, false,
        [](S from, S at, D) { return (at.motion.position - from.motion.position).norm(); }},
-      {"mean-velocity", "m/s", "displacement over time, between from and at", true, true,
+      {"mean-velocity", "m/s", "displacement over time, between from and at", true, true, false,
        [](S from, S at, D d) {
          return d.dot(at.motion.position - from.motion.position) / (at.time - from.time);
        }},
-      {"acceleration", "m/s²", "mean along the direction, between from and at", true, true,
+      {"acceleration", "m/s²", "mean along the direction, between from and at", true, true, false,
        [](S from, S at, D d) {
          return d.dot(at.motion.velocity - from.motion.velocity) / (at.time - from.time);
        }},
-      {"kinetic-energy", "J", "of the whole scene", false, false,
+      {"kinetic-energy", "J", "of the whole scene", false, false, true,
        [](S, S at, D) { return at.energies.kinetic; }},
-      {"total-energy", "J", "of the whole scene: kinetic, elastic and gravity", false, false,
+      {"total-energy", "J", "of the whole scene: kinetic, elastic and gravity", false, false, true,
        [](S, S at, D) { return at.energies.kinetic + at.energies.elastic + at.energies.gravity; }},
-      {"normal-force", "N", "sum over the body's contacts", false, false,
+      {"normal-force", "N", "sum over the body's contacts", false, false, false,
        [](S, S at, D) {
          return summed(at, [](const ContactSample& c) { return c.normal_force; });
        }},
       {"friction-force", "N", "sum over the body's contacts, along the direction", false, true,
+       false,
        [](S, S at, D d) {
          return summed(at, [&](const ContactSample& c) { return d.dot(c.friction_force); });
        }},
-      {"slip", "m/s", "fastest tangential slip of the body's contacts", false, false,
+      {"slip", "m/s", "fastest tangential slip of the body's contacts", false, false, false,
        [](S, S at, D) {
          return largest(at, [](const ContactSample& c) { return c.slip.norm(); });
        }},
-      {"penetration", "m", "deepest penetration of the body's contacts", false, false,
+      {"penetration", "m", "deepest penetration of the body's contacts", false, false, false,
        [](S, S at, D) { return largest(at, [](const ContactSample& c) { return -c.gap; }); }},
-      {"contacts", "1", "number of the body's contacts", false, false,
+      {"contacts", "1", "number of the body's contacts", false, false, false,
        [](S, S at, D) { return static_cast<double>(at.contacts.size()); }},
   };
   return all;

@@ -31,6 +31,7 @@ struct Observable {
   std::string meaning;
   bool over_window;   ///< compares the time `from` with the time `at`
   bool in_direction;  ///< needs a direction
+  bool of_scene;      ///< not of one body
   double (*measure)(const Sample& from, const Sample& at, const Vec3& direction);
 };
 

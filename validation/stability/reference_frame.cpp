@@ -57,7 +57,15 @@ Problem ReferenceFrame::seen(const Problem& problem) const {
     return [this, factor](const Vec3& v) -> Vec3 { return factor * turned(v); };
   };
   const auto couple = [&](const Vec3& v) -> Vec3 { return energy() * axial(v); };
+  const auto swung = [&](Oscillation one, const auto& map) {
+    one.amplitude = map(one.amplitude);
+    one.frequency /= time;
+    one.begins *= time;
+    one.full_from *= time;
+    return one;
+  };
   const auto moved = [&](Motion motion) {
+    motion.oscillation = swung(motion.oscillation, vector(length));
     motion.time = times(std::move(motion.time), time);
     motion.offset = mapped(std::move(motion.offset), vector(length));
     motion.velocity = speed * turned(motion.velocity) + drift;
@@ -93,12 +101,15 @@ Problem ReferenceFrame::seen(const Problem& problem) const {
   }
   there.gravity.time = times(std::move(there.gravity.time), time);
   there.gravity.acceleration = mapped(std::move(there.gravity.acceleration), vector(acceleration));
+  there.gravity.oscillation = swung(there.gravity.oscillation, vector(acceleration));
   there.drag.rate /= time;
   there.drag.full_until *= time;
   there.drag.ends *= time;
   for (Load& load : there.loads) {
     load.force.time = times(std::move(load.force.time), time);
     load.force.value = mapped(std::move(load.force.value), vector(force()));
+    load.force.oscillation = swung(load.force.oscillation, vector(force()));
+    load.couple.oscillation = swung(load.couple.oscillation, couple);
     load.couple.time = times(std::move(load.couple.time), time);
     load.couple.value = mapped(std::move(load.couple.value), couple);
   }

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <initializer_list>
+#include <stdexcept>
 
 #include "solver/testing/test_refusal.h"
 
@@ -29,14 +31,32 @@ n = 1
 n = 2
 )";
 
+TomlKeys keys_of(const char* table, std::initializer_list<const char*> names) {
+  TomlKeys keys{table, "", {}};
+  for (const char* name : names) keys.keys.push_back({name, "", "", "", ""});
+  return keys;
+}
+
+const TomlKeys kFile = [] {
+  TomlKeys keys =
+      keys_of("the file", {"name", "flag", "whole", "real", "vector", "list", "vectors", "mixed",
+                           "short", "nan", "infinite", "inner", "item", "absent"});
+  keys.keys.push_back({"length", "m", "", "", ""});
+  keys.keys.push_back({"path", "m", "", "", ""});
+  return keys;
+}();
+const TomlKeys kInner = keys_of("[inner]", {"a", "c"});
+const TomlKeys kItem = keys_of("[[item]]", {"n", "name"});
+
 class Reader : public testing::Test {
  protected:
   std::string refusal(const std::function<void(TomlTable&)>& use) {
-    TomlTable fresh("file.toml", root_, "the file");
+    TomlTable fresh(file_, root_, kFile);
     return test::refusal([&] { use(fresh); });
   }
   toml::table root_ = toml::parse(kText);
-  TomlTable table{"file.toml", root_, "the file"};
+  std::string file_ = "file.toml";
+  TomlTable table{file_, root_, kFile};
 };
 
 TEST_F(Reader, ReadsEachKind) {
@@ -48,9 +68,9 @@ TEST_F(Reader, ReadsEachKind) {
   EXPECT_EQ(table.numbers("list"), (std::vector<double>{0.5, 1.0}));
   ASSERT_EQ(table.vectors("vectors").size(), 2u);
   EXPECT_EQ(table.vectors("vectors")[1], Eigen::Vector3d::UnitY());
-  EXPECT_EQ(table.table("inner").number("a"), 1.0);
-  ASSERT_EQ(table.tables("item").size(), 2u);
-  EXPECT_EQ(table.tables("item")[1].number("n"), 2.0);
+  EXPECT_EQ(table.table("inner", kInner).number("a"), 1.0);
+  ASSERT_EQ(table.tables("item", kItem).size(), 2u);
+  EXPECT_EQ(table.tables("item", kItem)[1].number("n"), 2.0);
   EXPECT_TRUE(table.is_table("inner"));
   EXPECT_FALSE(table.is_table("name"));
   EXPECT_TRUE(table.is_text("name"));
@@ -61,7 +81,7 @@ TEST_F(Reader, FallsBackWhereAKeyIsAbsent) {
   EXPECT_FALSE(table.flag("absent", false));
   EXPECT_EQ(table.number("absent", 7.0), 7.0);
   EXPECT_EQ(table.vector("absent", Eigen::Vector3d::UnitZ()), Eigen::Vector3d::UnitZ());
-  EXPECT_TRUE(table.tables("absent").empty());
+  EXPECT_TRUE(table.tables("absent", kItem).empty());
   EXPECT_FALSE(table.is_table("absent"));
 }
 
@@ -104,42 +124,59 @@ const Mistake kMistakes[] = {
      "file.toml:3: 'whole' must be a list"},
     {"NumbersAsVectors", [](TomlTable& t) { t.vectors("list"); },
      "file.toml:6: 'list' must be three numbers, like [0, 0, 1]"},
-    {"ANumberAsTable", [](TomlTable& t) { t.table("whole"); },
+    {"ANumberAsTable", [](TomlTable& t) { t.table("whole", kInner); },
      "file.toml:3: 'whole' must be a table"},
-    {"NumbersAsTables", [](TomlTable& t) { t.tables("list"); },
+    {"NumbersAsTables", [](TomlTable& t) { t.tables("list", kItem); },
      "file.toml:6: 'list' must be written as [[list]]"},
-    {"AMissingKey", [](TomlTable& t) { t.table("inner").number("c"); },
+    {"AMissingKey", [](TomlTable& t) { t.table("inner", kInner).number("c"); },
      "file.toml:12: [inner] lacks 'c'"},
-    {"AMissingKeyOfARepeatedTable", [](TomlTable& t) { t.tables("item")[1].text("name"); },
+    {"AMissingKeyOfARepeatedTable", [](TomlTable& t) { t.tables("item", kItem)[1].text("name"); },
      "file.toml:15: [[item]] lacks 'name'"},
     {"AnUnknownKey",
      [](TomlTable& t) {
-       TomlTable inner = t.table("inner");
+       TomlTable inner = t.table("inner", kInner);
        inner.number("a");
        inner.finish();
      },
-     "file.toml:12: [inner] has no key 'b'; there are: a"},
+     "file.toml:12: [inner] has no key 'b'; there are: a, c"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, ReaderRefuses, testing::ValuesIn(kMistakes),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST_F(Reader, FinishesWhenEveryKeyWasAskedFor) {
-  TomlTable inner = table.table("inner");
+  const TomlKeys both = keys_of("[inner]", {"a", "b"});
+  TomlTable inner = table.table("inner", both);
   inner.number("a");
+  EXPECT_EQ(test::refusal([&] { inner.finish(); }),
+            "file.toml:12: 'b' has no effect beside what else [inner] says");
   inner.has("b");
   EXPECT_EQ(test::refusal([&] { inner.finish(); }), "");
 }
 
-TEST_F(Reader, GivesAllKeysAsTextThatReadsBackAsTheSameNumber) {
-  toml::table root = toml::parse("dt = 2e-4\nrule = \"none\"\ncells = 2\n");
-  TomlTable settings("file.toml", root, "[engine]");
-  const auto all = settings.all_as_text();
+TEST_F(Reader, AskedForAKeyThatNobodyExplainsIsAMistakeOfTheProgram) {
+  EXPECT_THROW(table.number("colour"), std::logic_error);
+}
+
+TEST_F(Reader, TakesANumberWithAUnitOfItsKind) {
+  root_ = toml::parse("length = \"3 mm\"\npath = [\"1 cm\", 0, \"-2 m\"]\nwhole = \"3 mm\"\n");
+  EXPECT_EQ(table.number("length"), 0.003);
+  EXPECT_EQ(table.vector("path"), Eigen::Vector3d(0.01, 0, -2));
+  EXPECT_EQ(table.number_in("m", "whole"), 0.003);
+  EXPECT_EQ(refusal([](TomlTable& t) { t.number("whole"); }),
+            "file.toml:3: 'whole' must be a finite number");
+  EXPECT_EQ(refusal([](TomlTable& t) { t.number_in("kg", "length"); }),
+            "file.toml:1: 'length' must be a finite number, or a text of one and its unit: kg, g, "
+            "mg, t");
+}
+
+TEST_F(Reader, GivesSettingsAsTextThatReadsBackAsTheSameNumber) {
+  root_ = toml::parse("inner = { dt = 2e-4, rule = \"none\", cells = 2 }\n");
+  const auto all = table.settings("inner");
   ASSERT_EQ(all.size(), 3u);
   for (const auto& [key, value] : all) {
     EXPECT_EQ(value, key == "dt" ? "0.0002" : key == "rule" ? "none" : "2") << key;
   }
-  EXPECT_EQ(test::refusal([&] { settings.finish(); }), "") << "all of them count as known";
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ mass = 3.0
 rests_on = "floor"
 [[check]]
 observable = "velocity"
+body = "falling"
 direction = [0, 0, 2]
 at = 0.05
 expected = -0.5
@@ -73,6 +74,7 @@ tolerance = 1e-13
 reason = "round-off; a direction is made a unit vector"
 [[check]]
 observable = "acceleration"
+body = "falling"
 direction = [0, 0, 1]
 from = 0.02
 at = 0.06

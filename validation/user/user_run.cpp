@@ -1,43 +1,225 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/user/user_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "validation/judge/verdict.h"
 
 namespace stiction {
 
-void run_user_problem(CaseRun& run, const UserProblem& user) {
-  constexpr int kSeriesSamples = 200;
-  const double duration = user.problem.duration;
+namespace {
+
+constexpr int kSeriesSamples = 200;
+constexpr int kMostBisections = 100;
+
+// A problem as it ran: a value a check.
+struct Observed {
+  std::vector<double> values{};
+  std::vector<Series> series{};
+};
+
+std::uint64_t step_at(double time, double time_step) {
+  return static_cast<std::uint64_t>(std::llround(time / time_step));
+}
+
+// Times that the engine's steps cannot tell apart would compare a state with itself.
+void refuse_times(const UserProblem& user, double time_step) {
+  for (const UserCheck& one : user.checks) {
+    const bool window = one.watch.observable->over_window;
+    if (step_at(window ? one.from : 0.0, time_step) < step_at(one.at, time_step)) continue;
+    throw InputError(fmt::format(
+        "{}: {} the engine's steps of {:g} s {}", one.place,
+        window ? fmt::format("from = {:g} s and at = {:g} s are the same step:", one.from, one.at)
+               : fmt::format("at = {:g} s is the start:", one.at),
+        time_step, "are too long for it; set 'dt' in [engine] or take other times"));
+  }
+}
+
+std::vector<double> times_of(const UserProblem& user) {
   std::vector<double> times;
+  const double duration = user.problem.duration;
   for (int k = 0; k <= kSeriesSamples; ++k) times.push_back(duration * k / kSeriesSamples);
   for (const UserCheck& one : user.checks) times.insert(times.end(), {one.from, one.at});
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
 
-  const CaseRun::Running simulation = run.simulate(user.problem);
-  Series kinetic{"kinetic energy", "J", "time", "s", {}, {}};
-  Series slip{"fastest contact slip", "m/s", "time", "s", {}, {}};
-  std::vector<std::pair<Sample, Sample>> seen(user.checks.size());
-  for (const double time : times) {
+double measured(const UserWatch& watch, const Sample& from, const Sample& at) {
+  return watch.observable->measure(from, at, watch.direction);
+}
+
+Observed observe(CaseRun& run, const UserProblem& user, const Settings& over) {
+  const CaseRun::Running simulation = run.simulate_with(over, user.problem);
+  const double time_step = simulation->engine().time_step();
+  steps_of(user, time_step);
+  refuse_times(user, time_step);
+  simulation->record_frames(user.problem.duration / kSeriesSamples);
+  Observed seen;
+  const bool contacts = run.engine().manifest.contacts;
+  seen.series = {{"kinetic energy", "J", "time", "s", {}, {}}};
+  if (contacts) seen.series.push_back({"fastest contact slip", "m/s", "time", "s", {}, {}});
+  const std::size_t own = seen.series.size();
+  for (const UserSeries& one : user.series) {
+    seen.series.push_back({one.name, one.watch.observable->unit, "time", "s", {}, {}});
+  }
+  std::vector<std::pair<Sample, Sample>> samples(user.checks.size());
+  for (const double time : times_of(user)) {
     simulation->advance_to(time);
     const Engine& engine = simulation->engine();
-    kinetic.x.push_back(simulation->time());
-    kinetic.y.push_back(engine.energies().kinetic);
-    slip.x.push_back(simulation->time());
-    slip.y.push_back(fastest_slip(engine));
-    for (std::size_t k = 0; k < seen.size(); ++k) {
+    const auto sample = [&](const UserWatch& watch) {
+      return sample_of(engine, simulation->time(), watch.body);
+    };
+    for (Series& one : seen.series) one.x.push_back(simulation->time());
+    seen.series[0].y.push_back(engine.energies().kinetic);
+    if (contacts) seen.series[1].y.push_back(fastest_slip(engine));
+    for (std::size_t k = 0; k < user.series.size(); ++k) {
+      const Sample now = sample(user.series[k].watch);
+      seen.series[own + k].y.push_back(measured(user.series[k].watch, now, now));
+    }
+    for (std::size_t k = 0; k < samples.size(); ++k) {
       const UserCheck& one = user.checks[k];
-      if (time == one.from) seen[k].first = sample_of(engine, simulation->time(), one.body);
-      if (time == one.at) seen[k].second = sample_of(engine, simulation->time(), one.body);
+      if (time == one.from) samples[k].first = sample(one.watch);
+      if (time == one.at) samples[k].second = sample(one.watch);
     }
   }
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const UserCheck& one = user.checks[k];
-    run.check(one.claim, one.observable->measure(seen[k].first, seen[k].second, one.direction));
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    seen.values.push_back(measured(user.checks[k].watch, samples[k].first, samples[k].second));
   }
-  run.add(std::move(kinetic));
-  run.add(std::move(slip));
+  return seen;
+}
+
+// The run's settings with those of the file that a variation changes.
+Settings varied_settings(const UserVariation& vary, const UserProblem& there) {
+  constexpr std::string_view kEngine = "engine.";
+  if (!vary.what.starts_with(kEngine)) return {};
+  const std::string name = vary.what.substr(kEngine.size());
+  return {{name, there.settings.at(name)}};
+}
+
+std::string value_text(const UserVariation& vary, double value) {
+  return fmt::format("{} = {:g}{}{}", vary.what, value, vary.unit.empty() ? "" : " ",
+                     vary.unit == "1" ? "" : vary.unit);
+}
+
+void run_once(CaseRun& run, const UserProblem& user) {
+  Observed seen = observe(run, user, {});
+  for (std::size_t k = 0; k < seen.values.size(); ++k) {
+    run.check(user.checks[k].claim, seen.values[k]);
+  }
+  for (Series& one : seen.series) run.add(std::move(one));
+}
+
+void run_sweep(CaseRun& run, const UserSweep& sweep) {
+  for (const double value : sweep.values) {
+    const UserProblem there = sweep.vary.with(value);
+    const std::string where = " at " + value_text(sweep.vary, value);
+    Observed seen = observe(run, there, varied_settings(sweep.vary, there));
+    for (std::size_t k = 0; k < seen.values.size(); ++k) {
+      Claim claim = there.checks[k].claim;
+      claim.quantity += where;
+      run.check(std::move(claim), seen.values[k]);
+    }
+    for (Series& one : seen.series) {
+      one.name += where;
+      run.add(std::move(one));
+    }
+  }
+}
+
+// Of the checks at one value: the worst error over its tolerance.
+struct Worst {
+  double share = 0.0;
+  std::string words{};
+  bool holds = true;
+};
+
+Worst worst_at(CaseRun& run, const UserVariation& vary, double value) {
+  const UserProblem there = vary.with(value);
+  const Observed seen = observe(run, there, varied_settings(vary, there));
+  Worst worst;
+  for (std::size_t k = 0; k < seen.values.size(); ++k) {
+    const Judgement found = judge(there.checks[k].claim, seen.values[k], 1.0);
+    const bool holds = found.verdict == Verdict::kPass;
+    const double share = found.of_tolerance;
+    if (worst.holds && (!holds || !(share <= worst.share))) {
+      worst = {
+          share,
+          fmt::format("{} is {:.4g} {}", found.claim.quantity, seen.values[k], found.claim.unit),
+          holds};
+    }
+  }
+  return worst;
+}
+
+void run_threshold(CaseRun& run, const UserThreshold& one) {
+  std::vector<std::pair<double, double>> points;
+  const auto holds_at = [&](double value, bool expected, bool known) {
+    const Worst worst = worst_at(run, one.vary, value);
+    points.emplace_back(value, worst.share);
+    if (known && worst.holds != expected) {
+      throw InputError(fmt::format("{}: at {} {}: {}", one.place, value_text(one.vary, value),
+                                   expected ? "a check fails already" : "every check still holds",
+                                   worst.words));
+    }
+    return worst.holds;
+  };
+  double holds = one.holds_at, fails = one.fails_at;
+  holds_at(holds, true, true);
+  holds_at(fails, false, true);
+  for (int k = 0; k < kMostBisections && std::abs(fails - holds) > one.within; ++k) {
+    const double middle = 0.5 * (holds + fails);
+    (holds_at(middle, true, false) ? holds : fails) = middle;
+  }
+  run.check(one.claim, 0.5 * (holds + fails));
+  run.note(fmt::format("holds at {}, fails at {}", value_text(one.vary, holds),
+                       value_text(one.vary, fails)));
+  std::sort(points.begin(), points.end());
+  Series series{"worst error over its tolerance", "1", one.vary.what, one.claim.unit, {}, {}};
+  for (const auto& [value, share] : points) {
+    series.x.push_back(value);
+    series.y.push_back(share);
+  }
+  run.add(std::move(series));
+}
+
+}  // namespace
+
+std::uint64_t steps_of(const UserProblem& user, double time_step) {
+  constexpr double kMost = 9e15;  // exact in a double
+  const double steps = user.problem.duration / time_step;
+  if (!(steps < kMost)) {
+    throw InputError(
+        fmt::format("{}: a duration of {:g} s is {:.1g} steps of {:g} s: more than can "
+                    "be counted",
+                    user.file, user.problem.duration, steps, time_step));
+  }
+  if (!(steps > 1.0 - 1e-9)) {
+    throw InputError(
+        fmt::format("{}: the duration, {:g} s, is shorter than a step of the engine, "
+                    "{:g} s: nothing would be simulated",
+                    user.file, user.problem.duration, time_step));
+  }
+  return static_cast<std::uint64_t>(std::llround(steps));
+}
+
+int simulations_of(const UserProblem& user) {
+  if (user.sweep) return static_cast<int>(user.sweep->values.size());
+  if (!user.threshold) return 1;
+  const UserThreshold& one = *user.threshold;
+  const double halvings =
+      std::log2(std::max(1.0, std::abs(one.fails_at - one.holds_at) / one.within));
+  return 2 + static_cast<int>(std::min<double>(kMostBisections, std::ceil(halvings)));
+}
+
+void run_user_problem(CaseRun& run, const UserProblem& user) {
+  if (user.threshold) return run_threshold(run, *user.threshold);
+  if (user.sweep) return run_sweep(run, *user.sweep);
+  run_once(run, user);
 }
 
 }  // namespace stiction

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "benchmarks/track/measure/child.h"
-#include "reports/text/text.h"
 
 namespace stiction::track {
 
@@ -27,27 +26,12 @@ double unit_seconds(const std::string& unit, const std::string& what) {
   return found->second;
 }
 
-// The same, its texts and names on one line: another program wrote them.
-json of_plain_text(const json& value) {
-  if (value.is_string()) return one_line(value.get<std::string>());
-  if (!value.is_structured()) return value;
-  json plain = value.is_array() ? json::array() : json::object();
-  for (const auto& [name, one] : value.items()) {
-    if (value.is_array()) {
-      plain.push_back(of_plain_text(one));
-    } else {
-      plain[one_line(name)] = of_plain_text(one);
-    }
-  }
-  return plain;
-}
-
 json parsed(const std::string& text, const std::string& what) {
   json file = json::parse(text, nullptr, false);
   if (!file.is_object() || !file.contains("benchmarks") || !file["benchmarks"].is_array()) {
     throw TrackError(fmt::format("{}: this is not Google Benchmark's JSON", what));
   }
-  return of_plain_text(file);
+  return file;
 }
 
 GoogleResult result_of(const json& entry, const std::string& what) {
@@ -223,7 +207,7 @@ std::string to_google_json(const StoredRun& run) {
                      {"benchmarks", google_entries(run)},
                      {"stiction", part_of(run)}};
   // JSON knows no bytes that are not UTF-8: a name with such has U+FFFD in their place.
-  return file.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  return file.dump(1, ' ', true, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace stiction::track

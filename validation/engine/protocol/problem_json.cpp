@@ -51,8 +51,10 @@ json unit(const std::string& who, const char* what, const Vec3& v) {
   return vector(who, what, v);
 }
 
+// The protocol has no sines: engines that are programs are never sent one (Manifest::oscillation). A
+// record's own problem tells them.
 json over_time(const std::string& who, const char* what, const std::vector<double>& time,
-               const std::vector<Vec3>& value) {
+               const std::vector<Vec3>& value, const Oscillation& oscillation) {
   if (time.size() != value.size()) refuse(who, fmt::format("its {} has not a value a time", what));
   json values = json::array();
   for (std::size_t k = 0; k < time.size(); ++k) {
@@ -62,12 +64,20 @@ json over_time(const std::string& who, const char* what, const std::vector<doubl
     }
     values.push_back(vector(who, what, value[k]));
   }
-  return {{"time", time}, {"value", values}};
+  json out = {{"time", time}, {"value", values}};
+  if (oscillation.moves()) {
+    out["oscillation"] = {{"amplitude", vector(who, what, oscillation.amplitude)},
+                          {"frequency", not_negative(who, what, oscillation.frequency)},
+                          {"phase", finite(who, what, oscillation.phase)},
+                          {"begins", finite(who, what, oscillation.begins)},
+                          {"full_from", finite(who, what, oscillation.full_from)}};
+  }
+  return out;
 }
 
 json motion_json(const std::string& who, const Motion& motion) {
   if (!motion.velocity.isZero(0.0)) refuse(who, "the protocol has no steady motion");
-  return over_time(who, "motion", motion.time, motion.offset);
+  return over_time(who, "motion", motion.time, motion.offset, motion.oscillation);
 }
 
 struct ShapeWriter {
@@ -130,9 +140,11 @@ json obstacle_json(const Obstacle& obstacle) {
 
 json load_json(const Load& load) {
   const std::string who = "a load";
-  return {{"body", load.body},
-          {"force", over_time(who, "force", load.force.time, load.force.value)},
-          {"couple", over_time(who, "couple", load.couple.time, load.couple.value)}};
+  return {
+      {"body", load.body},
+      {"force", over_time(who, "force", load.force.time, load.force.value, load.force.oscillation)},
+      {"couple",
+       over_time(who, "couple", load.couple.time, load.couple.value, load.couple.oscillation)}};
 }
 
 json spring_json(const Spring& spring) {
@@ -164,19 +176,19 @@ json problem_json(const Problem& problem) {
     demand_body(spring.body);
     springs.push_back(spring_json(spring));
   }
-  return {
-      {"name", problem.name},
-      {"bodies", bodies},
-      {"obstacles", obstacles},
-      {"gravity", over_time(who, "gravity", problem.gravity.time, problem.gravity.acceleration)},
-      {"drag",
-       {{"rate", not_negative(who, "drag", problem.drag.rate)},
-        {"full_until", finite(who, "drag", problem.drag.full_until)},
-        {"ends", finite(who, "drag", problem.drag.ends)}}},
-      {"loads", loads},
-      {"springs", springs},
-      {"friction", not_negative(who, "friction", problem.friction)},
-      {"duration", finite(who, "duration", problem.duration)}};
+  return {{"name", problem.name},
+          {"bodies", bodies},
+          {"obstacles", obstacles},
+          {"gravity", over_time(who, "gravity", problem.gravity.time, problem.gravity.acceleration,
+                                problem.gravity.oscillation)},
+          {"drag",
+           {{"rate", not_negative(who, "drag", problem.drag.rate)},
+            {"full_until", finite(who, "drag", problem.drag.full_until)},
+            {"ends", finite(who, "drag", problem.drag.ends)}}},
+          {"loads", loads},
+          {"springs", springs},
+          {"friction", not_negative(who, "friction", problem.friction)},
+          {"duration", finite(who, "duration", problem.duration)}};
 }
 
 std::string problem_summary(const Problem& problem) {

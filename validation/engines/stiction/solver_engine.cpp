@@ -323,6 +323,7 @@ EngineKind solver_engine() {
                    .self_contact = true,
                    .moving_obstacles = true,
                    .steady_motion = true,
+                   .oscillation = true,
                    .drag = true,
                    .varying_gravity = true,
                    .loads = true,

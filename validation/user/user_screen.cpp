@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/user/user_screen.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+
+#include "reports/screen/program.h"
+#include "reports/screen/screen.h"
+#include "validation/user/preview.h"
+
+namespace stiction {
+
+namespace {
+
+// The problem of a job; none where it could not be meshed.
+const UserProblem* problem_of(const std::vector<UserCase>& problems, const Job& job) {
+  const auto found = std::find_if(problems.begin(), problems.end(), [&](const UserCase& one) {
+    return one.which.name == job.which.name;
+  });
+  return found == problems.end() ? nullptr : found->problem.get();
+}
+
+}  // namespace
+
+void show_problems(const std::vector<UserCase>& problems, const std::vector<Job>& jobs) {
+  for (const UserCase& one : problems) {
+    if (!one.problem) throw InputError(one.error);
+  }
+  const std::size_t width = screen_of(STDOUT_FILENO).width;
+  for (const Job& job : jobs) {
+    const UserProblem* const user = problem_of(problems, job);
+    if (user == nullptr) continue;
+    show_line(fmt::format("{}: {}", job.which.name, job.which.title));
+    show(explained(*user, width));
+    show(bullet(fmt::format("engine {}: {}", job.engine.name,
+                            estimate_text(estimate(*user, job.engine, job.settings))),
+                width));
+  }
+}
+
+void tell_long_runs(const std::vector<UserCase>& problems, const std::vector<Job>& jobs) {
+  constexpr double kLong = 10.0;  // s
+  for (const Job& job : jobs) {
+    const UserProblem* const user = problem_of(problems, job);
+    if (user == nullptr) continue;
+    try {
+      const UserEstimate found = estimate(*user, job.engine, job.settings);
+      if (found.cpu_seconds >= kLong) tell(job.which.name + ": " + estimate_text(found));
+    } catch (const std::exception&) {
+      continue;  // its record will say why it cannot run
+    }
+  }
+}
+
+}  // namespace stiction

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "validation/core/runner.h"
+#include "validation/user/user_case.h"
+
+namespace stiction {
+
+/// Shows what each problem is, in words, and about how long it takes on the engine of its job; simulates
+/// no more than a tenth of a second of it. Throws InputError for what cannot run.
+void show_problems(const std::vector<UserCase>& problems, const std::vector<Job>& jobs);
+
+/// Tells on stderr about how long the problems take that take ten seconds and more.
+void tell_long_runs(const std::vector<UserCase>& problems, const std::vector<Job>& jobs);
+
+}  // namespace stiction
