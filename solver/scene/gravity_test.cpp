@@ -63,5 +63,30 @@ TEST(Drag, IsFullThenFadesAndIsGone) {
   EXPECT_EQ(drag.at(9.0), 0.0);
 }
 
+TEST(Oscillation, IsASineThatGrowsFromWhereItBegins) {
+  const Oscillation one{{2, 0, 0}, 0.5, 0.25, 1.0, 3.0};
+  const double pi = 3.14159265358979323846;
+  EXPECT_EQ(one.at(-1.0), Eigen::Vector3d::Zero());
+  EXPECT_EQ(one.at(1.0), Eigen::Vector3d::Zero());
+  EXPECT_NEAR(one.at(2.0).x(), 0.5 * 2 * std::sin(pi * 1.0 + 0.25), 1e-15) << "half grown";
+  EXPECT_NEAR(one.at(4.5).x(), 2 * std::sin(pi * 3.5 + 0.25), 1e-14);
+  const Oscillation at_once{{2, 0, 0}, 0.5, 0.0, 1.0, 1.0};
+  EXPECT_NEAR(at_once.at(1.5).x(), 2.0, 1e-15);
+}
+
+TEST(Oscillation, LiesOnTopOfWhatElseChanges) {
+  const Oscillation swings{{0, 3, 0}, 0.25, 0.0, 0.0, 0.0};
+  const Gravity gravity{{0.0}, {{0, 0, -10}}, swings};
+  EXPECT_LT((gravity.at(1.0) - Eigen::Vector3d(0, 3, -10)).norm(), 1e-14);
+  EXPECT_EQ(gravity.scale(), 10.0);
+  Motion motion;
+  EXPECT_FALSE(motion.moves());
+  motion.velocity = {1, 0, 0};
+  motion.oscillation = swings;
+  EXPECT_TRUE(motion.moves());
+  EXPECT_LT((motion.at(1.0) - Eigen::Vector3d(1, 3, 0)).norm(), 1e-14);
+  EXPECT_LT((motion.mean_velocity(0.0, 1.0) - Eigen::Vector3d(1, 3, 0)).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace stiction

@@ -54,8 +54,14 @@ Motion read_motion(TomlTable table) {
   Motion motion{offset.time, offset.value, table.vector("velocity", Eigen::Vector3d::Zero()),
                 offset.oscillation};
   if (!motion.at(0.0).isZero(0.0)) {
-    table.refuse(table.has("offset") ? "offset" : "phase_deg",
+    table.refuse("offset",
                  "a motion must begin where the problem puts it: its offset at 0 s is not zero");
+  }
+  const Oscillation& swings = motion.oscillation;
+  if (swings.moves() && swings.phase != 0.0 && !(swings.begins < swings.full_from)) {
+    table.refuse(
+        "phase_deg",
+        "a motion must not jump: with a 'phase_deg' it needs a 'full_from' after 'begins'");
   }
   table.finish();
   return motion;

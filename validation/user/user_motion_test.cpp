@@ -73,6 +73,9 @@ TEST_F(UserMotion, WhatSwingsMustBeginWhereItIs) {
               HasSubstr("its offset at 0 s is not zero"));
   EXPECT_THAT(refusal(edited("slope_deg = 20", "motion = { amplitude = [1, 0, 0] }")),
               HasSubstr("[motion] lacks 'frequency'"));
+  const std::string swings = "motion = { amplitude = [1, 0, 0], frequency = 2, phase_deg = 90";
+  EXPECT_THAT(refusal(edited("slope_deg = 20", swings + " }")), HasSubstr("must not jump"));
+  EXPECT_EQ(refusal(edited("slope_deg = 20", swings + ", full_from = 1 }")), "");
 }
 
 constexpr const char* kThreshold = R"(

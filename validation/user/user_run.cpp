@@ -102,8 +102,8 @@ Settings varied_settings(const UserVariation& vary, const UserProblem& there) {
 }
 
 std::string value_text(const UserVariation& vary, double value) {
-  return fmt::format("{} = {:g}{}{}", vary.what, value, vary.unit.empty() ? "" : " ",
-                     vary.unit == "1" ? "" : vary.unit);
+  const std::string unit = vary.unit.empty() || vary.unit == "1" ? "" : " " + vary.unit;
+  return fmt::format("{} = {:g}{}", vary.what, value, unit);
 }
 
 void run_once(CaseRun& run, const UserProblem& user) {
