@@ -133,8 +133,8 @@ void define(CLI::App& app, Arguments& arguments) {
                "Explain the file of a problem: all tables, keys, observables and units")
       ->group("What runs");
   app.add_flag("--check-only", arguments.check_only,
-               "Read your problems, say in words what they are and about how long they take, and "
-               "end")
+               "Read your problems, say in words what they are and about how long they take, draw "
+               "them, and end")
       ->group("What runs");
   app.add_flag("--list", arguments.list, "Show the names of the cases and end")->group("What runs");
   app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind")
@@ -300,7 +300,7 @@ int validate(Arguments& arguments) {
   demand_conformance(find_engine(selection.engine), selection.settings);
   if (arguments.check_only) {
     if (problems.empty()) throw InputError("--check-only needs a problem's file");
-    show_problems(problems, jobs);
+    show_problems(problems, jobs, arguments.out);
     return kHolds;
   }
   tell_long_runs(problems, jobs);

@@ -202,9 +202,11 @@ std::string RecordStore::last_words() {
       records_file_.string(), folder_.string(), complete_records_ == 1 ? "it" : "them");
 }
 
-void RecordStore::tell_caller() const {
+void RecordStore::tell_caller() const { tell_run_folder(folder_); }
+
+void tell_run_folder(const std::filesystem::path& folder) {
   const char* const file = std::getenv("STICTION_RUN_FILE");
-  if (file != nullptr) std::ofstream(file) << folder_.string() << '\n';
+  if (file != nullptr) std::ofstream(file) << folder.string() << '\n';
 }
 
 }  // namespace stiction

@@ -11,6 +11,10 @@
 
 namespace stiction {
 
+/// For programs that make something of a run: writes its folder to the file that the environment
+/// variable STICTION_RUN_FILE names, where ./stiction looks; nothing without it.
+void tell_run_folder(const std::filesystem::path& folder);
+
 /// The folder of one run. Each run has its own, so that two runs into one `out_dir` never mix:
 ///
 ///   out_dir/2025-11-20T23-41-05Z/records.jsonl   one line a record, written as soon as it is known
@@ -50,8 +54,7 @@ class RecordStore {
   /// begin, and says where the finished records are; a run without any is removed.
   std::string last_words();
 
-  /// For programs that make something of the run: writes its folder to the file that the
-  /// environment variable STICTION_RUN_FILE names, where ./stiction looks; nothing without it.
+  /// tell_run_folder of this run.
   void tell_caller() const;
 
   /// The run's folder and its records file, absolute.

@@ -8,6 +8,7 @@ import { parse_arguments, USAGE } from "./make/arguments.mjs";
 import { html_page, read_bundles } from "./make/page.mjs";
 import { manual_html } from "./make/manual.mjs";
 import { page_data } from "./make/page_data.mjs";
+import { drawing_html, read_problems } from "./make/drawing.mjs";
 import { pdf_of } from "./make/pdf.mjs";
 import { read_recordings } from "./make/recordings.mjs";
 import { read_run } from "./make/read_run.mjs";
@@ -52,6 +53,19 @@ const default_title = (runs) =>
     .slice(0, 3)
     .join(", ")}`;
 
+const manual_style = () =>
+  readFileSync(join(dirname(fileURLToPath(import.meta.url)), "bundle", "manual.css"), "utf8");
+
+// What validate --check-only leaves is drawn; false where the folder holds no such thing.
+function drawings({ folders: [folder] }) {
+  const problems = read_problems(folder);
+  if (problems === null) return false;
+  const file = join(folder, "problems.html");
+  write_whole(file, drawing_html(problems, manual_style()));
+  show(`Drawing: ${file}`);
+  return true;
+}
+
 async function manual(options) {
   const warnings = [];
   const runs = read_all(options.folders, warnings);
@@ -60,10 +74,7 @@ async function manual(options) {
     runs,
     heads: run_heads(runs, []),
     title: options.title ?? "Verification manual",
-    style: readFileSync(
-      join(dirname(fileURLToPath(import.meta.url)), "bundle", "manual.css"),
-      "utf8",
-    ),
+    style: manual_style(),
     bytes_of: (name) => recordings.find((recording) => recording.name === name)?.bytes ?? null,
   });
   const file = options.manual || join(runs[0].folder, "verification-manual.html");
@@ -119,7 +130,7 @@ try {
   const options = parse_arguments(process.argv.slice(2));
   if (options.help) show(USAGE);
   else if (options.manual !== undefined) await manual(options);
-  else await report(options);
+  else if (!drawings(options)) await report(options);
 } catch (error) {
   tell(error.message);
   process.exitCode = 2;

@@ -5,10 +5,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 
+#include "reports/record/record_store.h"
 #include "reports/screen/program.h"
 #include "reports/screen/screen.h"
+#include "reports/text/text.h"
+#include "validation/engine/protocol/problem_json.h"
 #include "validation/user/preview.h"
 
 namespace stiction {
@@ -23,9 +29,26 @@ const UserProblem* problem_of(const std::vector<UserCase>& problems, const Job& 
   return found == problems.end() ? nullptr : found->problem.get();
 }
 
+// What the page's program draws.
+void write_problems(const std::vector<UserCase>& problems, const std::filesystem::path& folder) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const UserCase& one : problems) {
+    all.push_back({{"case", one.which.name},
+                   {"title", one.which.title},
+                   {"problem", nlohmann::json::parse(problem_summary(one.problem->problem))}});
+  }
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  const std::filesystem::path file = folder / "problems.json";
+  std::ofstream stream(file);
+  stream << all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+  if (!stream) throw InputError("cannot write '" + one_line(file.string()) + "'");
+}
+
 }  // namespace
 
-void show_problems(const std::vector<UserCase>& problems, const std::vector<Job>& jobs) {
+void show_problems(const std::vector<UserCase>& problems, const std::vector<Job>& jobs,
+                   const std::filesystem::path& out) {
   for (const UserCase& one : problems) {
     if (!one.problem) throw InputError(one.error);
   }
@@ -39,6 +62,8 @@ void show_problems(const std::vector<UserCase>& problems, const std::vector<Job>
                             estimate_text(estimate(*user, job.engine, job.settings))),
                 width));
   }
+  write_problems(problems, out / "check-only");
+  tell_run_folder(out / "check-only");
 }
 
 void tell_long_runs(const std::vector<UserCase>& problems, const std::vector<Job>& jobs) {

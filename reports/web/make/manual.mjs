@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verification manual of some runs: one static HTML text, a page a case, for A4 and for a screen.
-import { createHash } from "node:crypto";
 import { decode_frames } from "../model/frames.js";
 import { configuration_of, ordered_configurations } from "../model/configuration.js";
 import { is_of_engines, record_labels } from "../model/engine.js";
@@ -298,23 +297,5 @@ export async function manual_html({ runs, heads, title, style, bytes_of }) {
   const body = [title_page(title, entries, heads), contents(pages), reading(entries)];
   for (const [place, page] of pages.entries())
     body.push(await case_page(page, place, { heads, bytes_of }));
-  const hash = createHash("sha256").update(style).digest("base64");
-  return `<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'sha256-${hash}'; img-src data:; base-uri 'none'; form-action 'none'">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="referrer" content="no-referrer">
-<link rel="icon" href="data:,">
-<title>${escaped(title)}</title>
-<style>${style}</style>
-</head>
-<body>
-<main>
-${body.map(markup_of).join("\n")}
-</main>
-</body>
-</html>
-`;
+  return document_html(title, style, body);
 }

@@ -20,7 +20,13 @@ function over_time(value) {
     time.length === values.length &&
     time.every(Number.isFinite) &&
     values.every((one) => is_numbers(one, 3));
-  return whole ? { time, value: values } : { time: [], value: [] };
+  const swings = value?.oscillation;
+  return {
+    ...(whole ? { time, value: values } : { time: [], value: [] }),
+    velocity: triple(value?.velocity),
+    amplitude: triple(swings?.amplitude),
+    frequency: number(swings?.frequency),
+  };
 }
 
 /** A quantity at its start and at its end: zero where it has no value. */

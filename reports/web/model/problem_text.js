@@ -120,8 +120,20 @@ export const body_rows = (problem) =>
     };
   });
 
-// "0.5 m along +x from 0 to 1 s", "(0, 0, 0) to (1, 0, 0) N from 0 to 1 s": what changes with time.
-function course(values, unit_name) {
+// "0.5 m along +x from 0 to 1 s, swings by 1 mm along +x at 5 Hz": what changes with time.
+const course = (values, unit_name) =>
+  [
+    stages(values, unit_name),
+    !is_zero(values.velocity) && `steadily by ${along(values.velocity, "m/s")}`,
+    swings_text(values, unit_name),
+  ]
+    .filter(Boolean)
+    .join(", ");
+
+const swings_text = ({ amplitude, frequency }, unit_name) =>
+  is_zero(amplitude) ? "" : `to and fro by ${along(amplitude, unit_name)} at ${short(frequency)} Hz`;
+
+function stages(values, unit_name) {
   const [from, to] = [first_of(values), last_of(values)];
   if (values.value.length < 2) return is_zero(to) ? "" : along(to, unit_name);
   const times = `from ${short(values.time[0])} to ${short(values.time.at(-1))} s`;
@@ -135,7 +147,10 @@ function course(values, unit_name) {
   return `${between}${vector_text(from)} to ${vector_text(to)} ${unit_name}, ${times}`;
 }
 
-function gravity_text({ gravity }) {
+const gravity_text = ({ gravity }) =>
+  [gravity_stages(gravity), swings_text(gravity, "m/s²")].filter(Boolean).join(", ");
+
+function gravity_stages(gravity) {
   const [from, to] = [first_of(gravity), last_of(gravity)];
   const moving = gravity.value.some((value) => !is_zero(subtract(value, to)));
   if (!moving) return is_zero(to) ? "none" : along(to, "m/s²");

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Problems in words and as drawings.
 import assert from "node:assert/strict";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { test } from "node:test";
+import { drawing_html, read_problems } from "../make/drawing.mjs";
 import { markup_of } from "../make/markup.mjs";
 import { body_groups, problem_of, slope_of } from "../model/problem.js";
 import { body_rows, direction_text, problem_facts, with_prefix } from "../model/problem_text.js";
@@ -259,4 +263,44 @@ test("commands that run a case again can be pasted into a shell", () => {
     record_command({ ...record(), configuration: "paper, secant", differs: { kappa: "0.7" } }),
     "./stiction validate --case 'incline/stop/mu=0.3' --configuration 'paper, secant' --set 'kappa=0.7'",
   );
+});
+
+test("what swings and what moves steadily is told", () => {
+  const oscillation = { amplitude: [1e-3, 0, 0], frequency: 5, phase: 0, begins: 0, full_from: 0 };
+  const swings = { time: [], value: [], oscillation };
+  const told = facts({
+    ...problem(),
+    obstacles: [
+      { ...obstacle(), name: "table", motion: swings },
+      { ...obstacle(), name: "belt", motion: { time: [], value: [], velocity: [0, 0.2, 0] } },
+    ],
+    gravity: { time: [0], value: [[0, 0, -9.81]], oscillation },
+  });
+  assert.match(told.Obstacles, /‘table’.*moved to and fro by 0\.001 m along \+x at 5 Hz/);
+  assert.match(told.Obstacles, /‘belt’.*moved steadily by 0\.2 m\/s along \+y/);
+  assert.match(told.Gravity, /9\.81 m\/s² along −z, to and fro by 0\.001 m\/s² along \+x at 5 Hz/);
+});
+
+test("problems that were read and not run are drawn, with their data and as text alone", () => {
+  const html = drawing_html(
+    [
+      { case: "user/ramp", title: HOSTILE, problem: incline() },
+      { case: "user/none", title: "nothing", problem: {} },
+    ],
+    "p {}",
+  );
+  assert.match(html, /<h2>user\/ramp<\/h2>/);
+  assert.match(html, /class="sketch"/);
+  assert.match(html, /does not tell the problem/);
+  assert.ok(!html.includes(HOSTILE));
+});
+
+test("a folder of problems is read, and what is none is told of in a sentence", () => {
+  const folder = mkdtempSync(join(tmpdir(), "problems-"));
+  assert.equal(read_problems(folder), null);
+  writeFileSync(join(folder, "problems.json"), "[1");
+  assert.throws(() => read_problems(folder), /problems\.json is no list of problems/);
+  writeFileSync(join(folder, "problems.json"), "[]");
+  assert.deepEqual(read_problems(folder), []);
+  rmSync(folder, { recursive: true });
 });

@@ -51,8 +51,8 @@ json unit(const std::string& who, const char* what, const Vec3& v) {
   return vector(who, what, v);
 }
 
-// The protocol has no sines: engines that are programs are never sent one (Manifest::oscillation). A
-// record's own problem tells them.
+// The protocol has no sines and no steady motion: engines that are programs are never sent such
+// (Manifest). A record's own problem tells them.
 json over_time(const std::string& who, const char* what, const std::vector<double>& time,
                const std::vector<Vec3>& value, const Oscillation& oscillation) {
   if (time.size() != value.size()) refuse(who, fmt::format("its {} has not a value a time", what));
@@ -76,8 +76,9 @@ json over_time(const std::string& who, const char* what, const std::vector<doubl
 }
 
 json motion_json(const std::string& who, const Motion& motion) {
-  if (!motion.velocity.isZero(0.0)) refuse(who, "the protocol has no steady motion");
-  return over_time(who, "motion", motion.time, motion.offset, motion.oscillation);
+  json out = over_time(who, "motion", motion.time, motion.offset, motion.oscillation);
+  if (!motion.velocity.isZero(0.0)) out["velocity"] = vector(who, "motion", motion.velocity);
+  return out;
 }
 
 struct ShapeWriter {
