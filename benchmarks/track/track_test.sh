@@ -117,6 +117,8 @@ says '| worse | `slab/creep#digits: creep` | 6.00 digits | 5.00 digits | -1.00 d
 
 # ---- what cannot be measured --------------------------------------------------------------------
 refuses "an unknown revision" "git knows no revision 'nonsense'" --against nonsense
+env PATH=/nowhere "$build/track" --against HEAD 2>"$work/err" && failed "without git" "exit code 0"
+grep -qF 'git is missing' "$work/err" || failed "without git" "$(cat "$work/err")"
 refuses "no such benchmark" "no benchmark of this name" --against HEAD --benchmark nonsense
 refuses "none to record" "no benchmark of this name" record --benchmark nonsense --history n.sqlite
 refuses "nothing to measure" "there is nothing to measure" \

@@ -158,7 +158,9 @@ std::string SurfaceOptions::check() const {
   if (!(facet_distance >= 0.0) || !std::isfinite(facet_distance)) {
     return "facet_distance must be finite, ≥ 0";
   }
-  if (!(feature_angle > 0.0 && feature_angle < 180.0)) return "feature_angle must lie in (0, 180)";
+  if (!(feature_angle > 0.0 && feature_angle < 180.0)) {
+    return "the feature angle must lie between 0° and 180°";
+  }
   if (!(unit > 0.0) || !std::isfinite(unit)) return "unit must be positive and finite";
   if (most_tetrahedra <= 0) return "most_tetrahedra must be positive";
   if (!(time_limit > 0.0)) return "time_limit must be positive";

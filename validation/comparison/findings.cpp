@@ -199,10 +199,10 @@ Sentences rules_within_fifty_steps(const Figures& figures) {
       }
     }
     sentences.push_back(
-        soon.empty()
+        nearest.rule.empty() ? fmt::format("{}: none gets to 1e-9 m/s in all its steps.", scene)
+        : soon.empty()
             ? fmt::format("{}: none gets to 1e-9 m/s within {} steps; nearest {}, {}.", scene,
-                          kSoon, nearest.rule.empty() ? "none" : nearest.words(),
-                          steps_words(least))
+                          kSoon, nearest.words(), steps_words(least))
             : fmt::format("{}: 1e-9 m/s within {} steps by {}.", scene, kSoon, listed(soon)));
   }
   return sentences;

@@ -97,6 +97,11 @@ TEST(Findings, CountFailuresAndLeaveThemOutOfTheBest) {
                                       HasSubstr("1 of 2 fail"))));
 }
 
+TEST(Findings, NameNobodyAsNearestWhereNoneGetsThere) {
+  EXPECT_THAT(findings({record("rules/slab", "none", kNever, 1e-5)}).notes,
+              Contains(HasSubstr("none gets to 1e-9 m/s in all its steps.")));
+}
+
 TEST(Findings, AreSilentOnWhatWasNotCompared) {
   EXPECT_TRUE(findings({cost("none", 1.0)}).notes.empty());
 }

@@ -26,6 +26,8 @@ namespace fs = std::filesystem;
 using stiction::show;
 
 Project project_of(const Arguments& arguments) {
+  if (!has_program("git"))
+    throw TrackError("git is missing: what is measured is told by its commit");
   Project project;
   project.root = arguments.root;
   if (arguments.root.empty()) {
