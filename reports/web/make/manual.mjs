@@ -16,6 +16,7 @@ import { know_configurations } from "../plots/configuration_style.js";
 import { svg_of, svg_width } from "../plots/draw.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { e } from "../sketch/tree.js";
+import { document_html } from "./document.mjs";
 import {
   claims_and_results,
   configuration_mark,
@@ -27,7 +28,6 @@ import {
   verdict_mark,
 } from "./manual_parts.mjs";
 import { pages_of, parameters_of } from "./manual_pages.mjs";
-import { escaped, markup_of } from "./markup.mjs";
 
 const MOST_NOTES = 12;
 

@@ -31,7 +31,9 @@ const files = readdirSync(here).filter(
 let worst = 0;
 async function work() {
   for (let file = files.shift(); file; file = files.shift()) {
-    worst = Math.max(worst, await run("--test", join(here, file)));
+    // Awaited before `worst` is read: the other worker may have changed it meanwhile.
+    const code = await run("--test", join(here, file));
+    worst = Math.max(worst, code);
   }
 }
 await Promise.all([work(), work()]);
