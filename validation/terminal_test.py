@@ -10,25 +10,31 @@ import pathlib
 import pty
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
 import termios
+import threading
 import unicodedata
 
 ESCAPE = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
-def on_terminal(command, columns, lines, **environment):
-    """Everything that the command writes to a terminal of that size, and its exit code."""
+def on_terminal(command, columns, lines, interrupted_after=None, **environment):
+    """Everything that the command writes to a terminal of that size, and its exit code. Ctrl-C is typed after
+    `interrupted_after` seconds."""
     child, terminal = pty.fork()
     if child == 0:
         fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
         for name in ("COLUMNS", "NO_COLOR"):
             os.environ.pop(name, None)
         os.environ.update({"TERM": "xterm", **environment})
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # what stands in a shell's background ignores it
         os.execvp(command[0], command)
+    if interrupted_after is not None:
+        threading.Timer(interrupted_after, os.write, (terminal, b"\x03")).start()
     written = b""
     while True:
         try:
@@ -168,6 +174,12 @@ def look(validate):
               "--jobs", "1", "--no-page"]
     written, _ = on_terminal(longer, 80, 24)
     check("a run of some seconds tells the time that is left", re.search(r"· \d+ s left", written))
+
+    for variables in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+        written, code = on_terminal(longer, 80, 24, interrupted_after=1, **variables)
+        answered = any(line.startswith("stiction validate: interrupted") for line in re.split("[\r\n]+", written))
+        check(f"Ctrl-C is answered on a line of its own, without an escape, {variables}",
+              answered and code == 130 and "\x1b" not in written, repr(written))
 
     failing = [validate, "--case", "half-space/free-fall", "--tolerance-scale", "0", "--no-page"]
     written, code = on_terminal(failing, 80, 24)

@@ -58,7 +58,8 @@ void end_all(const std::set<pid_t>& children) {
 }
 
 void say(const std::string& text) {
-  const std::string line = (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + text + "\n";
+  // On a terminal the cursor stands behind what was last told, or behind ^C.
+  const std::string line = (isatty(STDERR_FILENO) != 0 ? "\n" : "") + text + "\n";
   // Not by stderr's buffer, whose lock another thread may hold.
   if (write(STDERR_FILENO, line.data(), line.size()) < 0) return;
 }

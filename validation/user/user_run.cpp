@@ -31,11 +31,13 @@ void refuse_times(const UserProblem& user, double time_step) {
   for (const UserCheck& one : user.checks) {
     const bool window = one.watch.observable->over_window;
     if (step_at(window ? one.from : 0.0, time_step) < step_at(one.at, time_step)) continue;
-    throw InputError(fmt::format(
-        "{}: {} the engine's steps of {:g} s {}", one.place,
-        window ? fmt::format("from = {:g} s and at = {:g} s are the same step:", one.from, one.at)
-               : fmt::format("at = {:g} s is the start:", one.at),
-        time_step, "are too long for it; set 'dt' in [engine] or take other times"));
+    const std::string fault =
+        window ? fmt::format("from = {:g} s and at = {:g} s are the same step", one.from, one.at)
+               : fmt::format("at = {:g} s is the start", one.at);
+    throw InputError(
+        fmt::format("{}: {}: the engine's steps of {:g} s are too long for it; set 'dt' in "
+                    "[engine] or take other times",
+                    one.place, fault, time_step));
   }
 }
 

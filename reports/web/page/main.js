@@ -94,6 +94,8 @@ async function start(app) {
       const heading = main.querySelector("h1")?.textContent ?? "";
       document.title = view === "summary" ? index.title : `${heading} · ${index.title}`;
     }
+    // For tests: whether what they see is what the address asks for.
+    document.documentElement.dataset.shown = location.hash;
   }
 
   addEventListener("hashchange", show);

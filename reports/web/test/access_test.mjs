@@ -2,7 +2,7 @@
 // axe-core finds no fault of weight, in light and dark, wide and narrow.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { axe_source, draw_plots, start_browser } from "./browser.mjs";
+import { axe_source, draw_plots, start_browser, turn_to } from "./browser.mjs";
 import { lines_of, make_run, varied_records } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
@@ -36,8 +36,7 @@ for (const [name, options] of Object.entries({
     await page.evaluate(axe_source);
     const found = [];
     for (const hash of VIEWS) {
-      await page.evaluate((next) => (location.hash = next), hash);
-      await page.waitForTimeout(250);
+      await turn_to(page, hash);
       await draw_plots(page);
       const { violations } = await page.evaluate(() =>
         globalThis.axe.run(document, { resultTypes: ["violations"] }),

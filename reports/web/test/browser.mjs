@@ -20,8 +20,17 @@ const FLAGS = [
   "--disable-component-update",
   "--disable-sync",
 ];
+// Pages turn by so much later than they are asked to: a test that takes the old view for the new one fails
+// always, and not on a busy machine only.
+const LATE_MS = 100;
 const WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
+
+function turn_late(ms) {
+  const listen = window.addEventListener.bind(window);
+  window.addEventListener = (type, told, ...rest) =>
+    listen(type, type === "hashchange" ? (event) => setTimeout(() => told(event), ms) : told, ...rest);
+}
 
 /** CPU time that the page's process has taken, ms: unlike the clock's it doesn't grow with what else runs. */
 export async function process_time(page) {
@@ -65,6 +74,7 @@ export async function start_browser({ webgl = true } = {}) {
         colorScheme: dark ? "dark" : "light",
       });
       const page = await context.newPage();
+      await page.addInitScript(turn_late, LATE_MS);
       page.faults = [];
       const own = pathToFileURL(file).href;
       await context.route("**/*", (route) => {
@@ -95,6 +105,18 @@ export async function start_browser({ webgl = true } = {}) {
     },
     close: () => browser.close(),
   };
+}
+
+/** Waits until the page shows what its address asks for: after a click on a link, for example. */
+export const turned = (page) =>
+  page.waitForFunction(() => document.documentElement.dataset.shown === location.hash, null, {
+    timeout: 10_000,
+  });
+
+/** Goes to another view of the page, and waits until it's there. */
+export async function turn_to(page, hash) {
+  await page.evaluate((next) => (location.hash = next), hash);
+  await turned(page);
 }
 
 /** Waits until every plot in view, after scrolling to it, has been drawn. Gives their marks' counts. */

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { axe_source, draw_plots, start_browser } from "./browser.mjs";
+import { axe_source, draw_plots, start_browser, turn_to } from "./browser.mjs";
 import { compared_records, FINDINGS } from "./compared_records.mjs";
 import { lines_of, make_run, record } from "./records.mjs";
 import { make_page, report } from "./report.mjs";
@@ -106,7 +106,7 @@ test("every view draws its plots and stays within 400 px", async () => {
       ["#cases", 0],
       ["#summary", 3],
     ]) {
-      await page.evaluate((next) => (location.hash = next), hash);
+      await turn_to(page, hash);
       await page.waitForFunction(
         (wanted) => document.querySelectorAll("main .plot-canvas").length >= wanted,
         count,

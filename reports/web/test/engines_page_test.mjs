@@ -2,7 +2,7 @@
 // The page of engines side by side in a browser.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { axe_source, draw_plots, start_browser } from "./browser.mjs";
+import { axe_source, draw_plots, start_browser, turn_to } from "./browser.mjs";
 import { ENGINE_FINDINGS, engine_records, QUESTIONS, ROWS } from "./engine_records.mjs";
 import { HOSTILE, lines_of, make_run, record } from "./records.mjs";
 import { make_page } from "./report.mjs";
@@ -88,7 +88,7 @@ test("raw answers stand under their cases by engine, configuration and effort", 
   await page.locator("table.checks").waitFor();
   assert.match(await page.locator("table.checks").innerText(), /bullet · default · effort 2/);
   assert.match(await page.locator(".case-title").innerText(), /^3 broke off, 19 fail, 30 hold/);
-  await page.evaluate(() => (location.hash = "#cases&verdict=pass"));
+  await turn_to(page, "#cases&verdict=pass");
   await page.waitForFunction(() =>
     /of 1,246/.test(document.querySelector(".count-line")?.innerText),
   );
@@ -130,15 +130,14 @@ test("on 360 px every view stays within the page, and the names stay in view", a
     "#plots",
     "#cases",
   ]) {
-    await page.evaluate((next) => (location.hash = next), hash);
-    await page.waitForTimeout(200);
+    await turn_to(page, hash);
     for (const marks of await draw_plots(page)) assert.ok(marks > 0, hash);
     const beyond = await page.evaluate(
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     );
     assert.ok(beyond <= 0, `${hash} is ${beyond} px too wide`);
   }
-  await page.evaluate(() => (location.hash = "#summary"));
+  await turn_to(page, "#summary");
   const left = await page.locator(".matrix-scroll").evaluate((region) => {
     region.scrollLeft = 600;
     return region.querySelector("tbody th").getBoundingClientRect().left;

@@ -2,7 +2,7 @@
 // Strings of records are shown as text, whatever they hold.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { draw_plots, start_browser } from "./browser.mjs";
+import { draw_plots, start_browser, turn_to } from "./browser.mjs";
 import { hostile_records, lines_of, make_run } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
@@ -24,8 +24,7 @@ test("markup in names stays text in every view", async () => {
     .locator("main a")
     .evaluateAll((all) => all.map((link) => link.getAttribute("href")));
   for (const hash of ["#summary", "#cases", "#plots", "#compare", "#about", ...links]) {
-    await page.evaluate((next) => (location.hash = next), hash);
-    await page.waitForTimeout(150);
+    await turn_to(page, hash);
     await draw_plots(page);
     assert.doesNotMatch(
       await page.locator("main").innerText(),
@@ -35,15 +34,10 @@ test("markup in names stays text in every view", async () => {
   }
   assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
   assert.equal(await page.locator("img").count(), 0);
-  assert.match(
-    await page.evaluate(() => {
-      location.hash = "#summary";
-      return document.title;
-    }),
-    /<script>/,
-  );
-  await page.evaluate(
-    (next) => (location.hash = next),
+  await turn_to(page, "#summary");
+  assert.match(await page.title(), /<script>/);
+  await turn_to(
+    page,
     links.find((href) => href.startsWith("#case=")),
   );
   await page.locator(".claim").waitFor();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { draw_plots, open_within, start_browser } from "./browser.mjs";
+import { draw_plots, open_within, start_browser, turn_to } from "./browser.mjs";
 import { lines_of, make_run, record, varied_records } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
@@ -51,7 +51,7 @@ test("every view draws its plots", async () => {
     "#plots=work-precision": 1,
   };
   for (const [hash, count] of Object.entries(expected)) {
-    await page.evaluate((next) => (location.hash = next), hash);
+    await turn_to(page, hash);
     await page.waitForFunction(
       (wanted) => document.querySelectorAll("main .plot-canvas").length === wanted,
       count,
@@ -96,9 +96,9 @@ test("a link leads to its case, and an unknown case is told", async () => {
   const page = await browser.open(file, { hash: "#case=clamp/hold" });
   assert.equal(await page.locator("h1").innerText(), "clamp/hold");
   assert.match(await page.locator("main").innerText(), /corner 3/);
-  await page.evaluate(() => (location.hash = "#case=no/such"));
+  await turn_to(page, "#case=no/such");
   await page.getByText("There is no such case").waitFor();
-  await page.evaluate(() => (location.hash = "#nonsense"));
+  await turn_to(page, "#nonsense");
   await page.locator(".view-summary").waitFor();
   unfaulted(page);
 });
@@ -107,8 +107,7 @@ test("every link of the page leads somewhere", async () => {
   const page = await browser.open(file);
   const hashes = new Set();
   for (const view of ["#summary", "#cases", "#plots", "#about", "#family=incline/stop"]) {
-    await page.evaluate((next) => (location.hash = next), view);
-    await page.waitForTimeout(150);
+    await turn_to(page, view);
     for (const href of await page
       .locator("main a[href]")
       .evaluateAll((links) => links.map((link) => link.getAttribute("href"))))
@@ -117,8 +116,7 @@ test("every link of the page leads somewhere", async () => {
   assert.ok(hashes.size > 15);
   for (const hash of hashes) {
     assert.match(hash, /^#/);
-    await page.evaluate((next) => (location.hash = next), hash);
-    await page.waitForTimeout(40);
+    await turn_to(page, hash);
     assert.doesNotMatch(
       await page.locator("main").innerText(),
       /There is no such|cannot be shown/,
@@ -266,8 +264,7 @@ test("nothing hangs over the edge at 400 px", async () => {
     "#plots",
     "#about",
   ]) {
-    await page.evaluate((next) => (location.hash = next), hash);
-    await page.waitForTimeout(200);
+    await turn_to(page, hash);
     await draw_plots(page);
     assert.ok(
       (await wide_overflow(page)) <= 0,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { start_browser } from "./browser.mjs";
+import { start_browser, turn_to } from "./browser.mjs";
 import { check, lines_of, make_run, record, varied_records } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
@@ -158,9 +158,9 @@ test("players that were left give back what they held; the theme reaches the sce
   const page = await browser.open(file, { hash: HASH, width: 420, height: 500 });
   for (let i = 0; i < 9; ++i) {
     await loaded(page);
-    await page.evaluate(() => (location.hash = "#case=clamp/hold"));
+    await turn_to(page, "#case=clamp/hold");
     await page.getByRole("heading", { level: 1, name: "clamp/hold" }).waitFor();
-    await page.evaluate((hash) => (location.hash = hash), HASH);
+    await turn_to(page, HASH);
   }
   await loaded(page);
   await page.locator(".player input[type=range]").fill("20");

@@ -4,7 +4,7 @@
 // one about engines of records made for tests.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { start_browser } from "./browser.mjs";
+import { start_browser, turned } from "./browser.mjs";
 import { engine_records } from "./engine_records.mjs";
 import { lines_of, make_run } from "./records.mjs";
 import { make_page } from "./report.mjs";
@@ -99,7 +99,10 @@ for (const { question, clicks, where, answer } of QUESTIONS) {
   test(`${question} (${clicks.length} clicks)`, { skip }, async () => {
     assert.ok(clicks.length <= MOST_CLICKS);
     const page = await browser.open(file);
-    for (const target of clicks) await target(page).click({ timeout: 10_000 });
+    for (const target of clicks) {
+      await target(page).click({ timeout: 10_000 });
+      await turned(page);
+    }
     const place = where(page);
     await place.waitFor({ timeout: 10_000 });
     assert.match(await place.innerText(), answer);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { axe_source, draw_plots, open_within, start_browser } from "./browser.mjs";
+import { axe_source, draw_plots, open_within, start_browser, turn_to } from "./browser.mjs";
 import { make_page } from "./report.mjs";
 
 const run = process.env.STICTION_TEST_RUN;
@@ -23,8 +23,6 @@ before(async () => {
   file = make_page(run);
 });
 after(() => browser?.close());
-
-const go = (page, hash) => page.evaluate((next) => (location.hash = next), hash);
 
 test(
   "the page of a real run is ready in one second, below 15 MB, and says what matters on a screen",
@@ -60,7 +58,7 @@ test(
     const page = await browser.open(file);
     const names = [...new Set(records.map((record) => record.case))];
     for (const name of names) {
-      await go(page, `#case=${encodeURIComponent(name)}`);
+      await turn_to(page, `#case=${encodeURIComponent(name)}`);
       await page.waitForFunction(
         (wanted) => document.querySelector("h1")?.textContent === wanted,
         name,
@@ -73,7 +71,7 @@ test(
     }
     const recorded = records.find(({ frames }) => frames);
     assert.ok(recorded, "no case was recorded");
-    await go(page, `#case=${encodeURIComponent(recorded.case)}`);
+    await turn_to(page, `#case=${encodeURIComponent(recorded.case)}`);
     for (const marks of await draw_plots(page)) assert.ok(marks > 0, recorded.case);
     await page.locator(".player").scrollIntoViewIfNeeded();
     await page.locator(".player[data-loaded]").waitFor();

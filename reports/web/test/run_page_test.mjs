@@ -2,7 +2,7 @@
 // What the page makes of runs: several, compared, cut off, short of a claim as known.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { draw_plots, start_browser } from "./browser.mjs";
+import { draw_plots, start_browser, turn_to } from "./browser.mjs";
 import { check, lines_of, make_run, old_check, old_record, record } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
@@ -31,11 +31,11 @@ test("several runs are merged: runs are named, history is drawn", async () => {
   const page = await browser.open(make_page(run("20", 1), run("21", 2), run("22", 1.5)), {
     hash: "#family=trend/a",
   });
-  await page.evaluate(() => (location.hash = "#plots=trend"));
+  await turn_to(page, "#plots=trend");
   await page.locator(".plot-trend").first().waitFor();
   const marks = await draw_plots(page);
   assert.ok(marks.length >= 2 && marks.every((count) => count > 1));
-  await page.evaluate(() => (location.hash = "#case=trend/a"));
+  await turn_to(page, "#case=trend/a");
   await page.locator(".costs").waitFor();
   assert.match(await page.locator(".costs").innerText(), /day-20[^]*day-21[^]*day-22/);
   unfaulted(page);
@@ -71,7 +71,7 @@ test("two runs are compared", async () => {
   assert.match(text, /\+1\.0[^]*× 2/);
   const marks = await draw_plots(page);
   assert.equal(marks.length, 2);
-  await page.evaluate(() => (location.hash = "#summary"));
+  await turn_to(page, "#summary");
   await page.locator(".change-line").waitFor();
   assert.match(await page.locator(".change-line").innerText(), /1 verdict worse/);
   assert.match(await page.locator(".subline").innerText(), /3 records of 3 cases/);

@@ -2,7 +2,7 @@
 // The view of stability in a browser.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { axe_source, draw_plots, start_browser } from "./browser.mjs";
+import { axe_source, draw_plots, start_browser, turn_to } from "./browser.mjs";
 import { HOSTILE, lines_of, make_run, record, varied_records } from "./records.mjs";
 import { make_page } from "./report.mjs";
 import { perturbed, rung, stability_records, survived } from "./stability_records.mjs";
@@ -140,12 +140,12 @@ test("a ladder names the last rung that holds and the first that does not, with 
 test("its cases are families as any, and the search knows the word", async () => {
   const page = await browser.open(file, { hash: "#cases&q=stability" });
   assert.match(await page.locator(".count-line").innerText(), /^\d+ records$/);
-  await page.evaluate(() => (location.hash = "#summary"));
+  await turn_to(page, "#summary");
   await page.locator(".stability-line a").waitFor();
   assert.match(await page.locator("table.answer").innerText(), /ladder\/mass-ratio/);
-  await page.evaluate(() => (location.hash = "#family=ladder/touching"));
+  await turn_to(page, "#family=ladder/touching");
   await page.locator(".plot-ladder svg").waitFor();
-  await page.evaluate(() => (location.hash = "#plots=ladder"));
+  await turn_to(page, "#plots=ladder");
   await page.locator(".plot-ladder svg").first().waitFor();
   assert.deepEqual(page.faults, []);
 });
