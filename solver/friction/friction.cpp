@@ -17,9 +17,24 @@ namespace stiction {
 
 namespace {
 
+const FrictionTable* table_of(const Scene& scene) {
+  return scene.own_friction.empty() ? nullptr : &scene.own_friction;
+}
+
+// μ between the bodies of two vertices.
+struct BodyFriction {
+  explicit BodyFriction(const Scene& scene) : mu(scene.friction), own(table_of(scene)) {}
+  Real of(std::int32_t vertex, std::int32_t other) const {
+    return own == nullptr ? mu : own->between(vertex, other);
+  }
+  Real mu;
+  const FrictionTable* own;
+};
+
 // The contacts with obstacles, as the sweep sees them.
 struct ObstacleSide {
   const Scene& scene;
+  const FrictionTable* own_friction;
   Real dt;
   OneSidedContacts& contacts;
   const ContactOrder& order;
@@ -32,7 +47,12 @@ struct ObstacleSide {
     return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
   }
   const Vec3& normal(std::size_t c) const { return obstacle(c).normal; }
-  Real bound(std::size_t c) const { return obstacle(c).friction * contacts.normal_force[c]; }
+  Real bound(std::size_t c) const { return mu(c) * contacts.normal_force[c]; }
+  Real mu(std::size_t c) const {
+    return own_friction == nullptr
+               ? obstacle(c).friction
+               : own_friction->against_obstacle(contacts.vertex[c], contacts.obstacle[c]);
+  }
   Real inverse_mass(std::size_t c, const std::vector<Velocity>& velocity) const {
     return dt * velocity[static_cast<std::size_t>(contacts.vertex[c])].inverse_mass;
   }
@@ -49,7 +69,7 @@ struct ObstacleSide {
 // The contacts between bodies.
 struct PairSide {
   const Options& options;
-  Real mu;
+  BodyFriction mu;
   PairContacts& pairs;
   const ContactOrder& order;
 
@@ -62,7 +82,7 @@ struct PairSide {
     const PairOptions& pair = options.pairs;
     const bool doubled =
         pair.literal_bound && pair.gain == NormalGain::kPaper && pair.post_correction;
-    return mu * (doubled ? 2 : 1) * pairs[c].normal_force;
+    return mu.of(pairs[c].vertex, pairs[c].partner[0]) * (doubled ? 2 : 1) * pairs[c].normal_force;
   }
   Real inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
     return options.dt() * pairs[c].inverse_mass;
@@ -86,7 +106,7 @@ struct PairSide {
 // The contacts of crossing edges.
 struct EdgeSide {
   Real dt;
-  Real mu;
+  BodyFriction mu;
   EdgeContacts& edges;
   const ContactOrder& order;
 
@@ -95,7 +115,9 @@ struct EdgeSide {
   Vec3& force(std::size_t c) const { return edges[c].friction_force; }
   ContactStatus& status(std::size_t c) const { return edges[c].status; }
   const Vec3& normal(std::size_t c) const { return edges[c].normal; }
-  Real bound(std::size_t c) const { return mu * edges[c].normal_force; }
+  Real bound(std::size_t c) const {
+    return mu.of(edges[c].vertex[0], edges[c].partner[0]) * edges[c].normal_force;
+  }
   Real inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
     return dt * edges[c].inverse_mass;
   }
@@ -246,9 +268,11 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
     workspace.pair_order.make(workspace.pairs, velocity.size());
   }
   workspace.edge_order.in_one_chunk(workspace.edges.size());
-  const ObstacleSide obstacles{scene, options.dt(), workspace.contacts, workspace.obstacle_order};
-  const PairSide pairs{options, scene.friction, workspace.pairs, workspace.pair_order};
-  const EdgeSide edges{options.dt(), scene.friction, workspace.edges, workspace.edge_order};
+  const ObstacleSide obstacles{scene, table_of(scene), options.dt(), workspace.contacts,
+                               workspace.obstacle_order};
+  const BodyFriction mu(scene);
+  const PairSide pairs{options, mu, workspace.pairs, workspace.pair_order};
+  const EdgeSide edges{options.dt(), mu, workspace.edges, workspace.edge_order};
   const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
     carry_memory(rule, state.obstacle_friction, obstacles, team, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, team, workspace.pair_friction);

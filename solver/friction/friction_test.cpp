@@ -206,5 +206,41 @@ TEST_F(FrictionMemoryOfAStep, OfTheRuleNoneHoldsStatusesOnly) {
 
 TEST_F(FrictionMemoryOfAStep, DemandsAKnownRule) { EXPECT_THROW(solve("magic"), std::logic_error); }
 
+// Two bodies on the ground, and between them, with a friction of their own.
+TEST(FrictionOfAPair, IsItsOwnAndLeavesTheOthersAsTheyAre) {
+  SceneDescription description;
+  for (int b = 0; b < 3; ++b) {
+    description.bodies.push_back(
+        test::point_masses(Eigen::Matrix3Xd::Constant(3, 1, static_cast<double>(b)), kMass));
+  }
+  description.half_spaces = {test::ground(0.5)};
+  description.friction = 0.25;
+  description.pair_friction = {{.body = 1, .other = 0, .against_body = false, .friction = 0.125},
+                               {.body = 2, .other = 1, .against_body = true, .friction = 0.75}};
+  const FrictionTable& own = build_scene(description).own_friction;
+  ASSERT_FALSE(own.empty());
+  EXPECT_EQ(own.against_obstacle(0, 0), Real(0.5));
+  EXPECT_EQ(own.against_obstacle(1, 0), Real(0.125));
+  EXPECT_EQ(own.against_obstacle(2, 0), Real(0.5));
+  EXPECT_EQ(own.between(0, 1), Real(0.25));
+  EXPECT_EQ(own.between(1, 2), Real(0.75));
+  EXPECT_EQ(own.between(2, 1), Real(0.75));
+  description.pair_friction.clear();
+  EXPECT_TRUE(build_scene(description).own_friction.empty());
+}
+
+TEST_F(FrictionMemoryOfAStep, HasTheBoundOfThePair) {
+  SceneDescription description =
+      test::one_body(test::point_masses(Eigen::Matrix3Xd::Zero(3, 5), kMass));
+  description.half_spaces = {test::ground(0.5)};
+  description.pair_friction = {{.friction = 0.125}};
+  scene = build_scene(description);
+  touch(1, 8.0);
+  velocity(1) = Vec3(10, 0, 0);
+  solve("conjugate-vector");
+  EXPECT_EQ(workspace.contacts.status[0], ContactStatus::kSlip);
+  EXPECT_NEAR(force(0).norm(), 0.125 * 8.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace stiction

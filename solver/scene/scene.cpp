@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "solver/demand.h"
 #include "solver/mesh/numbering.h"
@@ -143,6 +144,22 @@ void add_body(const BodyDescription& body, Scene& scene) {
                           .motion = body.motion});
 }
 
+FrictionTable own_friction(const Scene& scene, const std::vector<PairFriction>& pairs) {
+  std::vector<std::int32_t> body_of_vertex;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    body_of_vertex.insert(body_of_vertex.end(),
+                          static_cast<std::size_t>(scene.bodies[b].vertex_count),
+                          static_cast<std::int32_t>(b));
+  }
+  std::vector<Real> against_obstacles;
+  for (const HalfSpace& obstacle : scene.half_spaces)
+    against_obstacles.push_back(obstacle.friction);
+  FrictionTable table;
+  table.make(std::move(body_of_vertex), scene.bodies.size(), scene.friction, against_obstacles,
+             pairs);
+  return table;
+}
+
 }  // namespace
 
 std::uint64_t SceneSerial::next() {
@@ -161,6 +178,7 @@ Scene build_scene(const SceneDescription& description) {
   scene.stable_time_step = std::numeric_limits<double>::infinity();
   for (const BodyDescription& body : description.bodies) add_body(body, scene);
   scene.friction = description.friction;
+  scene.own_friction = own_friction(scene, description.pair_friction);
   scene.anything_moves_by_plan = any_motion(description);
   scene.pairs_possible = any_pair_possible(scene.bodies);
   if (scene.pairs_possible) scene.topology = build_topology(scene);

@@ -12,6 +12,7 @@
 #include "solver/real.h"
 #include "solver/scene/gravity.h"
 #include "solver/scene/load.h"
+#include "solver/scene/pair_friction.h"
 
 namespace stiction {
 
@@ -56,6 +57,7 @@ struct SceneDescription {
   Real rounding = 0.0;  ///< of the places given, m: bodies may start so deep inside an obstacle
   std::vector<Load> loads{};
   std::vector<Spring> springs{};
+  std::vector<PairFriction> pair_friction{};  ///< of pairs that have a μ of their own
 };
 
 /// One tetrahedron as the force kernel reads it: two cache lines, one in single precision.
@@ -111,7 +113,8 @@ struct Scene {
   std::vector<HalfSpace> half_spaces;
   Gravity gravity;
   Drag drag{};
-  Real friction = 0.0;  ///< μ between bodies
+  Real friction = 0.0;           ///< μ between bodies
+  FrictionTable own_friction{};  ///< of pairs that have a μ of their own
   std::vector<Load> loads{};
   std::vector<Spring> springs{};
   Topology topology;  ///< for two-sided contact; empty when no two bodies can touch

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/scene/scene_check.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <set>
 #include <sstream>
 
 #include "solver/demand.h"
@@ -176,6 +179,27 @@ void check_loads(const SceneDescription& description) {
   }
 }
 
+void check_pair_friction(const SceneDescription& description) {
+  std::set<std::array<std::size_t, 3>> seen;
+  for (const PairFriction& pair : description.pair_friction) {
+    const std::size_t others =
+        pair.against_body ? description.bodies.size() : description.half_spaces.size();
+    if (pair.body >= description.bodies.size() || pair.other >= others) {
+      refuse("a pair with a friction coefficient of its own names what is not there");
+    }
+    if (!(pair.friction >= 0.0) || !std::isfinite(pair.friction)) {
+      refuse("the friction coefficient of a pair must be non-negative and finite, not ",
+             pair.friction);
+    }
+    const bool swapped = pair.against_body && pair.other < pair.body;
+    const std::size_t first = swapped ? pair.other : pair.body;
+    const std::size_t second = swapped ? pair.body : pair.other;
+    if (!seen.insert({first, second, pair.against_body ? 1u : 0u}).second) {
+      refuse("two friction coefficients are given for one pair");
+    }
+  }
+}
+
 }  // namespace
 
 void check_description(const SceneDescription& description) {
@@ -197,6 +221,7 @@ void check_description(const SceneDescription& description) {
     refuse("the drag must fade out after ", drag.full_until, " s, not at ", drag.ends, " s");
   }
   check_loads(description);
+  check_pair_friction(description);
 }
 
 void check_start(const Scene& scene, double rounding) {

@@ -157,6 +157,18 @@ const Mistake kMistakes[] = {
      "the friction coefficient between bodies must be non-negative and finite, not -1"},
     {"NaNFrictionBetweenBodies", [](S& s) { s.friction = kNaN; },
      "the friction coefficient between bodies must be non-negative and finite, not nan"},
+    {"PairThatIsNotThere",
+     [](S& s) {
+       s.pair_friction = {{.body = 0, .other = 1, .against_body = false, .friction = 0.5}};
+     },
+     "a pair with a friction coefficient of its own names what is not there"},
+    {"NegativePairFriction", [](S& s) { s.pair_friction = {{.friction = -0.5}}; },
+     "the friction coefficient of a pair must be non-negative and finite, not -0.5"},
+    {"PairGivenTwice",
+     [](S& s) {
+       s.pair_friction = {{.friction = 0.5}, {.friction = 0.25}};
+     },
+     "two friction coefficients are given for one pair"},
     {"MotionOutOfOrder",
      [](S& s) {
        s.bodies[0].motion = {{1.0, 0.5}, {Vec3::Zero(), Vec3::Zero()}};

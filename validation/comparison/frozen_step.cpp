@@ -47,6 +47,7 @@ FrozenStep::FrozenStep(const EngineKind& kind, const ComparisonScene& scene,
                                         .ball = reader.count("ball", Discretisation{}.ball)});
   description.friction *= kNoCone;
   for (HalfSpace& obstacle : description.half_spaces) obstacle.friction *= kNoCone;
+  for (PairFriction& pair : description.pair_friction) pair.friction *= kNoCone;
   scene_ = build_scene(description);
   check_options(options_, scene_);
 

@@ -58,7 +58,7 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
   }
   need(problem.bodies.size() > 1, manifest.body_contact, "contact between bodies");
   for (const Obstacle& obstacle : problem.obstacles) {
-    need(!obstacle.motion.time.empty(), manifest.moving_obstacles, "moving obstacles");
+    need(obstacle.motion.moves(), manifest.moving_obstacles, "moving obstacles");
     need(!obstacle.motion.velocity.isZero(0.0), manifest.steady_motion, "steadily moving supports");
     need(obstacle.motion.oscillation.moves(), manifest.oscillation, "sines over time");
   }
@@ -67,9 +67,12 @@ std::string missing(const Manifest& manifest, const Problem& problem) {
          "sines over time");
   }
   need(problem.gravity.oscillation.moves(), manifest.oscillation, "sines over time");
+  need(!problem.pair_friction.empty(), manifest.pair_friction, "friction of single pairs");
+  need(problem.restitution > 0.0, manifest.restitution, "restitution");
   need(problem.drag.rate > 0.0, manifest.drag, "a medium that damps");
   need(!problem.loads.empty() || !problem.springs.empty(), manifest.loads, "loads on bodies");
-  need(problem.gravity.time.size() > 1, manifest.varying_gravity, "gravity that changes");
+  need(problem.gravity.time.size() > 1 || problem.gravity.oscillation.moves(),
+       manifest.varying_gravity, "gravity that changes");
   return words;
 }
 

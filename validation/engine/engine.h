@@ -33,6 +33,8 @@ struct Manifest {
   bool moving_obstacles = false;
   bool steady_motion = false;    ///< of held parts and obstacles: Motion::velocity
   bool oscillation = false;      ///< of supports, loads and gravity: a sine over time
+  bool pair_friction = false;    ///< μ of single pairs
+  bool restitution = false;      ///< of contacts
   bool drag = false;             ///< a medium that damps all motion
   bool varying_gravity = false;  ///< over time
   bool loads = false;            ///< forces, couples and springs on bodies

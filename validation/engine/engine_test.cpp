@@ -112,5 +112,20 @@ TEST(Engine, WithoutWhatACaseAsksIsNotApplicableInWords) {
                         "the engine has no point masses");
 }
 
+TEST(Missing, IsWhatAnEngineIsNotToldOf) {
+  Problem problem = incline_problem({});
+  Manifest manifest;
+  manifest.boxes = manifest.moving_obstacles = true;
+  ASSERT_EQ(missing(manifest, problem), "");
+  problem.obstacles[0].motion.oscillation.amplitude.x() = 0.1;
+  problem.obstacles[0].motion.velocity.y() = 0.1;
+  problem.pair_friction = {{.friction = 0.5}};
+  problem.restitution = 0.5;
+  EXPECT_EQ(missing(manifest, problem),
+            "steadily moving supports, sines over time, friction of single pairs, restitution");
+  manifest = {.boxes = true, .steady_motion = true, .oscillation = true};
+  EXPECT_EQ(missing(manifest, problem), "moving obstacles, friction of single pairs, restitution");
+}
+
 }  // namespace
 }  // namespace stiction

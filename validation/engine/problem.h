@@ -11,6 +11,7 @@
 #include "solver/mesh/mesh.h"
 #include "solver/scene/gravity.h"
 #include "solver/scene/load.h"
+#include "solver/scene/pair_friction.h"
 
 namespace stiction {
 
@@ -84,12 +85,16 @@ struct Problem {
   std::string name;
   std::vector<ProblemBody> bodies;
   std::vector<Obstacle> obstacles;
-  Gravity gravity;                ///< m/s², constant or ramped
-  Drag drag{};                    ///< while the scene settles
-  std::vector<Load> loads{};      ///< forces and couples on bodies
-  std::vector<Spring> springs{};  ///< from bodies to anchors
-  double friction = 0.0;          ///< μ between bodies, dimensionless
-  double duration = 1.0;          ///< s
+  Gravity gravity;                            ///< m/s², constant or ramped
+  Drag drag{};                                ///< while the scene settles
+  std::vector<Load> loads{};                  ///< forces and couples on bodies
+  std::vector<Spring> springs{};              ///< from bodies to anchors
+  double friction = 0.0;                      ///< μ between bodies, dimensionless
+  std::vector<PairFriction> pair_friction{};  ///< of pairs that have a μ of their own
+  /// e of every contact, dimensionless, 0 … 1: a point that meets another at a normal velocity v
+  /// leaves it at e v. At 0 nothing is asked: bodies that deform rebound by their elasticity.
+  double restitution = 0.0;
+  double duration = 1.0;  ///< s
 };
 
 /// Where the bodies are at the start, m, about as their size; empty without any.

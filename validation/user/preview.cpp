@@ -189,6 +189,16 @@ std::string explained(const UserProblem& user, std::size_t width) {
   if (problem.bodies.size() > 1) {
     lines.push_back(fmt::format("between bodies μ = {:g}", problem.friction));
   }
+  for (const PairFriction& pair : problem.pair_friction) {
+    lines.push_back(fmt::format(
+        "between '{}' and '{}' μ = {:g}", problem.bodies[pair.body].name,
+        pair.against_body ? problem.bodies[pair.other].name : problem.obstacles[pair.other].name,
+        pair.friction));
+  }
+  if (problem.restitution > 0.0) {
+    lines.push_back(
+        fmt::format("every contact gives back {:g} of the normal speed", problem.restitution));
+  }
   for (const Load& load : problem.loads) lines.push_back(load_text(user, load));
   for (const Spring& spring : problem.springs) {
     lines.push_back(fmt::format("spring on '{}': {:g} N/m along {} to {} m",

@@ -48,7 +48,10 @@ const TomlKeys& file() {
       {{"title", "", "\"text\"", "the file's name", "one line for people"},
        {"duration", "s", "3", kNeeded, "how long is simulated"},
        {"gravity", "m/s²", "[x, y, z] or a table", "[0, 0, -9.81]", "see [gravity]"},
-       {"friction", "1", "0.5", "0", "μ between bodies"},
+       {"friction", "1", "0.5", "0", "μ between bodies; of single pairs see [[pair]]"},
+       {"restitution", "1", "0.5", "0",
+        "of every contact, normal speed after it over before; for engines that take one: bodies of "
+        "`stiction` rebound by their elasticity"},
        {"initial_overlap", "", "\"refused\" or \"allowed\"", "\"refused\"",
         "whether bodies may begin inside each other or in an obstacle"},
        {"drag", "", "a table", "no medium", "see [drag]"},
@@ -58,6 +61,7 @@ const TomlKeys& file() {
        {"body", "", "tables", kNeeded, "see [[body]]"},
        {"load", "", "tables", "none", "see [[load]]"},
        {"spring", "", "tables", "none", "see [[spring]]"},
+       {"pair", "", "tables", "none", "see [[pair]]"},
        {"check", "", "tables", kNeeded, "see [[check]]"},
        {"series", "", "tables", "none", "see [[series]]"},
        {"threshold", "", "a table", "none", "see [threshold]"},
@@ -196,6 +200,16 @@ const TomlKeys& spring() {
   return keys;
 }
 
+const TomlKeys& pair() {
+  static const TomlKeys keys = {
+      "[[pair]]",
+      "μ of one pair, in place of that of its obstacle, or of that between bodies.",
+      {{"body", "", "\"box\"", kNeeded, ""},
+       {"against", "", "\"ramp\"", kNeeded, "an obstacle or a body"},
+       {"friction", "1", "0.3", kNeeded, "μ of the two"}}};
+  return keys;
+}
+
 const TomlKeys& check() {
   static const TomlKeys keys = {
       "[[check]]",
@@ -263,9 +277,9 @@ const TomlKeys& sweep() {
 }
 
 std::vector<const TomlKeys*> all() {
-  return {&file(),  &gravity(),   &drag(),   &obstacle(),  &body(),   &rotation(),
-          &held(),  &motion(),    &load(),   &force(),     &couple(), &spring(),
-          &check(), &direction(), &series(), &threshold(), &sweep()};
+  return {&file(), &gravity(), &drag(),      &obstacle(), &body(),      &rotation(),
+          &held(), &motion(),  &load(),      &force(),    &couple(),    &spring(),
+          &pair(), &check(),   &direction(), &series(),   &threshold(), &sweep()};
 }
 
 }  // namespace problem_keys

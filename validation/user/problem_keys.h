@@ -23,6 +23,7 @@ const TomlKeys& load();
 const TomlKeys& force();
 const TomlKeys& couple();
 const TomlKeys& spring();
+const TomlKeys& pair();
 const TomlKeys& check();
 const TomlKeys& direction();
 const TomlKeys& series();

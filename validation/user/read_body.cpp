@@ -106,18 +106,9 @@ Seat body_seat(const UserProblem& user, std::size_t number) {
 }
 
 Seat read_seat(TomlTable& table, const Reading& reading) {
-  const std::string name = table.text("rests_on");
-  const std::size_t* const obstacle = reading.obstacles.find(name);
-  const std::size_t* const body = reading.bodies.find(name);
-  if (obstacle != nullptr && body != nullptr) {
-    table.refuse("rests_on", "'" + name + "' is an obstacle and a body: give them two names");
-  }
-  if (obstacle != nullptr) return obstacle_seat(reading.user, *obstacle);
-  if (body != nullptr) return body_seat(reading.user, *body);
-  table.refuse("rests_on",
-               fmt::format("there is no obstacle '{}', nor such a body above this one; obstacles: "
-                           "{}; bodies: {}",
-                           name, reading.obstacles.listed(), reading.bodies.listed()));
+  const Touched support = find_touched(table, "rests_on", reading);
+  return support.is_body ? body_seat(reading.user, support.index)
+                         : obstacle_seat(reading.user, support.index);
 }
 
 void put_down(TomlTable& table, Reading& reading, ProblemBody& body) {

@@ -42,6 +42,20 @@ std::string Names::listed() const {
                      names_.size() - kTold);
 }
 
+Touched find_touched(TomlTable& table, const std::string& key, const Reading& reading) {
+  const std::string name = table.text(key);
+  const std::size_t* const obstacle = reading.obstacles.find(name);
+  const std::size_t* const body = reading.bodies.find(name);
+  if (obstacle != nullptr && body != nullptr) {
+    table.refuse(key, "'" + name + "' is an obstacle and a body: give them two names");
+  }
+  if (obstacle != nullptr) return {*obstacle, false};
+  if (body != nullptr) return {*body, true};
+  table.refuse(key, fmt::format("there is no obstacle '{}', nor a body of that name above; "
+                                "obstacles: {}; bodies: {}",
+                                name, reading.obstacles.listed(), reading.bodies.listed()));
+}
+
 Eigen::Vector3d read_direction(TomlTable& table, const std::string& key) {
   const Eigen::Vector3d vector = table.vector(key);
   if (vector.isZero(0.0)) table.refuse(key, fmt::format("'{}' must not be zero", key));
@@ -98,6 +112,28 @@ void read_spring(TomlTable table, Reading& reading) {
   spring.stiffness = table.number("stiffness");
   if (!(spring.stiffness >= 0.0)) table.refuse("stiffness", "'stiffness' must not be negative");
   reading.user.problem.springs.push_back(spring);
+  table.finish();
+}
+
+void read_pair(TomlTable table, Reading& reading) {
+  Problem& problem = reading.user.problem;
+  PairFriction pair;
+  pair.body = reading.bodies.find(table, "body", "body");
+  const Touched touched = find_touched(table, "against", reading);
+  pair.other = touched.index;
+  pair.against_body = touched.is_body;
+  pair.friction = table.number("friction");
+  if (!(pair.friction >= 0.0)) table.refuse("friction", "'friction' must not be negative");
+  if (pair.against_body && pair.other == pair.body && !problem.bodies[pair.body].self_collision) {
+    table.refuse("against", "a body touches itself only with self_collision = true");
+  }
+  for (const PairFriction& other : problem.pair_friction) {
+    if (other.against_body != pair.against_body) continue;
+    const bool same = other.body == pair.body && other.other == pair.other;
+    const bool swapped = pair.against_body && other.body == pair.other && other.other == pair.body;
+    if (same || swapped) table.refuse("against", "the friction of these two is given twice");
+  }
+  problem.pair_friction.push_back(pair);
   table.finish();
 }
 

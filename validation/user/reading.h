@@ -37,6 +37,15 @@ struct Reading {
   Names obstacles{}, bodies{};
 };
 
+/// What a body touches: an obstacle, or another body with `is_body`.
+struct Touched {
+  std::size_t index = 0;
+  bool is_body = false;
+};
+
+/// The obstacle, or the body read before it, that the key names; refuses others, and names of both.
+Touched find_touched(TomlTable& table, const std::string& key, const Reading& reading);
+
 /// A vector's direction, unit; refuses zero.
 Eigen::Vector3d read_direction(TomlTable& table, const std::string& key);
 
@@ -48,6 +57,7 @@ void read_obstacle(TomlTable table, Reading& reading);
 void read_body(TomlTable table, Reading& reading);
 void read_load(TomlTable table, Reading& reading);
 void read_spring(TomlTable table, Reading& reading);
+void read_pair(TomlTable table, Reading& reading);
 void read_check(TomlTable table, Reading& reading);
 void read_series(TomlTable table, Reading& reading);
 /// Gives checks and series that are called the same names of their own: of their bodies, windows,

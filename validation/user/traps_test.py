@@ -77,6 +77,7 @@ FALSE = [
     *claims("box", "[[check]]", '[[load]]\nbody = "box"\nforce = [0, 0, 30]\n[[check]]',
             '[[load]]\nbody = "box"\nforce = { time = [0, 0.8], value = [[0, 0, 0], [0, "20 N", 0]] }\n[[check]]',
             '[[spring]]\nbody = "box"\nanchor = [0, 9, 0]\naxis = [0, 1, 0]\nstiffness = "1 N/mm"\n[[check]]'),
+    *claims("box", "[[check]]", '[[pair]]\nbody = "box"\nagainst = "ramp"\nfriction = 0.3\n[[check]]'),
     ("box", {'name = "ramp"\n': 'name = "ramp"\nmotion = { velocity = [0, 0.1, 0] }\n'}),
     ("box", {'name = "ramp"\n': 'name = "ramp"\nmotion = { amplitude = [0, "2 cm", 0], frequency = 7 }\n'}),
     ("box", {'name = "ramp"\n': 'name = "ramp"\nmotion = { time = [0.2, 0.9], offset = [[0, 0, 0], [0, 0.1, 0]] }\n'}),

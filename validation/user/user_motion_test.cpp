@@ -185,5 +185,39 @@ TEST(ProblemHelp, TellsEveryKeyOfEveryTable) {
   }
 }
 
+// tan 20° = 0.364: below the μ of the ramp, above that of the pair.
+TEST_F(UserMotion, APairHasAFrictionOfItsOwn) {
+  const std::string pair = "\n[[pair]]\nbody = \"point\"\nagainst = \"ramp\"\nfriction = ";
+  const std::string check = "[[check]]";
+  const auto speed = [&](const std::string& mu) {
+    return result(edited(check, pair + mu + "\n" + check)).checks.at(0).value;
+  };
+  EXPECT_LT(speed("0.5"), 1e-12);
+  const double slope = 20.0 * std::numbers::pi / 180.0;
+  EXPECT_NEAR(speed("0.1"), 10.0 * 0.1 * (std::sin(slope) - 0.1 * std::cos(slope)), 1e-9);
+}
+
+TEST_F(UserMotion, APairIsRefusedThatIsNoneOrGivenTwice) {
+  const std::string check = "[[check]]", pair = "[[pair]]\nbody = \"point\"\n";
+  const auto told = [&](const std::string& more) {
+    return refusal(edited(check, pair + more + "\n" + check));
+  };
+  EXPECT_THAT(told("against = \"ramp\"\nfriction = -1"), HasSubstr("must not be negative"));
+  EXPECT_THAT(told("against = \"floor\"\nfriction = 1"),
+              HasSubstr("there is no obstacle 'floor', nor a body of that name above"));
+  EXPECT_THAT(told("against = \"point\"\nfriction = 1"),
+              HasSubstr("a body touches itself only with self_collision = true"));
+  const std::string ramp = "against = \"ramp\"\nfriction = 1\n";
+  EXPECT_THAT(told(ramp + pair + ramp), HasSubstr("the friction of these two is given twice"));
+}
+
+TEST_F(UserMotion, ARestitutionIsForEnginesThatTakeOne) {
+  EXPECT_THAT(refusal(edited("duration = 0.1", "duration = 0.1\nrestitution = 1.5")),
+              HasSubstr("'restitution' must lie between 0 and 1"));
+  const Record record = result(edited("duration = 0.1", "duration = 0.1\nrestitution = 0.5"));
+  EXPECT_EQ(record.verdict, Verdict::kNotApplicable);
+  EXPECT_THAT(record.notes.at(0), HasSubstr("the engine has no restitution"));
+}
+
 }  // namespace
 }  // namespace stiction

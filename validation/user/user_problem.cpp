@@ -47,6 +47,10 @@ void read_scene(TomlTable& top, Reading& reading) {
   user.problem.gravity = read_gravity(top);
   if (top.has("drag")) user.problem.drag = read_drag(top.table("drag", problem_keys::drag()));
   user.problem.friction = top.number("friction", 0.0);
+  user.problem.restitution = top.number("restitution", 0.0);
+  if (!(user.problem.restitution >= 0.0 && user.problem.restitution <= 1.0)) {
+    top.refuse("restitution", "'restitution' must lie between 0 and 1");
+  }
   if (top.has("engine")) {
     for (auto& [key, value] : top.settings("engine")) user.settings[key] = value;
   }
@@ -58,6 +62,7 @@ void read_scene(TomlTable& top, Reading& reading) {
   for (TomlTable& table : top.tables("spring", problem_keys::spring())) {
     read_spring(table, reading);
   }
+  for (TomlTable& table : top.tables("pair", problem_keys::pair())) read_pair(table, reading);
 }
 
 UserThreshold read_threshold(TomlTable table, const std::shared_ptr<const ParsedFile>& parsed) {

@@ -48,8 +48,8 @@ const Mistake kMistakes[] = {
      "[[obstacle]] has no key 'colour'; there are: name, point, friction, slope_deg, azimuth_deg, "
      "normal, motion"},
     {"AnUnknownTable", "[engine]", "[motor]", 5,
-     "the file has no key 'motor'; there are: title, duration, gravity, friction, "
-     "initial_overlap, drag, engine, obstacle, body, load, spring, check, series, threshold, "
+     "the file has no key 'motor'; there are: title, duration, gravity, friction, restitution, "
+     "initial_overlap, drag, engine, obstacle, body, load, spring, pair, check, series, threshold, "
      "sweep"},
     {"ATextAsNumber", "mass = 2.0", "mass = \"2.0\"", 16,
      "'mass' must be a finite number, or a text of one and its unit: kg, g, mg, t"},
@@ -70,7 +70,7 @@ const Mistake kMistakes[] = {
      "there is no shape 'disc'; there are: box, ball, mesh, surface, point"},
     {"ABoxWithoutSize", "shape = \"point\"", "shape = \"box\"", 13, "[[body]] lacks 'size'"},
     {"AnUnknownSupport", "rests_on = \"ramp\"", "rests_on = \"floor\"", 17,
-     "there is no obstacle 'floor', nor such a body above this one; obstacles: ramp; bodies: none"},
+     "there is no obstacle 'floor', nor a body of that name above; obstacles: ramp; bodies: none"},
     {"ABodyNowhere", "rests_on = \"ramp\"", "", 13, "[[body]] lacks 'position'"},
     {"AZeroNormal", "slope_deg = 20", "normal = [0, 0, 0]", 10, "'normal' must not be zero"},
     {"NormalAndSlope", "slope_deg = 20", "slope_deg = 20\nnormal = [0, 0, 1]", 10,

@@ -103,7 +103,7 @@ TEST_F(UserTrap, ABodyInAnObstacleIsRefused) {
 
 TEST_F(UserTrap, ABodyThatRestsOnItselfIsRefused) {
   EXPECT_THAT(refusal(edited("rests_on = \"ramp\"", "rests_on = \"point\"")),
-              HasSubstr("there is no obstacle 'point', nor such a body above this one; obstacles: "
+              HasSubstr("there is no obstacle 'point', nor a body of that name above; obstacles: "
                         "ramp; bodies: none"));
 }
 

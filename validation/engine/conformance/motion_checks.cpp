@@ -251,4 +251,36 @@ std::string check_loads(const Probe& probe) {
   return fmt::format("{:.6g} of F t, {:.6g} of τ t", share, turned);
 }
 
+std::string check_sines(const Probe& probe) {
+  probe.need(probe.manifest().oscillation, "sines over time");
+  constexpr double kAmplitude = 3.0, kFrequency = 2.0, kBegins = 0.0625;  // m/s², Hz, s
+  Problem problem;
+  problem.name = "gravity that swings";
+  problem.bodies = {probe.body("body")};
+  problem.gravity = {{0.0}, {Vec3(0.0, 0.0, -1.0)}, {}};
+  problem.gravity.oscillation = {.amplitude = Vec3(kAmplitude, 0.0, 0.0),
+                                 .frequency = kFrequency,
+                                 .begins = kBegins,
+                                 .full_from = kBegins};
+  const auto engine = probe.start(problem);
+  const double time = advance_to(*engine, 0.25);
+  const double omega = 2.0 * std::numbers::pi * kFrequency, most = 2.0 * kAmplitude / omega;
+  const double expected = kAmplitude / omega * (1.0 - std::cos(omega * (time - kBegins)));
+  const Vec3 velocity = engine->body(0).velocity;
+  // A scheme of first order is off by a step of the strongest acceleration.
+  const double allowed = kClose * most + kAmplitude * engine->time_step();
+  if (!(std::abs(velocity.x() - expected) <= allowed)) {
+    throw Nonconformity(fmt::format(
+        "under a gravity that swings by {:g} m/s² at {:g} Hz from {:g} s on it moves with {:.5g} "
+        "m/s at {:.4g} s where {:.5g} belongs",
+        kAmplitude, kFrequency, kBegins, velocity.x(), time, expected));
+  }
+  if (!(std::abs(velocity.z() / time + 1.0) <= kClose + engine->time_step() / time)) {
+    throw Nonconformity(
+        fmt::format("the steady part of a gravity that swings gives it {:.5g} of the speed g t",
+                    -velocity.z() / time));
+  }
+  return fmt::format("{:+.2g} m/s off its velocity under a sine", velocity.x() - expected);
+}
+
 }  // namespace stiction

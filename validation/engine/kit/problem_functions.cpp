@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a problem says at a time: the functions of stiction_engine.h.
+#include <cmath>
 #include <cstddef>
 
 #include "validation/engine/kit/stiction_engine.h"
@@ -8,11 +9,8 @@ namespace {
 
 double smooth_step(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
 
-}  // namespace
-
-void stiction_at(const stiction_keyframes* keyframes, double t, double value[3]) {
+void add_keyframes(const stiction_keyframes* keyframes, double t, double value[3]) {
   const std::size_t count = keyframes->count;
-  for (int i = 0; i < 3; ++i) value[i] = 0.0;
   if (count == 0) return;
   std::size_t next = 0;
   while (next < count && keyframes->time[next] <= t) ++next;
@@ -24,8 +22,50 @@ void stiction_at(const stiction_keyframes* keyframes, double t, double value[3])
   }
   for (int i = 0; i < 3; ++i) {
     const double from = keyframes->value[before][i], to = keyframes->value[after][i];
-    value[i] = from + s * (to - from);
+    value[i] += from + s * (to - from);
   }
+}
+
+bool is_zero(const double vector[3]) {
+  return vector[0] == 0.0 && vector[1] == 0.0 && vector[2] == 0.0;
+}
+
+void add_oscillation(const stiction_oscillation& one, double t, double value[3]) {
+  constexpr double kTwoPi = 6.283185307179586;
+  if (is_zero(one.amplitude) || !(t > one.begins)) return;
+  const double grown =
+      t < one.full_from ? smooth_step((t - one.begins) / (one.full_from - one.begins)) : 1.0;
+  const double sine = std::sin(kTwoPi * one.frequency * (t - one.begins) + one.phase);
+  for (int i = 0; i < 3; ++i) value[i] += grown * sine * one.amplitude[i];
+}
+
+}  // namespace
+
+void stiction_at(const stiction_keyframes* keyframes, double t, double value[3]) {
+  for (int i = 0; i < 3; ++i) value[i] = 0.0;
+  add_keyframes(keyframes, t, value);
+  add_oscillation(keyframes->oscillation, t, value);
+  for (int i = 0; i < 3; ++i) value[i] += t * keyframes->velocity[i];
+}
+
+int stiction_moves(const stiction_keyframes* motion) {
+  return motion->count > 0 || stiction_varies(motion);
+}
+
+int stiction_varies(const stiction_keyframes* keyframes) {
+  return keyframes->count > 1 || !is_zero(keyframes->velocity) ||
+         !is_zero(keyframes->oscillation.amplitude);
+}
+
+double stiction_friction(const stiction_problem* problem, size_t body, size_t other,
+                         int against_body) {
+  for (std::size_t k = 0; k < problem->pair_friction_count; ++k) {
+    const stiction_pair_friction& one = problem->pair_friction[k];
+    if ((one.against_body != 0) != (against_body != 0)) continue;
+    if (one.body == body && one.other == other) return one.friction;
+    if (against_body && one.body == other && one.other == body) return one.friction;
+  }
+  return against_body ? problem->friction : problem->obstacles[other].friction;
 }
 
 double stiction_drag(const stiction_problem* problem, double t) {

@@ -21,8 +21,14 @@ using Three = std::array<double, 3>;
 struct Keyframes {
   std::vector<double> time;
   std::vector<Three> value;
+  Three velocity{};
+  stiction_oscillation oscillation{};
   stiction_keyframes view() const {
-    return {time.size(), time.data(), reinterpret_cast<const double(*)[3]>(value.data())};
+    return {time.size(),
+            time.data(),
+            reinterpret_cast<const double(*)[3]>(value.data()),
+            {velocity[0], velocity[1], velocity[2]},
+            oscillation};
   }
 };
 
@@ -71,6 +77,18 @@ Keyframes keyframes(const json& object, const char* name, const std::string& of)
   if (out.time.size() != out.value.size()) {
     throw std::runtime_error(what + " has not as many values as times");
   }
+  double velocity[3] = {};
+  fill(frames, "velocity", what, velocity);
+  std::copy(velocity, velocity + 3, out.velocity.begin());
+  if (frames.contains("oscillation")) {
+    const json& sine = frames.at("oscillation");
+    const std::string of_it = "the oscillation of " + what;
+    fill(sine, "amplitude", of_it, out.oscillation.amplitude);
+    out.oscillation.frequency = number(sine, "frequency", of_it, 0.0);
+    out.oscillation.phase = number(sine, "phase", of_it, 0.0);
+    out.oscillation.begins = number(sine, "begins", of_it, 0.0);
+    out.oscillation.full_from = number(sine, "full_from", of_it, 0.0);
+  }
   return out;
 }
 
@@ -104,6 +122,11 @@ class Owned final : public OwnedProblem {
     problem_.loads = loads_.data();
     problem_.spring_count = springs_.size();
     problem_.springs = springs_.data();
+    const json pairs = problem.value("pair_friction", json::array());
+    for (const json& pair : pairs) add_pair_friction(pair);
+    problem_.pair_friction_count = pair_friction_.size();
+    problem_.pair_friction = pair_friction_.data();
+    problem_.restitution = number(problem, "restitution", "the problem", 0.0);
     const json accuracy = message.value("accuracy", json::object());
     problem_.fineness = accuracy.value("fineness", 0);
     problem_.roundness = accuracy.value("roundness", 0);
@@ -120,12 +143,28 @@ class Owned final : public OwnedProblem {
     return frames_.emplace_back(std::move(frames)).view();
   }
 
-  std::size_t body_index(const json& object, const std::string& of) const {
-    const json& index = field(object, "body", of);
-    if (!index.is_number_unsigned() || index.get<std::size_t>() >= bodies_.size()) {
-      throw std::runtime_error("'body' of " + of + " names no body");
+  static std::size_t index_of(const json& object, const char* name, std::size_t count,
+                              const std::string& of) {
+    const json& index = field(object, name, of);
+    if (!index.is_number_unsigned() || index.get<std::size_t>() >= count) {
+      throw std::runtime_error("'" + std::string(name) + "' of " + of + " names what is not there");
     }
     return index.get<std::size_t>();
+  }
+
+  std::size_t body_index(const json& object, const std::string& of) const {
+    return index_of(object, "body", bodies_.size(), of);
+  }
+
+  void add_pair_friction(const json& pair) {
+    const std::string of = "a pair's friction";
+    stiction_pair_friction one{};
+    one.body = body_index(pair, of);
+    one.against_body = pair.value("against_body", false);
+    one.other = index_of(pair, "other", one.against_body ? bodies_.size() : obstacles_.size(), of);
+    field(pair, "friction", of);
+    one.friction = number(pair, "friction", of, 0.0);
+    pair_friction_.push_back(one);
   }
 
   void add_spring(const json& spring) {
@@ -265,6 +304,7 @@ class Owned final : public OwnedProblem {
   std::vector<stiction_obstacle> obstacles_;
   std::vector<stiction_body_load> loads_;
   std::vector<stiction_spring> springs_;
+  std::vector<stiction_pair_friction> pair_friction_;
   stiction_problem problem_{};
 };
 

@@ -19,12 +19,24 @@ extern "C" {
 
 enum { STICTION_PROTOCOL = 1 };
 
-/* Vectors over time, joined by the smooth step 6s⁵ − 15s⁴ + 10s³ and constant outside; without a
- * keyframe zero. stiction_at reads them. */
+/* amplitude · e(t) · sin(2π frequency (t − begins) + phase), where e grows from 0 at `begins` to 1 at
+ * `full_from` by the smooth step 6s⁵ − 15s⁴ + 10s³, or at once where they are equal; zero before. */
+typedef struct {
+  double amplitude[3];
+  double frequency; /* Hz */
+  double phase;     /* rad */
+  double begins;    /* s */
+  double full_from; /* s */
+} stiction_oscillation;
+
+/* Vectors over time: keyframes joined by the smooth step and constant outside (without one zero), and
+ * on top of them, for engines that can, t · velocity and a sine. stiction_at reads all of it. */
 typedef struct {
   size_t count;
   const double* time;       /* s, increasing */
   const double (*value)[3]; /* one a keyframe */
+  double velocity[3];       /* of motions, m/s: `steady_motion` */
+  stiction_oscillation oscillation;
 } stiction_keyframes;
 
 typedef enum { STICTION_POINT, STICTION_BOX, STICTION_BALL, STICTION_MESH } stiction_shape;
@@ -82,6 +94,14 @@ typedef struct {
   double stiffness;          /* N/m */
 } stiction_spring;
 
+/* μ of one pair, in place of what holds for all. stiction_friction looks them up. */
+typedef struct {
+  size_t body;
+  size_t other; /* an obstacle, or a body if `against_body` */
+  int against_body;
+  double friction;
+} stiction_pair_friction;
+
 typedef struct {
   const char* name;
   size_t body_count;
@@ -104,15 +124,25 @@ typedef struct {
   const stiction_body_load* loads;
   size_t spring_count;
   const stiction_spring* springs;
+  /* For engines that can. stiction_friction reads the first. */
+  size_t pair_friction_count;
+  const stiction_pair_friction* pair_friction;
+  double restitution; /* e of every contact: normal speed after over before, 0 to 1 */
 } stiction_problem;
 
-/* At time t (s): keyframes; the drag's rate c (1/s); what loads and springs do to a body whose
+/* At time t (s): values over time; whether there are any, and whether they change; the drag's rate c (1/s); what loads and springs do to a body whose
  * centre is at `position` (m): a force through the centre (N) and a couple (N m). */
 void stiction_at(const stiction_keyframes* keyframes, double t, double value[3]);
+int stiction_moves(const stiction_keyframes* motion);
+int stiction_varies(const stiction_keyframes* keyframes);
 double stiction_drag(const stiction_problem* problem, double t);
 int stiction_has_loads(const stiction_problem* problem, size_t body);
 void stiction_load(const stiction_problem* problem, size_t body, double t, const double position[3],
                    double force[3], double couple[3]);
+
+/* μ of a body against an obstacle, or another body if `against_body`: as it is, not to be combined. */
+double stiction_friction(const stiction_problem* problem, size_t body, size_t other,
+                         int against_body);
 
 /* Settings of this run, while load() runs: as given, else the fallback. A text that is no number is
  * refused in words. stiction_tell writes a native parameter into the record, as resolved. */

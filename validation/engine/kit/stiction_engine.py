@@ -91,8 +91,42 @@ class Engine:
         self._resolved[name] = value if isinstance(value, str) else repr(value)
 
 
+def _smooth_step(s):
+    return s * s * s * (10.0 + s * (6.0 * s - 15.0))
+
+
 def at(keyframes, t):
-    """Value at time t of keyframes (.time, .value), joined by the smooth step 6s⁵ − 15s⁴ + 10s³."""
+    """Value at time t of keyframes (.time, .value), joined by the smooth step 6s⁵ − 15s⁴ + 10s³, and what lies
+    on top of them: t · .velocity, and .oscillation, a sine or None."""
+    value = [a + t * v for a, v in zip(_between(keyframes, t), keyframes.velocity)]
+    sine = keyframes.oscillation
+    if sine is None or t <= sine.begins:
+        return value
+    grown = _smooth_step((t - sine.begins) / (sine.full_from - sine.begins)) if t < sine.full_from else 1.0
+    now = grown * math.sin(2.0 * math.pi * sine.frequency * (t - sine.begins) + sine.phase)
+    return [a + now * b for a, b in zip(value, sine.amplitude)]
+
+
+def moves(motion):
+    """Whether an obstacle or a held part has a motion."""
+    return bool(motion.time) or varies(motion)
+
+
+def varies(keyframes):
+    """Whether the value is not the same at all times."""
+    return len(keyframes.time) > 1 or any(keyframes.velocity) or keyframes.oscillation is not None
+
+
+def friction(problem, body, other, against_body=False):
+    """μ of a body against an obstacle, or another body: as it is, not to be combined."""
+    for pair in problem.pair_friction:
+        if pair.against_body == against_body and (
+                (pair.body, pair.other) == (body, other) or against_body and (pair.other, pair.body) == (body, other)):
+            return pair.friction
+    return problem.friction if against_body else problem.obstacles[other].friction
+
+
+def _between(keyframes, t):
     time_, value = keyframes.time, keyframes.value
     if not time_:
         return [0.0, 0.0, 0.0]
@@ -102,7 +136,7 @@ def at(keyframes, t):
         return list(value[-1])
     k = next(i for i, one in enumerate(time_) if one > t)
     s = (t - time_[k - 1]) / (time_[k] - time_[k - 1])
-    s = s * s * s * (10.0 + s * (6.0 * s - 15.0))
+    s = _smooth_step(s)
     return [a + s * (b - a) for a, b in zip(value[k - 1], value[k])]
 
 
@@ -137,7 +171,12 @@ def vectors(value, width=3):
 
 def _keyframes(value):
     value = value or {}
-    return SimpleNamespace(time=numbers(value.get("time", [])), value=vectors(value.get("value", [])))
+    sine = value.get("oscillation")
+    return SimpleNamespace(
+        time=numbers(value.get("time", [])), value=vectors(value.get("value", [])),
+        velocity=numbers(value.get("velocity", [0.0] * 3)),
+        oscillation=sine and SimpleNamespace(**{"amplitude": [0.0] * 3, "frequency": 0.0, "phase": 0.0,
+                                                "begins": 0.0, "full_from": 0.0, **sine}))
 
 
 def _body(one):
@@ -160,7 +199,7 @@ def _body(one):
 def read_problem(message):
     """`problem` and `accuracy` of a `load` message as attributes, what is left out as by default."""
     given, accuracy = message["problem"], message.get("accuracy", {})
-    problem = SimpleNamespace(**{"name": "", "friction": 0.0, "duration": 1.0, **given})
+    problem = SimpleNamespace(**{"name": "", "friction": 0.0, "duration": 1.0, "restitution": 0.0, **given})
     problem.bodies = [_body(one) for one in given["bodies"]]
     problem.obstacles = [
         SimpleNamespace(**{"name": "", "point": [0.0] * 3, "normal": [0.0, 0.0, 1.0], "friction": 0.0, **one,
@@ -169,6 +208,7 @@ def read_problem(message):
     problem.drag = SimpleNamespace(**{"rate": 0.0, "full_until": 0.0, "ends": 0.0, **given.get("drag", {})})
     problem.loads = [SimpleNamespace(body=one["body"], force=_keyframes(one.get("force")),
                                      couple=_keyframes(one.get("couple"))) for one in given.get("loads", [])]
+    problem.pair_friction = [SimpleNamespace(**{"against_body": False, **one}) for one in given.get("pair_friction", [])]
     problem.springs = [SimpleNamespace(**one) for one in given.get("springs", [])]
     for name in ("fineness", "roundness", "time"):
         setattr(problem, name, accuracy.get(name, 0))

@@ -51,8 +51,6 @@ json unit(const std::string& who, const char* what, const Vec3& v) {
   return vector(who, what, v);
 }
 
-// The protocol has no sines and no steady motion: engines that are programs are never sent such
-// (Manifest). A record's own problem tells them.
 json over_time(const std::string& who, const char* what, const std::vector<double>& time,
                const std::vector<Vec3>& value, const Oscillation& oscillation) {
   if (time.size() != value.size()) refuse(who, fmt::format("its {} has not a value a time", what));
@@ -157,6 +155,25 @@ json spring_json(const Spring& spring) {
           {"stiffness", not_negative(who, "stiffness", spring.stiffness)}};
 }
 
+// What an engine need not know of where it is not asked for is left out.
+void add_contacts_of_their_own(const std::string& who, const Problem& problem, json& out) {
+  json pairs = json::array();
+  for (const PairFriction& pair : problem.pair_friction) {
+    const std::size_t others = pair.against_body ? problem.bodies.size() : problem.obstacles.size();
+    if (pair.body >= problem.bodies.size() || pair.other >= others) {
+      refuse(who, "a pair's friction is of what is not there");
+    }
+    pairs.push_back({{"body", pair.body},
+                     {"other", pair.other},
+                     {"against_body", pair.against_body},
+                     {"friction", not_negative(who, "a pair's friction", pair.friction)}});
+  }
+  if (!pairs.empty()) out["pair_friction"] = pairs;
+  if (problem.restitution != 0.0) {
+    out["restitution"] = not_negative(who, "restitution", problem.restitution);
+  }
+}
+
 }  // namespace
 
 json problem_json(const Problem& problem) {
@@ -177,19 +194,21 @@ json problem_json(const Problem& problem) {
     demand_body(spring.body);
     springs.push_back(spring_json(spring));
   }
-  return {{"name", problem.name},
-          {"bodies", bodies},
-          {"obstacles", obstacles},
-          {"gravity", over_time(who, "gravity", problem.gravity.time, problem.gravity.acceleration,
-                                problem.gravity.oscillation)},
-          {"drag",
-           {{"rate", not_negative(who, "drag", problem.drag.rate)},
-            {"full_until", finite(who, "drag", problem.drag.full_until)},
-            {"ends", finite(who, "drag", problem.drag.ends)}}},
-          {"loads", loads},
-          {"springs", springs},
-          {"friction", not_negative(who, "friction", problem.friction)},
-          {"duration", finite(who, "duration", problem.duration)}};
+  json out = {{"name", problem.name},
+              {"bodies", bodies},
+              {"obstacles", obstacles},
+              {"gravity", over_time(who, "gravity", problem.gravity.time,
+                                    problem.gravity.acceleration, problem.gravity.oscillation)},
+              {"drag",
+               {{"rate", not_negative(who, "drag", problem.drag.rate)},
+                {"full_until", finite(who, "drag", problem.drag.full_until)},
+                {"ends", finite(who, "drag", problem.drag.ends)}}},
+              {"loads", loads},
+              {"springs", springs},
+              {"friction", not_negative(who, "friction", problem.friction)},
+              {"duration", finite(who, "duration", problem.duration)}};
+  add_contacts_of_their_own(who, problem, out);
+  return out;
 }
 
 std::string problem_summary(const Problem& problem) {

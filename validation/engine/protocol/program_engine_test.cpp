@@ -84,6 +84,32 @@ TEST(ProgramEngine, AnswersThroughPipesAsDirectlyToTheLastBit) {
   EXPECT_EQ(far->settings().at("rule"), near->settings().at("rule"));
 }
 
+// Sines, steady motion and the friction of a pair cross the protocol whole.
+TEST(ProgramEngine, IsToldAllThatChangesOverTimeAndTheFrictionOfPairs) {
+  const Oscillation sine{Vec3(0.0, 0.01, 0.0), 3.0, 0.25, 0.01, 0.03};
+  Problem problem = slope();
+  problem.gravity.oscillation = {Vec3(0.5, 0.0, 0.25), 2.0, 0.0, 0.0, 0.0};
+  problem.obstacles[0].motion.velocity = Vec3(0.1, 0.05, 0.0);
+  problem.obstacles[0].motion.oscillation = sine;
+  problem.loads = {{.body = 0, .force = {{0.0}, {Vec3(0.1, 0.0, 0.0)}, sine}}};
+  problem.pair_friction = {{.body = 0, .other = 0, .friction = 0.3}};
+  const auto position = [&](const char* name, const Problem& given) {
+    const auto engine = find_engine(name).make({{"method", "quiet"}});
+    engine->load(given, {.fineness = 2});
+    engine->advance(200);
+    return engine->body(0).position;
+  };
+  const Vec3 near = position("stiction", problem);
+  EXPECT_EQ(position(program("hosted_engine").c_str(), problem), near);
+  std::vector<Problem> less(5, problem);
+  less[0].gravity.oscillation = {};
+  less[1].obstacles[0].motion.velocity.setZero();
+  less[2].obstacles[0].motion.oscillation = {};
+  less[3].loads[0].force.oscillation = {};
+  less[4].pair_friction.clear();
+  for (const Problem& one : less) EXPECT_NE(position("stiction", one), near);
+}
+
 TEST(ProgramEngine, GoesOnFromASavedState) {
   const auto engine = find_engine(program("hosted_engine")).make({});
   engine->load(slope(), {});

@@ -23,7 +23,14 @@ VectorOverTime over_time(const stiction_keyframes& frames) {
     out.time.push_back(frames.time[k]);
     out.value.emplace_back(frames.value[k]);
   }
+  const stiction_oscillation& sine = frames.oscillation;
+  out.oscillation = {vec(sine.amplitude), sine.frequency, sine.phase, sine.begins, sine.full_from};
   return out;
+}
+
+Motion motion_of(const stiction_keyframes& frames) {
+  const VectorOverTime given = over_time(frames);
+  return {given.time, given.value, vec(frames.velocity), given.oscillation};
 }
 
 Shape shape_of(const stiction_body& body) {
@@ -57,8 +64,7 @@ ProblemBody body_of(const stiction_body& given) {
   body.velocity = vec(given.velocity);
   body.angular_velocity = vec(given.angular_velocity);
   if (given.held) body.held = HeldPart{vec(given.held_point), vec(given.held_normal)};
-  const VectorOverTime motion = over_time(given.motion);
-  body.motion = {motion.time, motion.value};
+  body.motion = motion_of(given.motion);
   body.self_collision = given.self_collision != 0;
   body.must_deform = given.must_deform != 0;
   return body;
@@ -72,15 +78,19 @@ Problem problem_of(const stiction_problem& given) {
   }
   for (std::size_t o = 0; o < given.obstacle_count; ++o) {
     const stiction_obstacle& one = given.obstacles[o];
-    const VectorOverTime motion = over_time(one.motion);
     problem.obstacles.push_back(
-        {one.name, vec(one.point), vec(one.normal), one.friction, {motion.time, motion.value}});
+        {one.name, vec(one.point), vec(one.normal), one.friction, motion_of(one.motion)});
   }
   const VectorOverTime gravity = over_time(given.gravity);
-  problem.gravity = {gravity.time, gravity.value};
+  problem.gravity = {gravity.time, gravity.value, gravity.oscillation};
   problem.drag = {given.drag_rate, given.drag_full_until, given.drag_ends};
   problem.friction = given.friction;
   problem.duration = given.duration;
+  for (std::size_t k = 0; k < given.pair_friction_count; ++k) {
+    const stiction_pair_friction& one = given.pair_friction[k];
+    problem.pair_friction.push_back({one.body, one.other, one.against_body != 0, one.friction});
+  }
+  problem.restitution = given.restitution;
   for (std::size_t k = 0; k < given.load_count; ++k) {
     problem.loads.push_back(
         {given.loads[k].body, over_time(given.loads[k].force), over_time(given.loads[k].couple)});

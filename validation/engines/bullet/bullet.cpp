@@ -51,7 +51,9 @@ int main(int argc, char** argv) {
   engine.version = "3.24, " PRECISION " precision";
   engine.description = "Bullet's rigid bodies, " PRECISION " precision";
   engine.can =
-      "boxes balls convex_meshes body_contact moving_obstacles varying_gravity drag loads spin";
+      "boxes balls convex_meshes body_contact moving_obstacles steady_motion oscillation "
+      "pair_friction "
+      "restitution varying_gravity drag loads spin";
   engine.settings = stiction::bullet::kSettings;
   engine.configurations = kConfigurations;
   engine.ladder = kLadder;

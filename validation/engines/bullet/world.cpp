@@ -7,6 +7,8 @@
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
 
+#include <algorithm>
+
 #include "validation/engines/bullet/shapes.h"
 
 extern btScalar gContactBreakingThreshold;
@@ -17,10 +19,17 @@ namespace {
 
 // μ of a pair as the problem has it, in place of Bullet's product of two coefficients.
 btScalar pair_friction(const btCollisionObject* a, const btCollisionObject* b) {
-  const int least = std::min(a->getUserIndex(), b->getUserIndex());
+  const auto [least, most] = std::minmax({a->getUserIndex(), b->getUserIndex()});
   const auto& problem = *static_cast<const stiction_problem*>(a->getUserPointer());
-  return static_cast<btScalar>(least >= 0 ? problem.friction
-                                          : problem.obstacles[-1 - least].friction);
+  const bool against_body = least >= 0;
+  const int other = against_body ? least : -1 - least;
+  return static_cast<btScalar>(stiction_friction(&problem, static_cast<size_t>(most),
+                                                 static_cast<size_t>(other), against_body));
+}
+
+btScalar restitution(const btCollisionObject* a, const btCollisionObject*) {
+  return static_cast<btScalar>(
+      static_cast<const stiction_problem*>(a->getUserPointer())->restitution);
 }
 
 int solver_mode(const Parameters& p) {
@@ -49,6 +58,7 @@ World::World(const stiction_problem& problem)
       broadphase_(std::make_unique<btDbvtBroadphase>()) {
   gContactBreakingThreshold = static_cast<btScalar>(parameters_.contact_breaking);
   gCalculateCombinedFrictionCallback = pair_friction;
+  gCalculateCombinedRestitutionCallback = restitution;
   if (parameters_.plane_points > 0) {
     configuration_->setPlaneConvexMultipointIterations(parameters_.plane_points, 4);
   }
@@ -96,7 +106,6 @@ btRigidBody& World::add(std::unique_ptr<btCollisionShape> shape, btScalar mass,
   body.setUserIndex(mass > 0 ? index : -1 - index);
   body.setUserPointer(const_cast<stiction_problem*>(&problem_));
   body.setActivationState(DISABLE_DEACTIVATION);
-  body.setRestitution(0);
   body.setDamping(0, 0);
   body.setCenterOfMassTransform(pose);
   body.setInterpolationWorldTransform(pose);
@@ -126,7 +135,7 @@ void World::add_obstacle(const stiction_obstacle& obstacle) {
   ObstacleShape made = obstacle_shape(obstacle, parameters_);
   obstacle_origins_.push_back(made.pose.getOrigin());
   btRigidBody& own = add(std::move(made.shape), 0, btVector3(0, 0, 0), made.pose);
-  if (obstacle.motion.count > 0) {
+  if (stiction_moves(&obstacle.motion)) {
     own.setCollisionFlags(own.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
   }
   world_->addRigidBody(&own);
@@ -137,7 +146,7 @@ void World::add_obstacle(const stiction_obstacle& obstacle) {
 void World::move_obstacles(double t) {
   for (size_t o = 0; o < obstacles_.size(); ++o) {
     const stiction_keyframes& motion = problem_.obstacles[o].motion;
-    if (motion.count == 0) continue;
+    if (!stiction_moves(&motion)) continue;
     const btVector3 now = value_at(motion, t), next = value_at(motion, t + time_step());
     btTransform pose = obstacles_[o]->getWorldTransform();
     pose.setOrigin(obstacle_origins_[o] + now - (next - now));
@@ -149,7 +158,8 @@ void World::move_obstacles(double t) {
 
 // Gravity, loads and the medium's drag, as they are at the beginning of a step.
 void World::apply_loads(double t) {
-  if (steps_ == 0 || problem_.gravity.count > 1) world_->setGravity(value_at(problem_.gravity, t));
+  if (steps_ == 0 || stiction_varies(&problem_.gravity))
+    world_->setGravity(value_at(problem_.gravity, t));
   const auto drag = static_cast<btScalar>(stiction_drag(&problem_, t));
   for (size_t b = 0; b < bodies_.size(); ++b) {
     btRigidBody& body = *bodies_[b];

@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
   engine.version = "3.24, " PRECISION " precision";
   engine.description = "Bullet's deformable bodies (finite elements), " PRECISION " precision";
   engine.can =
-      "boxes balls convex_meshes meshes deformable body_contact moving_obstacles varying_gravity "
+      "boxes balls convex_meshes meshes deformable body_contact moving_obstacles steady_motion "
+      "oscillation varying_gravity "
       "drag loads";
   engine.settings = stiction::bullet_deformable::kSettings;
   engine.configurations = kConfigurations;

@@ -158,7 +158,7 @@ void World::add_obstacle(const stiction_obstacle& obstacle) {
   own.setInterpolationWorldTransform(pose);
   own.setFriction(scalar(obstacle.friction / body_friction(problem_)));
   own.setActivationState(DISABLE_DEACTIVATION);
-  if (obstacle.motion.count > 0) {
+  if (stiction_moves(&obstacle.motion)) {
     own.setCollisionFlags(own.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
   }
   world_->addRigidBody(&own);
@@ -169,7 +169,7 @@ void World::add_obstacle(const stiction_obstacle& obstacle) {
 void World::move_obstacles(double t) {
   for (size_t o = 0; o < obstacles_.size(); ++o) {
     const stiction_keyframes& motion = problem_.obstacles[o].motion;
-    if (motion.count == 0) continue;
+    if (!stiction_moves(&motion)) continue;
     const btVector3 now = vector(value_at(motion, t));
     const btVector3 step = vector(value_at(motion, t + time_step()) - value_at(motion, t));
     btTransform pose = obstacles_[o]->getWorldTransform();

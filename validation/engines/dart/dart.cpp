@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   engine.name = "dart";
   engine.version = DART_VERSION " (Debian, double precision)";
   engine.description = "DART: boxed linear complementarity in velocities, friction by a pyramid";
-  engine.can = "boxes balls body_contact varying_gravity drag loads spin";
+  engine.can = "boxes balls body_contact varying_gravity oscillation drag loads spin";
   engine.settings = settings;
   engine.configurations = configurations;
   engine.ladder = ladder;

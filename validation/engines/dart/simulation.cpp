@@ -66,7 +66,7 @@ Simulation::Simulation(const stiction_problem& problem)
 }
 
 void Simulation::add_obstacle(const stiction_obstacle& obstacle, double width) {
-  if (obstacle.motion.count > 0) stiction_lacks("moving obstacles");
+  if (stiction_moves(&obstacle.motion)) stiction_lacks("moving obstacles");
   constexpr double kDepth = 10.0;  // m
   const auto skeleton = Skeleton::create("obstacle " + std::to_string(things_.size()));
   const auto made = skeleton->createJointAndBodyNodePair<dart::dynamics::WeldJoint>();

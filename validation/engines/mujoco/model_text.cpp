@@ -77,7 +77,7 @@ std::string free_body(const stiction_body& body, double mu) {
 }
 
 std::string plane(const stiction_obstacle& obstacle) {
-  if (obstacle.motion.count > 0) stiction_lacks("moving obstacles");
+  if (stiction_moves(&obstacle.motion)) stiction_lacks("moving obstacles");
   return "<geom type=\"plane\" size=\"1 1 1\" priority=\"1\"" +
          attribute("pos", numbers(obstacle.point, 3)) +
          attribute("zaxis", numbers(obstacle.normal, 3)) + friction(obstacle.friction) + "/>\n";

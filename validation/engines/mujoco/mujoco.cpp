@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   engine.name = "mujoco";
   engine.version = "2.2.2 (Debian, double precision)";
   engine.description = "MuJoCo: soft contacts by convex optimisation, optionally without slip";
-  engine.can = "boxes balls body_contact varying_gravity drag loads spin";
+  engine.can = "boxes balls body_contact varying_gravity oscillation drag loads spin";
   engine.settings = settings;
   engine.configurations = configurations;
   engine.ladder = ladder;

@@ -58,15 +58,19 @@ Vector3d World::velocity_at(size_t body, const Vector3d& point, bool predicted) 
 void World::set_surface(Contact& contact) const {
   dSurfaceParameters& surface = contact.joint.surface;
   surface.mode = dContactApprox1;  // bounds follow the normal force; else μ would be a force
-  surface.mu =
-      contact.against_body ? problem_.friction : problem_.obstacles[contact.other].friction;
+  surface.mu = stiction_friction(&problem_, contact.body, contact.other, contact.against_body);
+  if (problem_.restitution > 0.0) {
+    surface.mode |= dContactBounce;
+    surface.bounce = problem_.restitution;
+  }
   if (parameters_.soft_cfm >= 0.0) {
     surface.mode |= dContactSoftCFM;
     surface.soft_cfm = parameters_.soft_cfm;
   }
   const Vector3d n = Map<const Vector3d>(contact.joint.geom.normal);
   const Vector3d point = Map<const Vector3d>(contact.joint.geom.pos);
-  const bool moves = !contact.against_body && problem_.obstacles[contact.other].motion.count > 0;
+  const bool moved =
+      !contact.against_body && stiction_moves(&problem_.obstacles[contact.other].motion);
   Vector3d direction = Vector3d::Zero();
   if (parameters_.friction_direction != FrictionDirection::kEngine) {
     const bool predicted = parameters_.friction_direction == FrictionDirection::kPredicted;
@@ -76,11 +80,11 @@ void World::set_surface(Contact& contact) const {
     const Vector3d slip = over - n.dot(over) * n;
     if (slip.norm() > kLeastSlip) direction = slip.normalized();
   }
-  if (direction.isZero(0.0) && moves) direction = n.unitOrthogonal();
+  if (direction.isZero(0.0) && moved) direction = n.unitOrthogonal();
   if (direction.isZero(0.0)) return;
   surface.mode |= dContactFDir1;
   Map<Vector3d>(contact.joint.fdir1) = direction;
-  if (!moves) return;
+  if (!moved) return;
   surface.mode |= dContactMotion1 | dContactMotion2 | dContactMotionN;
   const Vector3d& velocity = obstacle_velocity_[contact.other];
   surface.motion1 = direction.dot(velocity);

@@ -54,7 +54,10 @@ int main(int argc, char** argv) {
   engine.name = "ode";
   engine.version = "0.16.2, double precision";
   engine.description = "Open Dynamics Engine, rigid bodies";
-  engine.can = "boxes balls body_contact moving_obstacles varying_gravity drag loads spin";
+  engine.can =
+      "boxes balls body_contact moving_obstacles steady_motion oscillation pair_friction "
+      "restitution "
+      "varying_gravity drag loads spin";
   engine.settings = stiction::ode::kSettings;
   engine.configurations = kConfigurations;
   engine.ladder = kLadder;

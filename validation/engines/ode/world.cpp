@@ -86,7 +86,7 @@ void World::add_obstacle(const stiction_obstacle& obstacle) {
 void World::move_obstacles(double t) {
   for (size_t o = 0; o < obstacle_velocity_.size(); ++o) {
     const stiction_obstacle& obstacle = problem_.obstacles[o];
-    if (obstacle.motion.count == 0) continue;
+    if (!stiction_moves(&obstacle.motion)) continue;
     const Vector3d now = value_at(obstacle.motion, t);
     obstacle_velocity_[o] = (value_at(obstacle.motion, t + time_step()) - now) / time_step();
     const Vector3d n(obstacle.normal), point = Vector3d(obstacle.point) + now;

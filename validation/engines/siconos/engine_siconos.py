@@ -52,7 +52,7 @@ def law(friction):
 class Siconos(stiction_engine.Engine):
     name, version = "siconos", "4.4.0 (Debian; dynamics in double, Bullet's collision in single precision)"
     description = "Siconos: Moreau–Jean time stepping, Coulomb's cone by nonsmooth Gauss–Seidel"
-    can = ["boxes", "balls", "body_contact", "varying_gravity", "drag", "loads", "spin"]
+    can = ["boxes", "balls", "body_contact", "varying_gravity", "oscillation", "drag", "loads", "spin"]
     settings_help = {
         "dt": "time step, s (default 0.005)",
         "theta": "of Moreau–Jean's scheme, 0.5 to 1 (default 0.50001)",
@@ -114,7 +114,7 @@ class Siconos(stiction_engine.Engine):
         for one, other in pairs:
             collisions.insertNonSmoothLaw(law(self.problem.friction), one, other)
         for o, obstacle in enumerate(self.problem.obstacles):
-            if obstacle.motion.time:
+            if stiction_engine.moves(obstacle.motion):
                 raise Lacks("moving obstacles")
             if not self.exact:
                 self.add_obstacle(collisions, 2 + o, obstacle)

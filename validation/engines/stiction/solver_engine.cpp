@@ -324,6 +324,7 @@ EngineKind solver_engine() {
                    .moving_obstacles = true,
                    .steady_motion = true,
                    .oscillation = true,
+                   .pair_friction = true,
                    .drag = true,
                    .varying_gravity = true,
                    .loads = true,

@@ -112,6 +112,7 @@ SceneDescription scene_description(const Problem& problem, const Discretisation&
   description.drag = problem.drag;
   description.loads = problem.loads;
   description.springs = problem.springs;
+  description.pair_friction = problem.pair_friction;
   return description;
 }
 
