@@ -193,6 +193,9 @@ TEST_F(HostileSurface, CountsBeyondTheFileAreRefused) {
               HasSubstr("has 99999 faces"));
   EXPECT_THAT(said("b.stl", std::string(80, 'x') + raw(std::uint32_t{0xffffffff}) + rest),
               HasSubstr("has 4294967295 triangles"));
+  EXPECT_THAT(said("long.off", "OFF\n" + std::string(300, '9') + "\x1b[2J 1 0\n" + rest),
+              HasSubstr("says that it has more vertices"));
+  EXPECT_THAT(said("binary.off", "OFF BINARY\n" + rest), HasSubstr("only text can be read"));
   // The corners of a face are counted too, where no header tells of them.
   EXPECT_THAT(said("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n900000000 0 1 2\n"),
               HasSubstr("can't be read as off"));

@@ -14,12 +14,20 @@ inline constexpr std::uint64_t kMostMemory = std::uint64_t{4} << 30;
 /// under a sanitizer, which takes more than that for itself.
 void limit_memory();
 
-/// While it lives, a library may fall over what a file of `bytes` holds: a crash ends this process with
-/// exit code `code` and `sentence` on stderr, and so does reading for longer than a minute; memory
-/// beyond what such a file can need is std::bad_alloc. One at a time.
+/// What ends this process instead of a library that reads a file, each with the sentence on stderr.
+struct ReadingLimits {
+  int code = 1;           ///< exit code, of both
+  std::string fallen{};   ///< said when the library falls over
+  std::string late{};     ///< said after `seconds`
+  double seconds = 60.0;  ///< > 0
+  std::uint64_t bytes =
+      0;  ///< of the file: memory beyond what such a file can need is std::bad_alloc
+};
+
+/// While it lives, a library may fall over what a file holds, or read it for ever. One at a time.
 class ReadingGuard {
  public:
-  ReadingGuard(int code, const std::string& sentence, std::uint64_t bytes);
+  explicit ReadingGuard(const ReadingLimits& limits);
   ~ReadingGuard();
   ReadingGuard(const ReadingGuard&) = delete;
   ReadingGuard& operator=(const ReadingGuard&) = delete;
