@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "reference/meshes/mesh_size.h"
-#include "reference/meshes/mesh_surface/reading_guard.h"
+#include "reference/meshes/mesh_surface/library_guard.h"
 #include "reference/meshes/mesh_surface/surface_soup.h"
 
 namespace stiction::reference {
@@ -63,7 +63,7 @@ SurfaceSoup read(const std::filesystem::path& file, double seconds, const Demand
   SurfaceSoup soup;
   bool good = false;
   try {
-    const ReadingGuard guard({.code = kFirstFlaw + static_cast<int>(SurfaceFlaw::unreadable),
+    const LibraryGuard guard({.code = kFirstFlaw + static_cast<int>(SurfaceFlaw::unreadable),
                               .fallen = demand.name + ": " + refusal,
                               .late = demand.name + ": reading it took longer than " +
                                       plain(seconds) +
@@ -150,6 +150,9 @@ FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptio
   std::cerr << kExpected << ' ' << size.tetrahedra() << ' ' << cell << std::endl;
   const double distance = options.facet_distance > 0.0 ? options.facet_distance : cell / 20.0;
 
+  const LibraryGuard guard(
+      {.code = kFirstFlaw + static_cast<int>(SurfaceFlaw::not_meshed),
+       .fallen = demand.name + ": it can't be filled with tetrahedra: CGAL's mesher fell over it"});
   CGAL::get_default_random() = CGAL::Random(options.seed);
   Domain domain(surface, &CGAL::get_default_random());
   domain.detect_features(options.feature_angle);

@@ -173,6 +173,21 @@ TEST_F(HostileSurface, ReadersThatFallOverRefuseTheFile) {
   }
 }
 
+// Products of such lengths are no numbers: CGAL's mesher ended with SIGFPE in GMP.
+TEST_F(HostileSurface, LengthsThatCannotBeComputedWithAreRefused) {
+  const auto said = [&](const std::string& coordinate) {
+    const Ended ended =
+        mesh("small.off", "OFF\n4 4 0\n0 0 0\n1 0 " + coordinate +
+                              "\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    EXPECT_TRUE(ended.code == kFilled || is_refusal(ended)) << ended.code << ": " << ended.errors;
+    return ended.errors;
+  };
+  EXPECT_THAT(said("1e-320"), HasSubstr("write it as 0"));
+  EXPECT_THAT(said("-1e-61"), HasSubstr("a coordinate is -1e-61 and others 1, which"));
+  EXPECT_THAT(said("1e200"), HasSubstr("its largest coordinate is 1e+200, which"));
+  EXPECT_THAT(said("1e-59"), HasSubstr("expected"));
+}
+
 // A count that the file cannot hold is refused before memory is asked for.
 TEST_F(HostileSurface, CountsBeyondTheFileAreRefused) {
   const std::string rest = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "reference/meshes/mesh_surface/fill_surface.h"
-#include "reference/meshes/mesh_surface/reading_guard.h"
+#include "reference/meshes/mesh_surface/library_guard.h"
 
 namespace stiction::reference {
 

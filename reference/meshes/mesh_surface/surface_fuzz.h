@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -116,6 +117,18 @@ inline reference::SurfaceSoup take_soup(SharedNumbers& numbers) {
   return soup;
 }
 
+/// As the mesher's guard does, beside what the sanitizers have taken for themselves.
+inline void limit_memory_of_child() {
+  constexpr rlim_t kRoom = 64 << 20;  // bytes
+  std::ifstream told("/proc/self/statm");
+  rlim_t pages = 0;
+  told >> pages;
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + kRoom;
+  setrlimit(RLIMIT_AS, &limit);
+}
+
 enum ReaderExit { kRead = 0, kNotRead = 1, kTooLarge = 2 };
 
 /// What CGAL's reader makes of a file; nothing where it refuses it, falls over it or takes too long.
@@ -131,6 +144,7 @@ inline std::optional<reference::SurfaceSoup> read_in_child(const std::filesystem
     }
     if (__sanitizer_set_death_callback != nullptr) __sanitizer_set_death_callback(nullptr);
     close(STDERR_FILENO);
+    limit_memory_of_child();
     itimerval once{};
     once.it_value.tv_sec = static_cast<time_t>(kReadingSeconds);
     setitimer(ITIMER_REAL, &once, nullptr);

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "reference/meshes/mesh_size.h"
@@ -40,6 +41,33 @@ struct Demand {
     if (!holds) throw SurfaceError(flaw, name + ": " + what);
   }
 };
+
+std::string in_digits(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+// Products of some lengths must be numbers yet; of sizes in m, mm or inch none comes near.
+constexpr double kLeast = 1e-60, kMost = 1e60;
+
+void demand_sizes(const std::vector<Eigen::Vector3d>& points, const Demand& demand) {
+  double extent = 0.0;
+  for (const Eigen::Vector3d& p : points) {
+    demand(p.allFinite(), SurfaceFlaw::not_finite, "a coordinate is not finite");
+    extent = std::max(extent, p.cwiseAbs().maxCoeff());
+  }
+  demand(extent == 0.0 || (extent >= kLeast && extent <= kMost), SurfaceFlaw::degenerate,
+         "its largest coordinate is " + in_digits(extent) +
+             ", which can't be computed with: write it in another unit");
+  for (const Eigen::Vector3d& p : points) {
+    for (const double x : p) {
+      demand(x == 0.0 || std::abs(x) >= kLeast * extent, SurfaceFlaw::degenerate,
+             "a coordinate is " + in_digits(x) + " and others " + in_digits(extent) +
+                 ", which can't be computed with: write it as 0");
+    }
+  }
+}
 
 std::vector<Point> cgal_points(const std::vector<Eigen::Vector3d>& points) {
   std::vector<Point> converted;
@@ -81,9 +109,7 @@ std::string surface_format(const std::filesystem::path& file) {
 void check_surface_soup(SurfaceSoup& soup, const std::string& name) {
   const Demand demand{name};
   demand(!soup.points.empty() && !soup.faces.empty(), SurfaceFlaw::empty, "it has no triangles");
-  for (const Eigen::Vector3d& p : soup.points) {
-    demand(p.allFinite(), SurfaceFlaw::not_finite, "a coordinate is not finite");
-  }
+  demand_sizes(soup.points, demand);
   for (const std::vector<std::size_t>& face : soup.faces) {
     demand(face.size() == 3, SurfaceFlaw::not_triangles,
            "a face has " + std::to_string(face.size()) + " corners; only triangles can be read");

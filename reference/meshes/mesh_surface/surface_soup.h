@@ -23,7 +23,7 @@ struct SurfaceSoup {
 std::string surface_format(const std::filesystem::path& file);
 
 /// What CGAL reads of such a file, of which nothing is promised; they fall over some files, so that a
-/// ReadingGuard belongs around. False when it can't be read; throws what CGAL throws.
+/// LibraryGuard belongs around. False when it can't be read; throws what CGAL throws.
 bool read_surface_soup(const std::filesystem::path& file, SurfaceSoup& soup);
 
 /// Whatever the soup is: throws SurfaceError, which begins with `name`, unless its faces are triangles

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/meshes/mesh_surface/reading_guard.h"
+#include "reference/meshes/mesh_surface/library_guard.h"
 
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -61,7 +61,7 @@ std::uint64_t address_space_now() {
 
 void limit_memory() { set_address_space(kMostMemory); }
 
-ReadingGuard::ReadingGuard(const ReadingLimits& limits) {
+LibraryGuard::LibraryGuard(const LibraryLimits& limits) {
   last_words = limits.fallen + "\n";
   late_words = limits.late + "\n";
   last_code = limits.code;
@@ -78,7 +78,7 @@ ReadingGuard::ReadingGuard(const ReadingLimits& limits) {
   set_alarm(limits.seconds);
 }
 
-ReadingGuard::~ReadingGuard() {
+LibraryGuard::~LibraryGuard() {
   set_alarm(0.0);
   for (const int signal : kSignals) std::signal(signal, SIG_DFL);
   limit_memory();
