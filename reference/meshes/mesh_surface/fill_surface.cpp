@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Random.h>
+#include <CGAL/exceptions.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <Eigen/Geometry>
@@ -132,10 +133,14 @@ TetMesh mesh_of(const Complex& complex) {
   return mesh;
 }
 
+std::string not_filled(const std::filesystem::path& file) {
+  return file.string() + ": it can't be filled with tetrahedra: CGAL's mesher fell over it";
+}
+
 }  // namespace
 
 FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptions& options,
-                           double reading_seconds) {
+                           double reading_seconds) try {
   const Demand demand{file.string()};
   SurfaceSoup soup = read(file, reading_seconds, demand);
   check_surface_soup(soup, demand.name);
@@ -151,8 +156,7 @@ FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptio
   const double distance = options.facet_distance > 0.0 ? options.facet_distance : cell / 20.0;
 
   const LibraryGuard guard(
-      {.code = kFirstFlaw + static_cast<int>(SurfaceFlaw::not_meshed),
-       .fallen = demand.name + ": it can't be filled with tetrahedra: CGAL's mesher fell over it"});
+      {.code = kFirstFlaw + static_cast<int>(SurfaceFlaw::not_meshed), .fallen = not_filled(file)});
   CGAL::get_default_random() = CGAL::Random(options.seed);
   Domain domain(surface, &CGAL::get_default_random());
   domain.detect_features(options.feature_angle);
@@ -180,6 +184,8 @@ FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptio
 
   filled.mesh = mesh_of(complex);
   return filled;
+} catch (const CGAL::Failure_exception&) {  // an assertion of its own
+  throw SurfaceError(SurfaceFlaw::not_meshed, not_filled(file));
 }
 
 }  // namespace stiction::reference

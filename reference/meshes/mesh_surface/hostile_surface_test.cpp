@@ -185,7 +185,20 @@ TEST_F(HostileSurface, LengthsThatCannotBeComputedWithAreRefused) {
   EXPECT_THAT(said("1e-320"), HasSubstr("write it as 0"));
   EXPECT_THAT(said("-1e-61"), HasSubstr("a coordinate is -1e-61 and others 1, which"));
   EXPECT_THAT(said("1e200"), HasSubstr("its largest coordinate is 1e+200, which"));
+  EXPECT_THAT(said("1e21"), HasSubstr("write it in another unit"));
   EXPECT_THAT(said("1e-59"), HasSubstr("expected"));
+}
+
+// CGAL's mesher had no end of the first, and overran its stack with the second.
+TEST_F(HostileSurface, CornersThatAreNearlyOneAreRefused) {
+  for (const std::string near : {"1e-20", "1e-40"}) {
+    const Ended ended = mesh("near.off", "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + near + " " +
+                                             near + " " + near +
+                                             "\n3 0 2 4\n3 2 1 4\n3 1 0 4\n3 0 1 3\n"
+                                             "3 0 3 2\n3 1 2 3\n");
+    EXPECT_TRUE(is_refusal(ended)) << ended.code << ": " << ended.errors;
+    EXPECT_THAT(ended.errors, HasSubstr("apart and its largest coordinate is 1: make them one"));
+  }
 }
 
 // A count that the file cannot hold is refused before memory is asked for.

@@ -48,25 +48,30 @@ std::string in_digits(double number) {
   return text.str();
 }
 
-// Products of some lengths must be numbers yet; of sizes in m, mm or inch none comes near.
-constexpr double kLeast = 1e-60, kMost = 1e60;
+// Products of several lengths must be numbers yet. Beyond these CGAL's mesher fails, or has no end; of sizes in
+// m, mm or inch none comes near.
+constexpr double kSmallest = 1e-20, kLargest = 1e20;
+constexpr double kNegligible = 1e-60;  // of the extent
+constexpr double kClosest = 1e-15;     // of the extent: about what a double resolves
 
-void demand_sizes(const std::vector<Eigen::Vector3d>& points, const Demand& demand) {
+// The largest coordinate.
+double demand_sizes(const std::vector<Eigen::Vector3d>& points, const Demand& demand) {
   double extent = 0.0;
   for (const Eigen::Vector3d& p : points) {
     demand(p.allFinite(), SurfaceFlaw::not_finite, "a coordinate is not finite");
     extent = std::max(extent, p.cwiseAbs().maxCoeff());
   }
-  demand(extent == 0.0 || (extent >= kLeast && extent <= kMost), SurfaceFlaw::degenerate,
+  demand(extent == 0.0 || (extent >= kSmallest && extent <= kLargest), SurfaceFlaw::degenerate,
          "its largest coordinate is " + in_digits(extent) +
              ", which can't be computed with: write it in another unit");
   for (const Eigen::Vector3d& p : points) {
     for (const double x : p) {
-      demand(x == 0.0 || std::abs(x) >= kLeast * extent, SurfaceFlaw::degenerate,
+      demand(x == 0.0 || std::abs(x) >= kNegligible * extent, SurfaceFlaw::degenerate,
              "a coordinate is " + in_digits(x) + " and others " + in_digits(extent) +
                  ", which can't be computed with: write it as 0");
     }
   }
+  return extent;
 }
 
 std::vector<Point> cgal_points(const std::vector<Eigen::Vector3d>& points) {
@@ -109,7 +114,7 @@ std::string surface_format(const std::filesystem::path& file) {
 void check_surface_soup(SurfaceSoup& soup, const std::string& name) {
   const Demand demand{name};
   demand(!soup.points.empty() && !soup.faces.empty(), SurfaceFlaw::empty, "it has no triangles");
-  demand_sizes(soup.points, demand);
+  const double extent = demand_sizes(soup.points, demand);
   for (const std::vector<std::size_t>& face : soup.faces) {
     demand(face.size() == 3, SurfaceFlaw::not_triangles,
            "a face has " + std::to_string(face.size()) + " corners; only triangles can be read");
@@ -122,6 +127,12 @@ void check_surface_soup(SurfaceSoup& soup, const std::string& name) {
   for (const std::vector<std::size_t>& f : soup.faces) {
     demand(!CGAL::collinear(points[f[0]], points[f[1]], points[f[2]]), SurfaceFlaw::degenerate,
            "a triangle has no area");
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double apart = std::sqrt(CGAL::squared_distance(points[f[k]], points[f[(k + 1) % 3]]));
+      demand(apart >= kClosest * extent, SurfaceFlaw::degenerate,
+             "two corners of a triangle are " + in_digits(apart) + " apart and its largest " +
+                 "coordinate is " + in_digits(extent) + ": make them one");
+    }
   }
   // How often each directed edge occurs tells a border from a fan from a wrong orientation.
   std::map<std::pair<std::size_t, std::size_t>, int> edges;
