@@ -109,10 +109,15 @@ FilledSurface fill(const std::string& file, const SurfaceOptions& options) {
   const std::string sentence = last_line(ended.errors);
   if (ended.code == kNoSuchProgram) fail("can't be run: there is no program '" + mesher + "'");
   if (ended.timed_out) {
+    const std::string stopped = "was stopped after " + exact(options.time_limit) + " s";
     const double cell = expected_in(ended.errors).cell_size;
-    fail("was stopped after " + exact(options.time_limit) + " s: choose a larger cell_size" +
-         (cell > 0.0 ? ", such as " + fmt::format("{:.3g} m", 2.0 * cell * options.unit) : "") +
-         ", or raise time_limit");
+    if (!(cell > 0.0)) {
+      fail(stopped +
+           ", still reading or checking the triangles: give a surface of fewer, or raise "
+           "time_limit");
+    }
+    fail(stopped + ": choose a larger cell_size, such as " +
+         fmt::format("{:.3g} m", 2.0 * cell * options.unit) + ", or raise time_limit");
   }
   if (ended.signal == SIGKILL) {
     fail("was killed (signal 9), as happens when memory runs out: choose a larger cell_size");

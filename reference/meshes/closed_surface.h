@@ -25,7 +25,7 @@ enum class SurfaceFlaw {
   empty,
   not_finite,
   not_triangles,
-  degenerate,    ///< a triangle without area
+  degenerate,    ///< a triangle without area, or lengths that can't be computed with
   not_manifold,  ///< an edge of more than two triangles, or neighbours of opposite orientation
   not_closed,    ///< has a border
   self_intersecting,

@@ -111,8 +111,8 @@ TEST_F(Mesher, ThatCrashesCostsItsSurfaceOnly) {
   EXPECT_EQ(sentence(), "part.stl: the mesher failed: exit code 99");
   mesher_does("exec sleep 60");
   EXPECT_EQ(sentence({.time_limit = 0.1}),
-            "part.stl: the mesher was stopped after 0.1 s: choose a larger cell_size, or raise "
-            "time_limit");
+            "part.stl: the mesher was stopped after 0.1 s, still reading or checking the "
+            "triangles: give a surface of fewer, or raise time_limit");
   mesher_does("echo expected 185185 0.03 >&2; exec sleep 60");
   EXPECT_EQ(
       sentence({.unit = 0.1, .time_limit = 0.5}),

@@ -11,7 +11,7 @@
 /// other.
 ///
 ///   mesh_surface [--cell-size M] [--facet-distance M] [--feature-angle DEGREES] [--seed N]
-///                [--most-tetrahedra N] [--unit M] FILE
+///                [--most-tetrahedra N] [--unit M] [--reading-limit S] FILE
 ///
 /// writes the filled surface to stdout, as text:
 ///

@@ -36,7 +36,7 @@ void Measurements::add(const Metric& metric, double sample) {
   if (!std::isfinite(sample)) return;
   Measurement& measurement = by_name_[metric.name()];
   measurement.metric = metric;
-  measurement.samples.push_back(sample);
+  measurement.samples.push_back(sample + 0.0);
 }
 
 void Measurements::merge(const Measurements& other) {

@@ -26,6 +26,8 @@ struct Metric {
 
   /// How a person names it: subject#what.
   std::string name() const { return subject + "#" + what; }
+
+  bool operator==(const Metric&) const = default;
 };
 
 bool higher_is_better(Kind kind);
@@ -43,8 +45,8 @@ struct Measurement {
 /// Measurements of one revision, by Metric::name().
 class Measurements {
  public:
-  /// Adds a sample. Values that are not finite are left out: they can be neither compared nor
-  /// stored.
+  /// Adds a sample; −0 as 0, for the history keeps no sign of it. Values that are not finite are left
+  /// out: they can be neither compared nor stored.
   void add(const Metric& metric, double sample);
   void merge(const Measurements& other);
 

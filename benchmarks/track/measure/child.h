@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "reference/process/child.h"
+#include "reports/text/text.h"
 
 namespace stiction::track {
 
-/// What could not be measured or read: one clear sentence for the user (exit code 2).
+/// What could not be measured or read: one clear sentence in one line for the user (exit code 2), whatever
+/// others' words are in it.
 class TrackError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit TrackError(const std::string& what) : std::runtime_error(one_line(what)) {}
 };
 
 using reference::Ended;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -45,10 +47,19 @@ GoogleResult result_of(const json& entry, const std::string& what) {
           entry.at("cpu_time").get<double>() * unit_seconds(entry.value("time_unit", "ns"), what)};
 }
 
+// JSON's numbers have fractions and no end.
+std::int64_t whole_number(const json& number, const char* name, const std::string& what) {
+  const bool fits = number.is_number_integer() &&
+                    (!number.is_number_unsigned() ||
+                     number.get<std::uint64_t>() <= std::numeric_limits<std::int64_t>::max());
+  if (!fits) throw TrackError(fmt::format("{}: '{}' is no whole number", what, name));
+  return number.get<std::int64_t>();
+}
+
 // What the context of a file tells of the machine; other programs leave most of it out.
-Machine machine_of(const json& context) {
+Machine machine_of(const json& context, const std::string& what) {
   return {.processor = context.value("processor", context.value("host_name", "unknown")),
-          .cores = context.value("num_cpus", std::int64_t{0}),
+          .cores = whole_number(context.value("num_cpus", json(0)), "num_cpus", what),
           .compiler = context.value("compiler", "unknown"),
           .flags = context.value("flags", context.value("library_build_type", "unknown"))};
 }
@@ -90,21 +101,31 @@ Metric metric_of(const json& told, const std::string& what) {
   return metric;
 }
 
+[[noreturn]] void refuse_second(const Metric& metric, const std::string& what) {
+  throw TrackError(fmt::format("{}: there are two metrics '{}'", what, metric.name()));
+}
+
+// One more sample of what may have some.
+void add_sample(StoredRun& run, const Metric& metric, double sample, const std::string& what) {
+  const Measurement* const known = run.measurements.find(metric.name());
+  if (known != nullptr && !(known->metric == metric)) refuse_second(metric, what);
+  run.measurements.add(metric, sample);
+}
+
 StoredRun run_from_part(const json& part, const std::string& what) {
-  if (part.at("version").get<std::int64_t>() != kVersion) {
+  if (whole_number(part.at("version"), "version", what) != kVersion) {
     throw TrackError(fmt::format("{} was written by a newer version of stiction", what));
   }
   const json& machine = part.at("machine");
-  StoredRun run{.date = part.at("date"),
-                .revision = part.at("revision"),
-                .label = part.at("label"),
-                .machine = {machine.at("processor"), machine.at("cores"), machine.at("compiler"),
-                            machine.at("flags")}};
+  StoredRun run{
+      .date = part.at("date"),
+      .revision = part.at("revision"),
+      .label = part.at("label"),
+      .machine = {machine.at("processor"), whole_number(machine.at("cores"), "cores", what),
+                  machine.at("compiler"), machine.at("flags")}};
   for (const json& told : part.at("metrics")) {
     const Metric metric = metric_of(told, what);
-    if (run.measurements.find(metric.name()) != nullptr) {
-      throw TrackError(fmt::format("{}: there are two metrics '{}'", what, metric.name()));
-    }
+    if (run.measurements.find(metric.name()) != nullptr) refuse_second(metric, what);
     const auto samples = told.at("samples").get<std::vector<double>>();
     if (samples.empty()) {
       throw TrackError(fmt::format("{}: '{}' has no samples", what, metric.name()));
@@ -173,11 +194,11 @@ StoredRun run_from_google_json(const std::string& text, const std::string& what)
     StoredRun run{.date = context.value("date", ""),
                   .revision = context.value("revision", ""),
                   .label = what,
-                  .machine = machine_of(context)};
+                  .machine = machine_of(context, what)};
     for (const json& entry : file["benchmarks"]) {
       if (entry.value("run_type", "iteration") != "iteration") continue;
       const GoogleResult result = result_of(entry, what);
-      run.measurements.add({result.name, "time", "s", Kind::kTime}, result.seconds);
+      add_sample(run, {result.name, "time", "s", Kind::kTime}, result.seconds, what);
       // Exports from before our own part carried other metrics so.
       const json others = entry.value("stiction", json::object());
       for (const auto& [name, told] : others.items()) {
@@ -185,7 +206,7 @@ StoredRun run_from_google_json(const std::string& text, const std::string& what)
                             {"what", name},
                             {"unit", told.at("unit")},
                             {"kind", told.at("kind")}};
-        run.measurements.add(metric_of(named, what), told.at("value").get<double>());
+        add_sample(run, metric_of(named, what), told.at("value").get<double>(), what);
       }
     }
     if (run.measurements.all().empty()) throw TrackError(what + ": there is no result in it");

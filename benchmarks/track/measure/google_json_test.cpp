@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "benchmarks/track/measure/child.h"
 #include "benchmarks/track/store/scratch.h"
@@ -128,6 +130,8 @@ TEST(GoogleJson, RefusesABrokenExport) {
   refused("/version", 2);
   refused("/label", 7);
   refused("/machine", "here");
+  refused("/machine/cores", 2.5);
+  refused("/version", 1.0);
   refused("/metrics", nlohmann::json::array());
   refused("/metrics/0/kind", "colour");
   refused("/metrics/0/samples", nlohmann::json::array());
@@ -141,9 +145,32 @@ TEST(GoogleJson, RefusesOtherText) {
        {"", "[]", "{}", R"({"benchmarks": 1})", R"({"benchmarks": []})",
         R"({"benchmarks": [{"name": "a"}]})",
         R"({"benchmarks": [{"name": "a", "cpu_time": 1, "time_unit": "fortnights"}]})",
+        R"({"context": {"num_cpus": 1e300}, "benchmarks": [{"name": "a", "cpu_time": 1}]})",
+        R"({"context": {"num_cpus": 18446744073709551615},
+            "benchmarks": [{"name": "a", "cpu_time": 1}]})",
+        R"({"benchmarks": [{"name": "a", "cpu_time": 1,
+            "stiction": {"time": {"unit": "1", "kind": "digits", "value": 3}}}]})",
         R"({"benchmarks": [{"name": "a", "error_occurred": true, "error_message": "no"}]})"}) {
     EXPECT_THROW(run_from_google_json(text, "file"), TrackError) << text;
   }
+}
+
+TEST(GoogleJson, SaysWhatIsWrongInOneLine) {
+  const char* const text =
+      R"({"benchmarks": [{"name": "a", "error_occurred": true, "error_message": "no\nsuch"}]})";
+  try {
+    run_from_google_json(text, "file");
+    ADD_FAILURE() << "it was read";
+  } catch (const TrackError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+  }
+}
+
+// SQLite keeps a number without fraction as a whole one, which has no sign at 0.
+TEST(GoogleJson, HasNoNegativeZero) {
+  const StoredRun run =
+      run_from_google_json(R"({"benchmarks": [{"name": "a", "cpu_time": -0.0}]})", "file");
+  EXPECT_FALSE(std::signbit(run.measurements.find("a#time")->samples.front()));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/meshes/mesh_surface/declared_counts.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <sstream>
 #include <string_view>
 
@@ -15,10 +17,15 @@ constexpr double kPlyElement = 1;                     // a list of no bytes
 constexpr double kPlyVertex = 3, kPlyFace = 4;        // of single bytes
 constexpr double kStlHeader = 84, kStlTriangle = 50;  // binary
 constexpr int kLongestHeader = 10000;                 // lines
+constexpr std::size_t kLongestCount = 24;             // signs
 
 std::string too_much(const std::string& count, const std::string& what, std::uint64_t bytes) {
-  return "it says that it has " + count + " " + what + ", which its " + std::to_string(bytes) +
-         " bytes cannot hold";
+  const bool is_told = count.size() <= kLongestCount &&
+                       std::all_of(count.begin(), count.end(), [](unsigned char sign) {
+                         return std::isalnum(sign) || sign == '.' || sign == '+';
+                       });
+  return "it says that it has " + (is_told ? count : std::string("more")) + " " + what +
+         ", which its " + std::to_string(bytes) + " bytes cannot hold";
 }
 
 // Of a count as it stands there; 0 for what is no number, or too long for one.
@@ -36,7 +43,8 @@ std::string off_claims(std::istream& file, std::uint64_t bytes) {
   for (int k = 0; k < kLongestHeader && found < words.size() && std::getline(file, line); ++k) {
     std::istringstream text(line.substr(0, line.find('#')));
     for (std::string word; found < words.size() && text >> word;) {
-      if (word != "BINARY") words[found++] = word;
+      if (word == "BINARY") return "it is binary; of OFF files only text can be read";
+      words[found++] = word;
     }
   }
   const double vertices = number(words[1]), faces = number(words[2]);

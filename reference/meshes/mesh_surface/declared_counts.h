@@ -12,7 +12,8 @@ namespace stiction::reference {
 ///
 /// Looks at the header of an OFF, PLY or binary STL file (`format`: "off", "ply", "stl"; OBJ has none),
 /// which has `bytes` in all. Returns a sentence when that many vertices or faces cannot be in it, else
-/// nothing. A header that is not understood is the reader's to refuse.
+/// nothing; one too for a binary OFF file, of which CGAL reads no faces. A header that is not understood is
+/// the reader's to refuse.
 std::string claims_too_much(std::istream& file, const std::string& format, std::uint64_t bytes);
 
 }  // namespace stiction::reference

@@ -2,35 +2,27 @@
 #include "reference/meshes/mesh_surface/fill_surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_polyhedron_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Random.h>
+#include <CGAL/exceptions.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <iostream>
 #include <map>
-#include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "reference/meshes/mesh_size.h"
-#include "reference/meshes/mesh_surface/declared_counts.h"
-#include "reference/meshes/mesh_surface/reading_guard.h"
+#include "reference/meshes/mesh_surface/library_guard.h"
+#include "reference/meshes/mesh_surface/surface_soup.h"
 
 namespace stiction::reference {
 
@@ -49,15 +41,8 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Eigen::Index;
 using Eigen::Vector3d;
 
-constexpr std::uint64_t kLargestFile = 500'000'000;  // bytes
-
 /// Slender bodies have 2 tetrahedra a vertex, others up to 6.
 constexpr std::size_t kFewestAVertex = 2;
-
-struct Soup {
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::vector<std::size_t>> faces;
-};
 
 /// Throws `flaw` with the file's name unless it holds.
 struct Demand {
@@ -68,31 +53,25 @@ struct Demand {
   }
 };
 
-Soup read(const std::filesystem::path& file, const Demand& demand) {
-  demand(std::filesystem::is_regular_file(file), SurfaceFlaw::missing_file,
-         "there is no such file");
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::set<std::string> known = {".off", ".obj", ".ply", ".stl"};
-  demand(known.contains(extension), SurfaceFlaw::unknown_format,
-         "the name must end with .off, .obj, .ply or .stl");
-  const std::string format = extension.substr(1);
-  const std::uint64_t bytes = std::filesystem::file_size(file);
-  demand(bytes <= kLargestFile, SurfaceFlaw::unreadable,
-         "it has " + in_words(1e-6 * static_cast<double>(bytes)) + " MB; at most " +
-             in_words(1e-6 * static_cast<double>(kLargestFile)) + " are read");
-  std::ifstream head(file, std::ios::binary);
-  const std::string claim = claims_too_much(head, format, bytes);
-  demand(claim.empty(), SurfaceFlaw::unreadable, claim);
-  const std::string refusal = "it can't be read as " + format;
-  Soup soup;
+std::string plain(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+SurfaceSoup read(const std::filesystem::path& file, double seconds, const Demand& demand) {
+  const std::string refusal = "it can't be read as " + surface_format(file);
+  SurfaceSoup soup;
   bool good = false;
   try {
-    const ReadingGuard guard(kFirstFlaw + static_cast<int>(SurfaceFlaw::unreadable),
-                             demand.name + ": " + refusal, bytes);
-    good = CGAL::IO::read_polygon_soup(file.string(), soup.points, soup.faces,
-                                       parameters::verbose(false));
+    const LibraryGuard guard({.code = kFirstFlaw + static_cast<int>(SurfaceFlaw::unreadable),
+                              .fallen = demand.name + ": " + refusal,
+                              .late = demand.name + ": reading it took longer than " +
+                                      plain(seconds) +
+                                      " s: give a surface of fewer triangles, or as binary STL",
+                              .seconds = seconds,
+                              .bytes = std::filesystem::file_size(file)});
+    good = read_surface_soup(file, soup);
   } catch (const std::exception&) {
     good = false;
   }
@@ -100,47 +79,12 @@ Soup read(const std::filesystem::path& file, const Demand& demand) {
   return soup;
 }
 
-Surface check(Soup soup, const Demand& demand) {
-  demand(!soup.points.empty() && !soup.faces.empty(), SurfaceFlaw::empty, "it has no triangles");
-  for (const Kernel::Point_3& p : soup.points) {
-    demand(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
-           SurfaceFlaw::not_finite, "a coordinate is not finite");
-  }
-  for (const std::vector<std::size_t>& face : soup.faces) {
-    demand(face.size() == 3, SurfaceFlaw::not_triangles,
-           "a face has " + std::to_string(face.size()) + " corners; only triangles can be read");
-    for (const std::size_t corner : face) {
-      demand(corner < soup.points.size(), SurfaceFlaw::unreadable, "a face names no such vertex");
-    }
-  }
-  pmp::merge_duplicate_points_in_polygon_soup(soup.points, soup.faces);
-  for (const std::vector<std::size_t>& f : soup.faces) {
-    demand(!CGAL::collinear(soup.points[f[0]], soup.points[f[1]], soup.points[f[2]]),
-           SurfaceFlaw::degenerate, "a triangle has no area");
-  }
-  // How often each directed edge occurs tells a border from a fan from a wrong orientation.
-  std::map<std::pair<std::size_t, std::size_t>, int> edges;
-  for (const std::vector<std::size_t>& f : soup.faces) {
-    for (std::size_t k = 0; k < 3; ++k) ++edges[{f[k], f[(k + 1) % 3]}];
-  }
-  bool closed = true;
-  for (const auto& [edge, times] : edges) {
-    demand(
-        times == 1, SurfaceFlaw::not_manifold,
-        "an edge belongs to more than two triangles, or two neighbours are oriented differently");
-    closed = closed && edges.contains({edge.second, edge.first});
-  }
-  demand(closed, SurfaceFlaw::not_closed, "it is not closed: some edges have one triangle only");
-  demand(pmp::is_polygon_soup_a_polygon_mesh(soup.faces), SurfaceFlaw::not_manifold,
-         "two parts touch at a vertex only");
-  pmp::remove_isolated_points_in_polygon_soup(soup.points, soup.faces);
+Surface surface_of(const SurfaceSoup& soup) {
+  std::vector<Kernel::Point_3> points;
+  points.reserve(soup.points.size());
+  for (const Vector3d& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
   Surface surface;
-  pmp::polygon_soup_to_polygon_mesh(soup.points, soup.faces, surface);
-  demand(!pmp::does_self_intersect(surface), SurfaceFlaw::self_intersecting,
-         "it intersects itself");
-  demand(pmp::does_bound_a_volume(surface) && CGAL::to_double(pmp::volume(surface)) > 0.0,
-         SurfaceFlaw::not_bounding,
-         "it doesn't bound a volume: faces look inwards, or nested parts contradict each other");
+  pmp::polygon_soup_to_polygon_mesh(points, soup.faces, surface);
   return surface;
 }
 
@@ -189,11 +133,18 @@ TetMesh mesh_of(const Complex& complex) {
   return mesh;
 }
 
+std::string not_filled(const std::filesystem::path& file) {
+  return file.string() + ": it can't be filled with tetrahedra: CGAL's mesher fell over it";
+}
+
 }  // namespace
 
-FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptions& options) {
+FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptions& options,
+                           double reading_seconds) try {
   const Demand demand{file.string()};
-  const Surface surface = check(read(file, demand), demand);
+  SurfaceSoup soup = read(file, reading_seconds, demand);
+  check_surface_soup(soup, demand.name);
+  const Surface surface = surface_of(soup);
 
   FilledSurface filled;
   filled.given_triangles = static_cast<Index>(surface.size_of_facets());
@@ -204,6 +155,8 @@ FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptio
   std::cerr << kExpected << ' ' << size.tetrahedra() << ' ' << cell << std::endl;
   const double distance = options.facet_distance > 0.0 ? options.facet_distance : cell / 20.0;
 
+  const LibraryGuard guard(
+      {.code = kFirstFlaw + static_cast<int>(SurfaceFlaw::not_meshed), .fallen = not_filled(file)});
   CGAL::get_default_random() = CGAL::Random(options.seed);
   Domain domain(surface, &CGAL::get_default_random());
   domain.detect_features(options.feature_angle);
@@ -231,6 +184,8 @@ FilledSurface fill_surface(const std::filesystem::path& file, const SurfaceOptio
 
   filled.mesh = mesh_of(complex);
   return filled;
+} catch (const CGAL::Failure_exception&) {  // an assertion of its own
+  throw SurfaceError(SurfaceFlaw::not_meshed, not_filled(file));
 }
 
 }  // namespace stiction::reference

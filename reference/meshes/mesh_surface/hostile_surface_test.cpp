@@ -173,6 +173,34 @@ TEST_F(HostileSurface, ReadersThatFallOverRefuseTheFile) {
   }
 }
 
+// Products of such lengths are no numbers: CGAL's mesher ended with SIGFPE in GMP.
+TEST_F(HostileSurface, LengthsThatCannotBeComputedWithAreRefused) {
+  const auto said = [&](const std::string& coordinate) {
+    const Ended ended =
+        mesh("small.off", "OFF\n4 4 0\n0 0 0\n1 0 " + coordinate +
+                              "\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    EXPECT_TRUE(ended.code == kFilled || is_refusal(ended)) << ended.code << ": " << ended.errors;
+    return ended.errors;
+  };
+  EXPECT_THAT(said("1e-320"), HasSubstr("write it as 0"));
+  EXPECT_THAT(said("-1e-61"), HasSubstr("a coordinate is -1e-61 and others 1, which"));
+  EXPECT_THAT(said("1e200"), HasSubstr("its largest coordinate is 1e+200, which"));
+  EXPECT_THAT(said("1e21"), HasSubstr("write it in another unit"));
+  EXPECT_THAT(said("1e-59"), HasSubstr("expected"));
+}
+
+// CGAL's mesher had no end of the first, and overran its stack with the second.
+TEST_F(HostileSurface, CornersThatAreNearlyOneAreRefused) {
+  for (const std::string near : {"1e-20", "1e-40"}) {
+    const Ended ended = mesh("near.off", "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + near + " " +
+                                             near + " " + near +
+                                             "\n3 0 2 4\n3 2 1 4\n3 1 0 4\n3 0 1 3\n"
+                                             "3 0 3 2\n3 1 2 3\n");
+    EXPECT_TRUE(is_refusal(ended)) << ended.code << ": " << ended.errors;
+    EXPECT_THAT(ended.errors, HasSubstr("apart and its largest coordinate is 1: make them one"));
+  }
+}
+
 // A count that the file cannot hold is refused before memory is asked for.
 TEST_F(HostileSurface, CountsBeyondTheFileAreRefused) {
   const std::string rest = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -193,6 +221,9 @@ TEST_F(HostileSurface, CountsBeyondTheFileAreRefused) {
               HasSubstr("has 99999 faces"));
   EXPECT_THAT(said("b.stl", std::string(80, 'x') + raw(std::uint32_t{0xffffffff}) + rest),
               HasSubstr("has 4294967295 triangles"));
+  EXPECT_THAT(said("long.off", "OFF\n" + std::string(300, '9') + "\x1b[2J 1 0\n" + rest),
+              HasSubstr("says that it has more vertices"));
+  EXPECT_THAT(said("binary.off", "OFF BINARY\n" + rest), HasSubstr("only text can be read"));
   // The corners of a face are counted too, where no header tells of them.
   EXPECT_THAT(said("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n900000000 0 1 2\n"),
               HasSubstr("can't be read as off"));

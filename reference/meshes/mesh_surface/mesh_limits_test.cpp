@@ -71,6 +71,47 @@ TEST_F(MeshLimits, WhatWouldTakeTooLongIsRefusedAtOnce) {
   EXPECT_LT(took.count(), 60.0);
 }
 
+// Without its limit the mesher reads all of these 24 MB, and then finds no triangle.
+TEST_F(MeshLimits, AFileThatTakesTooLongToReadIsRefusedAtTheLimit) {
+  std::string text;
+  for (int k = 0; k < 3'000'000; ++k) text += "v 0 0 0\n";
+  const auto file = write("long.obj", text);
+  for (const char* const limit : {"0.05", "0.2"}) {
+    const auto began = std::chrono::steady_clock::now();
+    const Ended ended =
+        run_child({find_mesher(mesher_places()).string(), "--reading-limit", limit, file.string()});
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    EXPECT_EQ(ended.code, kFirstFlaw + static_cast<int>(SurfaceFlaw::unreadable));
+    EXPECT_EQ(ended.errors, file.string() + ": reading it took longer than " + limit +
+                                " s: give a surface of fewer triangles, or as binary STL\n");
+    EXPECT_GE(took.count(), std::stod(limit));
+  }
+}
+
+// Thin needles along a diagonal, side by side: the boxes around any two of their triangles overlap, so
+// that each pair is looked at.
+TEST_F(MeshLimits, ASurfaceThatTakesTooLongToCheckIsGivenUpInASentence) {
+  Triangles needles;
+  for (int k = 0; k < 3000; ++k) {
+    Triangles needle;
+    needle.points = {{0, 0, 0}, {1e-5, 0, 0}, {0, 1e-5, 0}, {1, 1, 1}};
+    needle.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    needles.append(needle, Vector3d(1e-4 * k, -1e-4 * k, 0.0));
+  }
+  try {
+    body_of_closed_surface(write_off("needles.off", needles), {.time_limit = 1.0});
+    ADD_FAILURE() << "it was meshed";
+  } catch (const MesherError& error) {
+    EXPECT_NE(
+        std::string(error.what())
+            .find(
+                "the mesher was stopped after 1 s, still reading or checking the triangles: give a "
+                "surface of fewer, or raise time_limit"),
+        std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(MeshLimits, TellsWhatItDoesWhileItDoesIt) {
   std::vector<MeshingProgress> told;
   SurfaceOptions options{.cell_size = 0.04};

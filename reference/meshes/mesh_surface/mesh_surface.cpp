@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "reference/meshes/mesh_surface/fill_surface.h"
-#include "reference/meshes/mesh_surface/reading_guard.h"
+#include "reference/meshes/mesh_surface/library_guard.h"
 
 namespace stiction::reference {
 
@@ -60,12 +60,15 @@ int end(const CLI::App& app, const CLI::ParseError& error) {
   return complain(kMesherFailed, "the help could not be written to the standard output");
 }
 
-int mesh_surface(const std::string& file, const SurfaceOptions& options) {
+int mesh_surface(const std::string& file, const SurfaceOptions& options, double reading_seconds) {
   if (const std::string wrong = options.check(); !wrong.empty()) {
     return complain(kMesherFailed, wrong);
   }
+  if (!(reading_seconds > 0.0 && reading_seconds <= 1e6)) {
+    return complain(kMesherFailed, "reading_limit must lie between 0 and 1e6");
+  }
   try {
-    if (show(to_text(fill_surface(file, options)))) return kFilled;
+    if (show(to_text(fill_surface(file, options, reading_seconds)))) return kFilled;
     return complain(kMesherFailed, "the mesh could not be written to the standard output");
   } catch (const SurfaceError& error) {
     return complain(kFirstFlaw + static_cast<int>(error.flaw()), error.what());
@@ -89,6 +92,7 @@ int main(int argc, char** argv) {
                "mesh_surface");
   std::string file;
   SurfaceOptions options;
+  double reading_seconds = 60.0;
   app.add_option("file", file, "The surface")->required();
   app.add_option("--cell-size", options.cell_size,
                  "Circumradius of a tetrahedron at most, m; 0: an eighth of the diagonal");
@@ -101,10 +105,13 @@ int main(int argc, char** argv) {
                  "A mesh of more is refused, before it is made where that can be told")
       ->capture_default_str();
   app.add_option("--unit", options.unit, "Of the file's lengths, m, for lengths in sentences");
+  app.add_option("--reading-limit", reading_seconds,
+                 "A file that takes longer to read is refused, s")
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return end(app, error);
   }
-  return mesh_surface(file, options);
+  return mesh_surface(file, options, reading_seconds);
 }

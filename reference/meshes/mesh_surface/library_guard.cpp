@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/meshes/mesh_surface/reading_guard.h"
+#include "reference/meshes/mesh_surface/library_guard.h"
 
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 
@@ -13,7 +15,6 @@ namespace stiction::reference {
 
 namespace {
 
-constexpr unsigned kLongest = 60;  // s
 // What is asked for while reading, beside what the process has: a point or a face takes some ten words
 // in memory and a few signs in a file.
 constexpr std::uint64_t kLeastRoom = std::uint64_t{64} << 20, kRoomOfAByte = 100;
@@ -21,13 +22,23 @@ constexpr std::uint64_t kLeastRoom = std::uint64_t{64} << 20, kRoomOfAByte = 100
 constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
 
 // A handler may use nothing that could be half changed: what it says stands here beforehand.
-std::string last_words;
+std::string last_words, late_words;
 int last_code = 0;
 std::array<char, 65536> own_stack;  // the usual one may be what ran out
 
-void end(int) {
-  static_cast<void>(!write(STDERR_FILENO, last_words.data(), last_words.size()));
+void end(int signal) {
+  const std::string& words = signal == SIGALRM ? late_words : last_words;
+  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
   _exit(last_code);
+}
+
+// SIGALRM once, after so long; never for 0.
+void set_alarm(double seconds) {
+  const double whole = std::floor(seconds);
+  itimerval once{};
+  once.it_value.tv_sec = static_cast<time_t>(whole);
+  once.it_value.tv_usec = static_cast<suseconds_t>(std::ceil(1e6 * (seconds - whole)));
+  setitimer(ITIMER_REAL, &once, nullptr);
 }
 
 void set_address_space([[maybe_unused]] std::uint64_t bytes) {
@@ -50,9 +61,10 @@ std::uint64_t address_space_now() {
 
 void limit_memory() { set_address_space(kMostMemory); }
 
-ReadingGuard::ReadingGuard(int code, const std::string& sentence, std::uint64_t bytes) {
-  last_words = sentence + "\n";
-  last_code = code;
+LibraryGuard::LibraryGuard(const LibraryLimits& limits) {
+  last_words = limits.fallen + "\n";
+  late_words = limits.late + "\n";
+  last_code = limits.code;
   stack_t stack{};
   stack.ss_sp = own_stack.data();
   stack.ss_size = own_stack.size();
@@ -61,13 +73,13 @@ ReadingGuard::ReadingGuard(int code, const std::string& sentence, std::uint64_t 
   action.sa_handler = end;
   action.sa_flags = SA_ONSTACK;
   for (const int signal : kSignals) sigaction(signal, &action, nullptr);
-  const std::uint64_t room = kLeastRoom + kRoomOfAByte * std::min(bytes, kMostMemory);
+  const std::uint64_t room = kLeastRoom + kRoomOfAByte * std::min(limits.bytes, kMostMemory);
   set_address_space(std::min(address_space_now() + room, kMostMemory));
-  alarm(kLongest);
+  set_alarm(limits.seconds);
 }
 
-ReadingGuard::~ReadingGuard() {
-  alarm(0);
+LibraryGuard::~LibraryGuard() {
+  set_alarm(0.0);
   for (const int signal : kSignals) std::signal(signal, SIG_DFL);
   limit_memory();
 }
