@@ -2,7 +2,6 @@
 #include "benchmarks/track/store/remembered.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdint>
@@ -11,6 +10,7 @@
 
 #include "benchmarks/track/measure/child.h"
 #include "reports/record/environment.h"
+#include "reports/record/whole_file.h"
 #include "solver/hash.h"
 
 namespace stiction::track {
@@ -42,12 +42,7 @@ std::string remembered(const std::filesystem::path& folder, const std::string& k
   }
   const std::string text = make();
   std::filesystem::create_directories(folder);
-  const std::filesystem::path part = fmt::format("{}.{}", file.string(), getpid());
-  std::ofstream stream(part);
-  stream << whole_key << '\n' << text << std::flush;
-  if (!stream) throw TrackError(fmt::format("cannot write {}", part.string()));
-  stream.close();
-  std::filesystem::rename(part, file);
+  write_whole(file, whole_key + '\n' + text);
   return text;
 }
 
