@@ -6,7 +6,10 @@
 temporary=${TMPDIR:-/tmp}/stiction-$$-$RANDOM$RANDOM
 finished= # a run whose page is not made yet
 trap 'rm -rf "$temporary"' EXIT
-mkdir -m 700 "$temporary"
+if ! reason=$(mkdir -m 700 "$temporary" 2>&1); then
+  say "${reason#mkdir: }"
+  exit 2
+fi
 
 # run COMMAND …: a signal to this script alone ends it too, at once; Ctrl-C reaches it by itself.
 run() {

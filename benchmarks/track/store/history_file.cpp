@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <fstream>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -120,9 +119,8 @@ void demand_tables(SQLite::Database& database, const fs::path& file) {
 void make_tables(SQLite::Database& database) {
   const auto are_there = [&] { return database.execAndGet("PRAGMA user_version").getInt64() > 0; };
   if (are_there()) return;
-  std::optional<Writing> writing;
+  const Writing writing;  // of an empty file the transaction's begin writes a page
   SQLite::Transaction transaction = begin(database);
-  writing.emplace();  // not while another program is waited for
   // Somebody else may have made them in between.
   if (!are_there()) database.exec(kTables);
   transaction.commit();
