@@ -74,6 +74,7 @@ class Command:
     codes: tuple = (0,)  # when nothing goes wrong
     prepare: typing.Callable = lambda folder: None  # what must be there before
     optional: str = None  # a regular expression: files that may be missing where that is said
+    tools: str = None  # what is said where git or CMake, which it calls, cannot write a file; they may try again
     few: bool = False  # among those of a short look
     script: bool = False  # what it starts are programs of its own
 
@@ -163,13 +164,14 @@ class Commands:
                     prepare=self.copy("import.json", "history.sqlite"), few=True),
             Command("track history --out", one("track", "history", "--out", "trends", "--history", "history.sqlite"), prepare=self.copy("history.sqlite")),
             Command("track record", project("record", "--no-times")),
-            Command("track --against", project("--against", "HEAD", "--no-times")),
+            Command("track --against", project("--against", "HEAD", "--no-times"),
+                    tools=r"git cannot|cannot be (configured|built|run|counted|measured)"),
             Command("readme", one("readme", "--root", "tree"), prepare=self.copy("tree"), few=True),
         ]
         if NODE and REPORT.is_file():
             commands += [
                 Command("report", page("runs", "--svg", "plots"), prepare=self.copy("runs")),
-                Command("report --against", page("runs", "--against", "runs", "--out", "new.html"), codes=(0, 1, 2),
+                Command("report --against", page("runs", "--against", "runs", "--out", "new.html"), codes=(0, 1),
                         prepare=self.copy("runs")),
                 Command("report --manual", page("runs", "--manual", "manual.html"), prepare=self.copy("runs")),
                 Command("report of a drawing", page("drawn/check-only"), prepare=self.copy("drawn")),

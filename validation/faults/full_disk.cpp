@@ -104,6 +104,12 @@ bool fails(const char* call, int descriptor) {
   return fate_of_write(call, descriptor) != Fate::kFine;
 }
 
+// That a folder is synced is best effort.
+bool is_file(int descriptor) {
+  struct stat what;
+  return fstat(descriptor, &what) == 0 && S_ISREG(what.st_mode);
+}
+
 bool makes(int flags) { return (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE; }
 
 template <class Function>
@@ -187,16 +193,13 @@ int symlink(const char* target, const char* path) {
 }
 
 int fsync(int file) {
-  struct stat what;
   REAL(fsync);
-  // That a folder is synced is best effort.
-  return fstat(file, &what) == 0 && S_ISREG(what.st_mode) && fails("fsync", file) ? -1
-                                                                                  : theirs(file);
+  return is_file(file) && fails("fsync", file) ? -1 : theirs(file);
 }
 
 int fdatasync(int file) {
   REAL(fdatasync);
-  return fails("fsync", file) ? -1 : theirs(file);
+  return is_file(file) && fails("fsync", file) ? -1 : theirs(file);
 }
 
 ssize_t write(int file, const void* bytes, size_t size) {

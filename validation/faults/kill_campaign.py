@@ -206,7 +206,7 @@ def main():
         base = pathlib.Path(name).resolve()
         (base / "store").mkdir()
         commands = Commands(asked.build.resolve(), base / "store", 0.1)
-        small = asked.count < 100
+        small = asked.count < 100 and not asked.only
         mesh = Command("mesh_surface", lambda folder: [str(commands.build / "mesh_surface"), "cube.off", "--cell-size", "12"],
                        prepare=commands.copy("cube.off"))
         everything = commands.all() + [mesh] + ([] if asked.no_scripts else commands.scripts())

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "benchmarks/track/measure/child.h"
 #include "reports/record/environment.h"
@@ -41,7 +42,8 @@ std::string remembered(const std::filesystem::path& folder, const std::string& k
     }
   }
   const std::string text = make();
-  std::filesystem::create_directories(folder);
+  std::error_code none;  // what is wrong shows when the file is written
+  std::filesystem::create_directories(folder, none);
   write_whole(file, whole_key + '\n' + text);
   return text;
 }
