@@ -60,7 +60,7 @@ CUBE = """OFF
 3 3 7 5
 """
 # Left behind by nothing that ended in order: what stands under a name that is not its own.
-TEMPORARY = re.compile(r"^\..*\.(tmp|latest)$|\.partial$|^new-|-journal$|^stiction-")
+TEMPORARY = re.compile(r"^\..*\.(tmp|latest)$|\.partial$|^new-|-journal$|^stiction-|^\.?org\.chromium")
 
 
 def bench_json(value):

@@ -32,24 +32,26 @@ def fail(what, why, detail=""):
     print(f"FAIL    {what}: {why}\n{detail}", flush=True)
 
 
-def processes_of(session):
-    """Those that are alive, by the kernel's word: a process and its children keep their session."""
+def processes_of(session, folder):
+    """Those that are alive: of this session, or at work in the folder (a browser makes a session of its own)."""
     found = []
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
         try:
             _, _, rest = stat.read_text().rpartition(")")
             state, _, _, its_session = rest.split()[:4]
-            if int(its_session) == session and state != "Z":
-                found.append((int(stat.parent.name), stat.with_name("cmdline").read_text().replace("\0", " ")))
+            words = stat.with_name("cmdline").read_text().replace("\0", " ")
+            here = str(folder) in words or os.readlink(stat.with_name("cwd")).startswith(str(folder))
+            if state != "Z" and (int(its_session) == session or here):
+                found.append((int(stat.parent.name), words))
         except (OSError, ValueError):
             continue  # it has ended
     return found
 
 
-def gone(session, seconds):
+def gone(session, folder, seconds):
     """Waits for them to end; those that are left."""
     until = time.monotonic() + seconds
-    while (left := processes_of(session)) and time.monotonic() < until:
+    while (left := processes_of(session, folder)) and time.monotonic() < until:
         time.sleep(0.02)
     return left
 
@@ -143,7 +145,7 @@ def trial(commands, command, base, one, moment, usual):
     if one != signal.SIGKILL and took > 8:
         fail(what, f"it took {took:.1f} s to end", said(folder))
     # Of what is killed nobody ends the children: they end when they find nobody to talk to, or have done their work.
-    left = gone(process.pid, PATIENCE if one == signal.SIGKILL else 0.3)
+    left = gone(process.pid, folder, PATIENCE if one == signal.SIGKILL else 0.3)
     if left:
         fail(what, f"left running: {left}", said(folder))
         for number, _ in left:
@@ -207,9 +209,12 @@ def main():
         (base / "store").mkdir()
         commands = Commands(asked.build.resolve(), base / "store", 0.1)
         small = asked.count < 100 and not asked.only
-        mesh = Command("mesh_surface", lambda folder: [str(commands.build / "mesh_surface"), "cube.off", "--cell-size", "12"],
-                       prepare=commands.copy("cube.off"))
-        everything = commands.all() + [mesh] + ([] if asked.no_scripts else commands.scripts())
+        more = [Command("mesh_surface", lambda folder: [str(commands.build / "mesh_surface"), "cube.off", "--cell-size", "12"],
+                        prepare=commands.copy("cube.off"))]
+        if NODE and REPORT.is_file() and shutil.which("chromium"):
+            more.append(Command("report, a PDF", lambda folder: [NODE, str(REPORT), "runs", "--manual", "manual.pdf"],
+                                prepare=commands.copy("runs")))
+        everything = commands.all() + more + ([] if asked.no_scripts else commands.scripts())
         chosen = [one for one in everything if asked.only in one.name and (one.few or not small)]
         for k, command in enumerate(chosen):
             seconds, usual = whole_run(commands, command, base)
@@ -222,8 +227,9 @@ def main():
             counts = ", ".join(f"{numbers[command.name, one.name]} {one.name}" for one in SIGNALS)
             print(f"        {command.name}: {counts}, {tries - met} came too late ({seconds:.2f} s)", flush=True)
     kills = sum(numbers[command.name, one.name] for command in chosen for one in SIGNALS)
-    print(f"{kills} kills, of which {numbers['ended by it']} ended their program (seed {asked.seed}): {numbers['records kept']} records kept, {numbers['records told']} of them told, "
-          f"{numbers['lines cut']} lines cut, {numbers['histories whole']} histories whole, {len(failures)} failures")
+    print(f"{kills} kills, of which {numbers['ended by it']} ended their program (seed {asked.seed}): {numbers['records kept']} records "
+          f"kept, {numbers['records told']} of them told, {numbers['lines cut']} lines cut, "
+          f"{numbers['histories whole']} histories whole, {len(failures)} failures")
     sys.exit(1 if failures else 0)
 
 
