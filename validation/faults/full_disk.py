@@ -18,6 +18,7 @@ import sys
 import tempfile
 import time
 
+sys.dont_write_bytecode = True  # the tree stays as it is
 from commands import Commands, runs_of_history, temporary_files, whole_lines
 
 KINDS = ("from", "once", "short")

@@ -19,6 +19,7 @@ import sys
 import tempfile
 import time
 
+sys.dont_write_bytecode = True  # the tree stays as it is
 from commands import NODE, REPORT, Command, Commands, runs_of_history, temporary_files, whole_lines
 
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
