@@ -7,8 +7,10 @@
 #include <functional>
 
 #include "benchmarks/track/command/commands.h"
+#include "benchmarks/track/store/history.h"
 #include "benchmarks/track/store/scratch.h"
 #include "reference/process/interruption.h"
+#include "reports/record/whole_file.h"
 #include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 
@@ -197,6 +199,12 @@ void define_commands(CLI::App& app, Arguments& arguments,
         "which one broke a case"}});
 }
 
+std::string last_words() {
+  stiction::end_writing();
+  return History::added() == 0 ? "; nothing of it is in the history"
+                               : "; what was measured is in the history";
+}
+
 }  // namespace
 
 }  // namespace stiction::track
@@ -239,8 +247,7 @@ int main(int argc, char** argv) {
     chosen = track_against;
   };
   return stiction::run_program(app, parse, [&] {
-    const stiction::reference::LastWords words([] { return "; nothing of it is in the history"; },
-                                               [] { Scratch::remove_all(); });
+    const stiction::reference::LastWords words(last_words, [] { Scratch::remove_all(); });
     return chosen(arguments);
   });
 }

@@ -11,6 +11,7 @@
 #include "reports/documents/document.h"
 #include "reports/documents/kept_figures.h"
 #include "reports/record/record_json.h"
+#include "reports/record/whole_file.h"
 #include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/text/exit_code.h"
@@ -33,13 +34,6 @@ std::string content_of(const fs::path& file) {
   content << stream.rdbuf();
   if (!stream) throw std::runtime_error(fmt::format("{} cannot be read", file.string()));
   return content.str();
-}
-
-void write(const fs::path& file, const std::string& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("{} cannot be written", file.string()));
 }
 
 using Runs = std::vector<std::vector<Record>>;
@@ -85,7 +79,7 @@ class Project {
 
   void update(const Runs& runs) const {
     for (const FigureRules* rules : told_by(runs)) {
-      write(kept_file(*rules), to_json(figures_of(*rules, runs)));
+      write_whole(kept_file(*rules), to_json(figures_of(*rules, runs)));
       show_line(relative(kept_file(*rules)));
     }
   }
@@ -120,7 +114,7 @@ class Project {
       const std::string after = written(before, relative(file), texts, templates);
       if (before == after) continue;
       same = false;
-      if (!only_check) write(file, after);
+      if (!only_check) write_whole(file, after);
       show_line(fmt::format(
           "{}{}", relative(file),
           only_check ? " differs from the kept figures: ./stiction readme writes it" : ""));

@@ -81,7 +81,8 @@ has_both() { has_engine && has_records engine 2; }
 interrupted INT 2 "validate of an engine" has_both -- \
   "$build/validate" "${many[@]}" --engine "$engine" --out engine
 kept engine
-interrupted TERM 15 "an engine that is deaf, with a child of its own" has_engine -- \
+has_deaf_engine() { pgrep -f "sh $work/deaf" >/dev/null; } # which validate's own words do not match
+interrupted TERM 15 "an engine that is deaf, with a child of its own" has_deaf_engine -- \
   "$build/validate" "${many[@]}" --engine "$work/deaf_engine.sh" --out deaf
 grep -q 'stiction validate: interrupted$' err || failed "it does not say so"
 printf 'ok    %s\n' "$what"
@@ -93,6 +94,12 @@ grep -q 'interrupted before anything was finished$' err || failed "it does not s
 printf 'ok    %s\n' "$what"
 interrupted TERM 15 "compare" has_records compared 2 -- "$build/compare" --no-page --jobs 2 --out compared
 kept compared
+for one in 'INT 2' 'TERM 15'; do
+  read -r name number <<<"$one"
+  interrupted "$name" "$number" "bench, SIG$name" has_records "bench$number" 1 -- \
+    "$build/bench" --benchmark_filter=/plane/ --benchmark_min_time=0.05 --out "bench$number"
+  kept "bench$number"
+done
 what="a signal that the caller ignores"
 env --ignore-signal=HUP "$build/validate" "${many[@]}" --out ignored >out 2>err &
 until_holds has_records ignored 1

@@ -25,6 +25,7 @@
 #include "reports/formats/vtk.h"
 #include "reports/record/record_json.h"
 #include "reports/record/record_store.h"
+#include "reports/record/whole_file.h"
 #include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/screen/screen.h"
@@ -300,6 +301,10 @@ int validate(Arguments& arguments) {
   demand_conformance(find_engine(selection.engine), selection.settings);
   if (arguments.check_only) {
     if (problems.empty()) throw InputError("--check-only needs a problem's file");
+    const reference::LastWords words([] {
+      end_writing();
+      return "";
+    });
     show_problems(problems, jobs, arguments.out);
     return kHolds;
   }

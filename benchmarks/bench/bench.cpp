@@ -8,14 +8,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/bench/bench_records.h"
 #include "benchmarks/bench/bench_summary.h"
 #include "benchmarks/bench/console.h"
 #include "benchmarks/bench/fixed.h"
+#include "reference/process/interruption.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/record/whole_file.h"
 #include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/screen/progress_line.h"
@@ -42,6 +45,9 @@ struct Arguments {
   std::string fixed;
   int batches = 1;
   std::string out = "bench-report";
+  // Of Google Benchmark's flags:
+  bool given_min_time = false;
+  bool interleaved = false;  // no workload is done before the end
 };
 
 void define(CLI::App& app, Arguments& arguments) {
@@ -133,12 +139,19 @@ void register_all(const std::vector<Chosen>& chosen, Measure& measure, bool give
   }
 }
 
+// Before minutes are spent: whether the file of Google Benchmark's report has a folder.
+void demand_folder_of(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (std::filesystem::is_directory(folder)) return;
+  throw InputError("--benchmark_out: there is no folder '" + folder.string() + "'");
+}
+
 bool any_fails(const std::vector<Record>& records) {
   return std::any_of(records.begin(), records.end(),
                      [](const Record& record) { return record.verdict == Verdict::kFail; });
 }
 
-int bench(const Arguments& arguments, bool given_min_time) {
+int bench(const Arguments& arguments) {
   if (arguments.list_fixed) {
     for (const std::string& name : fixed_names()) show_line(name);
     return kHolds;
@@ -159,14 +172,26 @@ int bench(const Arguments& arguments, bool given_min_time) {
     for (const Chosen& one : chosen) show_line(one.name);
     return kHolds;
   }
+  if (!arguments.out_file.empty()) demand_folder_of(arguments.out_file);
+  reference::end_in_order("stiction bench");
   RecordStore store = RecordStore::create(arguments.out);
+  const reference::LastWords words([&store] { return store.last_words(); });
   const MachinePeak machine = measure_peak();
   benchmark::AddCustomContext("bytes_per_second", fmt::format("{}", machine.bytes_per_second));
   benchmark::AddCustomContext("flops_per_second", fmt::format("{}", machine.flops_per_second));
   const auto began = std::chrono::steady_clock::now();
   const Team team(arguments.threads);
   Measure measure(machine, team.size() > 1 ? &team : nullptr);
-  register_all(chosen, measure, given_min_time);
+  register_all(chosen, measure, arguments.given_min_time);
+  std::vector<Record> records;
+  const auto keep = [&](Record record) {
+    store.append(record);
+    records.push_back(std::move(record));
+  };
+  const auto keep_workload = [&](const Measure::Settled& settled) {
+    keep(workload_record(settled, measure.results()));
+  };
+  if (!arguments.interleaved) measure.when_done(keep_workload);
   const bool with_features = !arguments.no_features && arguments.filter.empty();
   std::vector<std::string> names;
   for (const Chosen& one : chosen) names.push_back(one.name);
@@ -175,6 +200,10 @@ int bench(const Arguments& arguments, bool given_min_time) {
   JsonFile json;
   // The names were chosen above: Google Benchmark would match "/manual_time" behind them too.
   benchmark::RunSpecifiedBenchmarks(&console, arguments.out_file.empty() ? nullptr : &json, ".");
+  measure.finish();
+  if (arguments.interleaved) {
+    for (const Measure::Settled& settled : measure.settled()) keep_workload(settled);
+  }
   const std::vector<Scaling> fits = scalings(measure.results());
   console.add(table(fits));
   std::vector<FeatureCost> features;
@@ -186,10 +215,10 @@ int bench(const Arguments& arguments, bool given_min_time) {
   }
   console.finished();
 
-  const std::vector<Record> records = records_of(measure, fits, features);
-  for (const Record& record : records) store.append(record);
+  for (Record& record : summary_records(fits, features)) keep(std::move(record));
   store.write_file("bench.md", "# What contact costs\n\n```\n" + console.text() + "```\n");
   store.finish();
+  if (!arguments.out_file.empty()) write_whole(arguments.out_file, json.text());
   const Screen screen = screen_of(STDOUT_FILENO);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -232,15 +261,17 @@ int main(int argc, char** argv) {
   // too.
   std::vector<char*> theirs = {argv[0]};
   std::vector<std::string> ours;
-  bool given_min_time = false;
+  Arguments arguments;
+  std::string nowhere = "--benchmark_out=/dev/null";  // what goes to its file we write
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
-    given_min_time = given_min_time || is_flag(word, "min_time");
+    arguments.given_min_time = arguments.given_min_time || is_flag(word, "min_time");
+    arguments.interleaved = arguments.interleaved || is_flag(word, "enable_random_interleaving");
     if (is_flag(word, "filter") || is_flag(word, "out") || is_flag(word, "list_tests")) {
       ours.push_back(word);
     }
     if (is_flag(word, "")) {
-      theirs.push_back(argv[k]);
+      theirs.push_back(word.starts_with("--benchmark_out=") ? nowhere.data() : argv[k]);
     } else {
       ours.push_back(word);
     }
@@ -250,11 +281,10 @@ int main(int argc, char** argv) {
   ours.insert(ours.end(), theirs.begin() + 1, theirs.begin() + count);  // unknown: refused below
   std::reverse(ours.begin(), ours.end());                               // as CLI11 wants them
   CLI::App app("Measures the cost per contact of every phase.", "stiction bench");
-  Arguments arguments;
   define(app, arguments);
   const auto parse = [&] { app.parse(ours); };
   return stiction::run_program(app, parse, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything is measured
-    return bench(arguments, given_min_time);
+    return bench(arguments);
   });
 }

@@ -42,39 +42,6 @@ void add_speed_up(const std::string& part, const SpeedUp& speed_up, Record& reco
                                 speed_up.same_hash ? 0.0 : 1.0));
 }
 
-Record workload_record(const Measure::Settled& settled, const std::vector<Result>& results) {
-  Record record = new_record(fmt::format("bench/{}/contacts={}", settled.family, settled.size), "");
-  record.settings = method_settings(settled.options, true);
-  record.settings["dt"] = fmt::format("{}", settled.options.time_step);
-  record.checks = settled.checks;
-  record.state_hash = fmt::format("{:016x}", settled.hash);
-  record.cost.cpu_seconds = settled.seconds;
-  record.cost.steps = settled.steps;
-  record.cost.contact_updates = settled.contact_updates;
-  for (const Result& result : results) {
-    const Chosen& chosen = result.chosen;
-    if (chosen.family.name != settled.family || chosen.size != settled.size) continue;
-    record.title = chosen.family.title;
-    record.notes.push_back(fmt::format(
-        "{}: {:.1f} ns per contact, {:.0f} bytes and {:.0f} flops by the model, error {:.1g}, hash "
-        "{:08x}",
-        chosen.timed.name, 1e9 * result.seconds / result.contacts,
-        result.cost.bytes / result.contacts, result.cost.flops / result.contacts, result.error,
-        result.hash & 0xffffffffu));
-    if (result.speed_up) add_speed_up(chosen.timed.name, *result.speed_up, record);
-    const bool usual = chosen.timed.rule == settled.options.rule && !chosen.timed.afresh;
-    if (chosen.timed.whole_step || !usual) continue;
-    // Of a step, times the steps done: the cost table shows shares.
-    record.cost.phase_seconds[kPhaseNames[static_cast<std::size_t>(chosen.timed.phase)]] =
-        result.seconds * static_cast<double>(settled.steps);
-    if (chosen.timed.phase == Phase::kNormalForce || chosen.timed.phase == Phase::kFriction) {
-      record.cost.contact_phases.median += 1e9 * result.seconds / result.contacts;
-    }
-  }
-  record.verdict = verdict_of(record);
-  return record;
-}
-
 Judgement exponent_check(const Scaling& scaling) {
   const double decades = std::log10(scaling.contacts.back() / scaling.contacts.front());
   return judge(
@@ -143,13 +110,42 @@ Record feature_record(const std::vector<FeatureCost>& features) {
 
 }  // namespace
 
-std::vector<Record> records_of(const Measure& measure, const std::vector<Scaling>& scalings,
-                               const std::vector<FeatureCost>& features) {
-  std::vector<Record> records;
-  for (const Measure::Settled& settled : measure.settled()) {
-    records.push_back(workload_record(settled, measure.results()));
+Record workload_record(const Measure::Settled& settled, const std::vector<Result>& results) {
+  Record record = new_record(fmt::format("bench/{}/contacts={}", settled.family, settled.size), "");
+  record.settings = method_settings(settled.options, true);
+  record.settings["dt"] = fmt::format("{}", settled.options.time_step);
+  record.checks = settled.checks;
+  record.state_hash = fmt::format("{:016x}", settled.hash);
+  record.cost.cpu_seconds = settled.seconds;
+  record.cost.steps = settled.steps;
+  record.cost.contact_updates = settled.contact_updates;
+  for (const Result& result : results) {
+    const Chosen& chosen = result.chosen;
+    if (chosen.family.name != settled.family || chosen.size != settled.size) continue;
+    record.title = chosen.family.title;
+    record.notes.push_back(fmt::format(
+        "{}: {:.1f} ns per contact, {:.0f} bytes and {:.0f} flops by the model, error {:.1g}, hash "
+        "{:08x}",
+        chosen.timed.name, 1e9 * result.seconds / result.contacts,
+        result.cost.bytes / result.contacts, result.cost.flops / result.contacts, result.error,
+        result.hash & 0xffffffffu));
+    if (result.speed_up) add_speed_up(chosen.timed.name, *result.speed_up, record);
+    const bool usual = chosen.timed.rule == settled.options.rule && !chosen.timed.afresh;
+    if (chosen.timed.whole_step || !usual) continue;
+    // Of a step, times the steps done: the cost table shows shares.
+    record.cost.phase_seconds[kPhaseNames[static_cast<std::size_t>(chosen.timed.phase)]] =
+        result.seconds * static_cast<double>(settled.steps);
+    if (chosen.timed.phase == Phase::kNormalForce || chosen.timed.phase == Phase::kFriction) {
+      record.cost.contact_phases.median += 1e9 * result.seconds / result.contacts;
+    }
   }
-  for (Record& record : scaling_records(scalings)) records.push_back(std::move(record));
+  record.verdict = verdict_of(record);
+  return record;
+}
+
+std::vector<Record> summary_records(const std::vector<Scaling>& scalings,
+                                    const std::vector<FeatureCost>& features) {
+  std::vector<Record> records = scaling_records(scalings);
   if (!features.empty()) records.push_back(feature_record(features));
   return records;
 }

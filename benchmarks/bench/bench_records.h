@@ -9,9 +9,11 @@
 
 namespace stiction::bench {
 
-/// One record a workload, with the checks that it is at rest and the time of each part; one a
-/// family, with the exponents; one of the features, when they were measured. Environment included.
-std::vector<Record> records_of(const Measure& measure, const std::vector<Scaling>& scalings,
-                               const std::vector<FeatureCost>& features);
+/// Of a workload: the checks that it is at rest, and the time of each part. Environment included.
+Record workload_record(const Measure::Settled& settled, const std::vector<Result>& results);
+
+/// One a family, with the exponents; one of the features, when they were measured.
+std::vector<Record> summary_records(const std::vector<Scaling>& scalings,
+                                    const std::vector<FeatureCost>& features);
 
 }  // namespace stiction::bench

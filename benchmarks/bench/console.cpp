@@ -76,6 +76,11 @@ void Console::ReportRuns(const std::vector<Run>& runs) {
   if (done_ < names_.size()) progress_.show(done_, names_[done_]);
 }
 
+bool JsonFile::ReportContext(const Context& context) {
+  SetOutputStream(&text_);
+  return JSONReporter::ReportContext(context);
+}
+
 void JsonFile::ReportRuns(const std::vector<Run>& runs) {
   std::vector<Run> renamed = runs;
   for (Run& run : renamed) {

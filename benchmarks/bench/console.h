@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,16 @@ class Console final : public benchmark::BenchmarkReporter {
 };
 
 /// Google Benchmark's own JSON, with the names as they were registered (it would add
-/// "/manual_time").
+/// "/manual_time"). It is kept as text, whatever the stream that it is given: Google Benchmark does not look
+/// whether its file could be written.
 class JsonFile final : public benchmark::JSONReporter {
  public:
+  bool ReportContext(const Context& context) override;
+  std::string text() const { return text_.str(); }
   void ReportRuns(const std::vector<Run>& runs) override;
+
+ private:
+  std::ostringstream text_;
 };
 
 std::string table(const std::vector<Scaling>& scalings);

@@ -100,7 +100,7 @@ Batch& Measure::batch_of(const Chosen& chosen) {
   if (batch_ && batch_name_ == chosen.name) return *batch_;
   batch_.reset();
   if (!workload_ || workload_->family != chosen.family.name || workload_->size != chosen.size) {
-    workload_.reset();
+    finish();
     const double start = thread_cpu_seconds();
     workload_ = std::make_unique<Workload>(settle(chosen.family, chosen.size));
     settled_.push_back({chosen.family.name, chosen.size, static_cast<double>(workload_->contacts()),
@@ -111,6 +111,12 @@ Batch& Measure::batch_of(const Chosen& chosen) {
   batch_ = std::make_unique<Batch>(*workload_, chosen.timed);
   batch_name_ = chosen.name;
   return *batch_;
+}
+
+void Measure::finish() {
+  if (workload_ && done_) done_(settled_.back());
+  batch_.reset();
+  workload_.reset();
 }
 
 void Measure::keep(Result result) {

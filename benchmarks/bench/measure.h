@@ -3,10 +3,12 @@
 
 #include <benchmark/benchmark.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmarks/bench/batch.h"
@@ -52,14 +54,6 @@ std::vector<Chosen> choose(const std::string& filter, bool full);
 /// holds only the last, so order them by workload.
 class Measure {
  public:
-  /// Each part is measured on one thread, and with a team of more beside it if there is one.
-  explicit Measure(const MachinePeak& machine, const Team* team = nullptr)
-      : machine_(machine), team_(team), overhead_(clock_overhead()) {}
-
-  void run(benchmark::State& state, const Chosen& chosen);
-
-  /// In the order of the first run; of repetitions the fastest.
-  const std::vector<Result>& results() const { return results_; }
   /// One settled workload a family and size, without its arrays: for the records.
   struct Settled {
     std::string family;
@@ -72,6 +66,19 @@ class Measure {
     std::uint64_t contact_updates = 0;
     double seconds = 0.0;  ///< CPU time of the settling
   };
+
+  /// Each part is measured on one thread, and with a team of more beside it if there is one.
+  explicit Measure(const MachinePeak& machine, const Team* team = nullptr)
+      : machine_(machine), team_(team), overhead_(clock_overhead()) {}
+
+  void run(benchmark::State& state, const Chosen& chosen);
+
+  /// What is called of each workload once another one is run; of the last by finish().
+  void when_done(std::function<void(const Settled&)> done) { done_ = std::move(done); }
+  void finish();
+
+  /// In the order of the first run; of repetitions the fastest.
+  const std::vector<Result>& results() const { return results_; }
   const std::vector<Settled>& settled() const { return settled_; }
 
  private:
@@ -85,6 +92,7 @@ class Measure {
   std::unique_ptr<Batch> batch_;
   std::string batch_name_;
   std::vector<Settled> settled_;
+  std::function<void(const Settled&)> done_;
   std::vector<Result> results_;
 };
 

@@ -139,7 +139,8 @@ FilledSurface fill(const std::string& file, const SurfaceOptions& options) {
   } catch (const std::invalid_argument& error) {
     fail(std::string("wrote no mesh: ") + error.what());
   }
-  cache.keep(origin, filled);
+  const std::string why_not = cache.keep(origin, filled);
+  if (!why_not.empty() && options.not_kept) options.not_kept(why_not);
   return filled;
 }
 

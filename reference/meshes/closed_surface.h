@@ -66,6 +66,8 @@ struct SurfaceOptions {
   double time_limit = 300.0;
   /// Called several times a second while the mesher is at work, if there is one.
   std::function<void(const MeshingProgress&)> progress{};
+  /// Called with the folder and the reason when the mesh was made and could not be remembered; may be empty.
+  std::function<void(const std::string&)> not_kept{};
 
   /// Empty if usable, else what is wrong in words.
   [[nodiscard]] std::string check() const;

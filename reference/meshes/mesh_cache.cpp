@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -15,6 +16,8 @@
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "reference/process/interruption.h"
 
 namespace stiction::reference {
 
@@ -47,6 +50,17 @@ std::string sum_of(std::string_view text) { return fmt::format("{:016x}\n", hash
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+std::error_code write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = write(descriptor, content.data(), content.size());
+    if (written < 0 && errno != EINTR) return last_error();
+    if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
 }
 
 // The newest stay, and of what was being written that of the last hour.
@@ -88,22 +102,32 @@ std::optional<FilledSurface> MeshCache::find(const MeshOrigin& origin) const {
   }
 }
 
-void MeshCache::keep(const MeshOrigin& origin, const FilledSurface& filled) const {
-  if (folder_.empty()) return;
-  std::error_code none;
-  fs::create_directories(folder_, none);
+std::string MeshCache::keep(const MeshOrigin& origin, const FilledSurface& filled) const {
+  if (folder_.empty()) return "";
+  std::error_code wrong;
+  fs::create_directories(folder_, wrong);
+  const auto why_not = [&] { return folder_.string() + ": " + wrong.message(); };
+  if (wrong) return why_not();
   const std::string words = words_of(origin);
-  const std::string content = words + to_text(filled);
+  std::string content = words + to_text(filled);
+  content += sum_of(content);
   // A name of its own, so that two at once do not write to one file.
   std::string temporary = (folder_ / (std::string(kNew) + "XXXXXX")).string();
-  const int descriptor = mkstemp(temporary.data());
-  if (descriptor < 0) return;
-  close(descriptor);
-  std::ofstream stream(temporary, std::ios::binary);
-  stream << content << sum_of(content) << std::flush;
-  if (stream) fs::rename(temporary, file_of(words), none);
-  if (!stream || none) fs::remove(temporary, none);
+  {
+    const Uninterrupted until_named;
+    const int descriptor = mkstemp(temporary.data());
+    if (descriptor < 0) {
+      wrong = last_error();
+      return why_not();
+    }
+    wrong = write_all(descriptor, content);
+    if (close(descriptor) != 0 && !wrong) wrong = last_error();
+    if (!wrong) fs::rename(temporary, file_of(words), wrong);
+    std::error_code none;
+    if (wrong) fs::remove(temporary, none);
+  }
   tidy(folder_);
+  return wrong ? why_not() : "";
 }
 
 fs::path mesh_cache_folder() {

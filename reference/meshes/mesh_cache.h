@@ -32,8 +32,8 @@ class MeshCache {
   [[nodiscard]] std::optional<FilledSurface> find(const MeshOrigin& origin) const;
 
   /// In one step: who reads meanwhile finds the old file, or the new one. Of the files of the folder
-  /// the newest kMostMeshes stay.
-  void keep(const MeshOrigin& origin, const FilledSurface& filled) const;
+  /// the newest kMostMeshes stay. Returns why it could not be kept, with the folder; else nothing.
+  std::string keep(const MeshOrigin& origin, const FilledSurface& filled) const;
 
   static constexpr std::size_t kMostMeshes = 64;
 

@@ -104,6 +104,10 @@ LastWords::~LastWords() {
   shared().afterwards = [] {};
 }
 
+Uninterrupted::Uninterrupted() { shared().mutex.lock(); }
+
+Uninterrupted::~Uninterrupted() { shared().mutex.unlock(); }
+
 pid_t start_child(const std::function<pid_t()>& start) {
   const std::lock_guard lock(shared().mutex);
   const pid_t child = start();

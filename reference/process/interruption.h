@@ -31,6 +31,16 @@ class LastWords {
 /// returns once the program is being ended.
 pid_t start_child(const std::function<pid_t()>& start);
 
+/// While it lives the program is not ended: for the moments in which a file has a name that is not its own.
+/// No child may be started meanwhile.
+class Uninterrupted {
+ public:
+  Uninterrupted();
+  ~Uninterrupted();
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+};
+
 /// It has ended, by itself or not. Never returns once the program is being ended: what becomes of its
 /// children then is nobody's result.
 void forget_child(pid_t child);

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "reports/record/whole_file.h"
 
 namespace stiction {
 namespace {
@@ -35,11 +36,9 @@ std::string line(const Triple& triple) {
   return fmt::format("{:.9g} {:.9g} {:.9g}\n", triple[0], triple[1], triple[2]);
 }
 
+// Thousands of them may be written, which can be made again from the recording.
 void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  write_whole(file, text, Wait::kNo);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 #include <climits>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "reports/record/record_json.h"
+#include "reports/record/whole_file.h"
 #include "reports/text/text.h"
 
 namespace stiction {
@@ -49,22 +49,6 @@ class Descriptor {
  private:
   int descriptor_;
 };
-
-// Writes everything and waits for the disk. Returns 0 or the error's number.
-int write_fully(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = write(descriptor, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  while (fdatasync(descriptor) != 0) {
-    if (errno == EINTR) continue;
-    // Some file systems have no such call; what was written is all that can be had there.
-    return errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP ? 0 : errno;
-  }
-  return 0;
-}
 
 // A new entry of a folder survives a power cut only once the folder is synced. Best effort.
 void sync_folder(const fs::path& folder) {
@@ -137,6 +121,7 @@ bool RecordStore::cut_back() {
 void RecordStore::append(const Record& record) {
   const std::string line = to_json_line(record) + '\n';
   const std::lock_guard lock(mutex_);
+  const Writing writing;
   if (torn_ && !cut_back()) fail("mend the cut-off last line of", records_file_, errno);
   const int error = write_fully(descriptor_, line);
   if (error != 0) {
@@ -157,20 +142,8 @@ void RecordStore::write_file(const std::string& name, std::string_view content) 
     throw std::runtime_error(
         fmt::format("\"{}\" is not a name for a file in \"{}\".", name, folder_.string()));
   }
-  const fs::path temporary = folder_ / (fmt::format(".{}.tmp", name));
   const std::lock_guard lock(mutex_);  // two writers of one name would share the temporary
-  int error = 0;
-  {
-    const Descriptor descriptor(
-        open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kFileMode));
-    if (descriptor.get() < 0) fail("create", temporary, errno);
-    error = write_fully(descriptor.get(), content);
-  }
-  if (error == 0 && rename(temporary.c_str(), file.c_str()) != 0) error = errno;
-  if (error != 0) {
-    unlink(temporary.c_str());
-    fail("write", file, error);
-  }
+  write_whole(file, content);
 }
 
 void RecordStore::finish() {
@@ -179,6 +152,7 @@ void RecordStore::finish() {
   const fs::path temporary = out_dir / (fmt::format(".{}.latest", folder_.filename().string()));
   const fs::path latest = out_dir / kLatest;
   const std::lock_guard lock(mutex_);
+  const Writing writing;
   demand_place_of_link(latest);
   if (symlink(folder_.filename().c_str(), temporary.c_str()) != 0) fail("create", temporary, errno);
   if (rename(temporary.c_str(), latest.c_str()) != 0) {
@@ -189,7 +163,8 @@ void RecordStore::finish() {
 }
 
 std::string RecordStore::last_words() {
-  mutex_.lock();  // for good
+  mutex_.lock();  // for good, before the files: write_file holds it while it writes one
+  end_writing();
   if (complete_records_ == 0) {
     unlink(records_file_.c_str());
     rmdir(folder_.c_str());  // stays when something else is in it
@@ -206,7 +181,7 @@ void RecordStore::tell_caller() const { tell_run_folder(folder_); }
 
 void tell_run_folder(const std::filesystem::path& folder) {
   const char* const file = std::getenv("STICTION_RUN_FILE");
-  if (file != nullptr) std::ofstream(file) << folder.string() << '\n';
+  if (file != nullptr) write_whole(file, folder.string() + "\n");
 }
 
 }  // namespace stiction

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "reports/record/whole_file.h"
 
 namespace stiction {
 namespace {
@@ -304,17 +305,9 @@ Recording decode_frames(std::string_view bytes) {
 
 void write_frames(const std::filesystem::path& file, const Recording& recording) {
   const std::string bytes = encode_frames(recording);
-  const std::filesystem::path partial = file.string() + ".partial";
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
-  std::ofstream stream(partial, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (stream) std::filesystem::rename(partial, file, error);
-  if (stream && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  std::error_code none;  // what is wrong shows when the file is written
+  std::filesystem::create_directories(file.parent_path(), none);
+  write_whole(file, bytes);
 }
 
 }  // namespace stiction

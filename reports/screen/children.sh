@@ -6,7 +6,6 @@
 temporary=${TMPDIR:-/tmp}/stiction-$$-$RANDOM$RANDOM
 finished= # a run whose page is not made yet
 trap 'rm -rf "$temporary"' EXIT
-mkdir -m 700 "$temporary"
 
 # run COMMAND …: a signal to this script alone ends it too, at once; Ctrl-C reaches it by itself.
 run() {
@@ -46,3 +45,8 @@ interrupted() {
 trap 'interrupted INT 2' INT
 trap 'interrupted TERM 15' TERM
 trap 'interrupted HUP 1' HUP
+# Once signals are heeded, so that it is removed whenever one comes.
+if ! reason=$(mkdir -m 700 "$temporary" 2>&1); then
+  say "${reason#mkdir: }"
+  exit 2
+fi

@@ -150,6 +150,48 @@ for one in 'INT 2' 'TERM 15' 'HUP 1'; do
 done
 exits 1 "what is not interrupted" validate
 called 'node .*report.mjs .*/run of mine$' || failed "it makes no page"
+# ---- two at once --------------------------------------------------------------------------------
+exec 9>>build/release/stiction.lock && flock 9
+stand_in build/release/validate <<<'exit 1'
+waits='another ./stiction builds in build/release; this one waits until that is done'
+rm -f "$calls".* && : >"$calls"
+./stiction validate --no-page >"$work/out" 2>"$work/err" 9>&- &
+what="a build while another builds"
+until grep -qF "$waits" "$work/err"; do
+  kill -0 $! 2>/dev/null || failed "it does not wait"
+  sleep 0.02
+done
+! called 'validate' || failed "it has run before"
+exec 9>&-
+wait $! && failed "exit code 0"
+called 'validate --no-page' || failed "it does not run once the other is done"
+[ "$(grep -cF "$waits" "$work/err")" -eq 1 ] || failed "it says so more than once"
+stand_in build/release/compare <<<"$heeds; $busy"
+rm -f "$calls".* && : >"$calls"
+env --default-signal=INT ./stiction compare >"$work/out" 2>"$work/err" &
+running=$!
+until [ -e "$calls.ready" ]; do sleep 0.02; done
+what="a build while another only runs"
+./stiction validate --no-page >"$work/out" 2>"$work/err" && failed "exit code 0"
+called 'validate --no-page' || failed "it does not run"
+! grep -qF "$waits" "$work/err" || failed "it waits"
+kill "$running" && wait "$running"
+exec 9>>build/release/stiction.lock && flock 9
+for one in 'INT 2' 'TERM 15'; do
+  read -r name number <<<"$one"
+  what="SIG$name while it waits"
+  env --default-signal=INT ./stiction validate >"$work/out" 2>"$work/err" 9>&- &
+  running=$!
+  until grep -qF "$waits" "$work/err"; do sleep 0.02; done
+  kill -s "$name" "$running"
+  wait "$running"
+  got=$?
+  [ "$got" -eq $((128 + number)) ] || failed "exit code $got"
+  [ -z "$(ls -A "$work/tmp")" ] || failed "temporary files are left"
+done
+exec 9>&-
+printf 'ok    two builds at once wait for each other\n'
+
 stand_in build/release/track <<<'cat'
 exits 0 "stdin of a program" track import - < <(echo told)
 says told

@@ -78,7 +78,7 @@ async function manual(options) {
     bytes_of: (name) => recordings.find((recording) => recording.name === name)?.bytes ?? null,
   });
   const file = options.manual || join(runs[0].folder, "verification-manual.html");
-  write_whole(file, /\.pdf$/i.test(file) ? pdf_of(html) : html);
+  write_whole(file, /\.pdf$/i.test(file) ? await pdf_of(html) : html);
   for (const warning of new Set([...warnings, ...recording_warnings])) tell(warning);
   show(`Manual: ${file} (${(statSync(file).size / 1e6).toFixed(1)} MB)`);
 }

@@ -25,6 +25,8 @@ class MeshingStatus {
  public:
   explicit MeshingStatus(std::string file) : file_(std::move(file)) {}
 
+  void clear() { line_.clear(); }
+
   void show(const reference::MeshingProgress& now) {
     std::string text = "meshing " + file_;
     if (now.tetrahedra > 0.0) {
@@ -72,6 +74,11 @@ MeshShape read_surface(TomlTable& table) {
   reference::SurfaceOptions options = read_options(table);
   MeshingStatus status(given.filename().string());
   options.progress = [&](const reference::MeshingProgress& now) { status.show(now); };
+  options.not_kept = [&](const std::string& why) {
+    status.clear();
+    tell(given.filename().string() +
+         ": its mesh is not kept, and will be made again the next time: " + why);
+  };
   try {
     MeshShape shape{reference::body_of_closed_surface(table.folder() / given, options).mesh};
     shape.mesh.vertices *= options.unit;

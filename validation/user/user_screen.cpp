@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 
 #include "reports/record/record_store.h"
+#include "reports/record/whole_file.h"
 #include "reports/screen/program.h"
 #include "reports/screen/screen.h"
 #include "reports/text/text.h"
@@ -37,12 +37,10 @@ void write_problems(const std::vector<UserCase>& problems, const std::filesystem
                    {"title", one.which.title},
                    {"problem", nlohmann::json::parse(problem_summary(one.problem->problem))}});
   }
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  const std::filesystem::path file = folder / "problems.json";
-  std::ofstream stream(file);
-  stream << all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
-  if (!stream) throw InputError("cannot write '" + one_line(file.string()) + "'");
+  std::error_code none;  // what is wrong shows when the file is written
+  std::filesystem::create_directories(folder, none);
+  write_whole(folder / "problems.json",
+              all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "benchmarks/track/store/trend_records.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
+#include "reports/record/whole_file.h"
 #include "reports/screen/program.h"
 #include "reports/screen/screen.h"
 
@@ -58,9 +59,12 @@ std::string keep(const Arguments& arguments, const std::vector<StoredRun*>& runs
     for (const StoredRun* run : runs) {
       if (run->id != 0) continue;
       const fs::path file = project_of(arguments).work / ("unkept-" + run->revision + ".json");
-      std::ofstream stream(file);
-      stream << to_google_json(*run) << std::flush;
-      if (stream) kept.push_back(fmt::format("./stiction track import '{}'", file.string()));
+      try {
+        write_whole(file, to_google_json(*run));
+        kept.push_back(fmt::format("./stiction track import '{}'", file.string()));
+      } catch (const std::runtime_error&) {
+        continue;  // the disk may be full there too; what is said names what is kept
+      }
     }
     return fmt::format(
         "what was measured is not in the history: {}{}", error.what(),
@@ -213,9 +217,7 @@ int track_export(const Arguments& arguments) {
     show(text);
     return kHolds;
   }
-  std::ofstream stream(arguments.file);
-  stream << text << std::flush;
-  if (!stream) throw TrackError(fmt::format("cannot write {}", arguments.file));
+  write_whole(arguments.file, text);
   return kHolds;
 }
 

@@ -5,14 +5,19 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
+#include <atomic>
+#include <optional>
 #include <utility>
 
 #include "benchmarks/track/measure/child.h"
 #include "reference/statistics/two_samples.h"
+#include "reports/record/whole_file.h"
 
 namespace stiction::track {
 
 namespace {
+
+std::atomic<int> added_runs = 0;
 
 constexpr const char* kRuns =
     "SELECT run.id, date, revision, label, processor, cores, compiler, flags "
@@ -110,9 +115,13 @@ std::int64_t History::id_of(const Metric& metric) {
   return known.getColumn(0).getInt64();
 }
 
+int History::added() { return added_runs; }
+
 std::int64_t History::add(const StoredRun& run) {
   return in(database_.getFilename(), [&] {
+    std::optional<Writing> writing;
     SQLite::Transaction transaction = begin(database_);
+    writing.emplace();  // not while another program is waited for
     const std::int64_t machine = id_of(run.machine);
     SQLite::Statement insert(
         database_, "INSERT INTO run (date, revision, label, machine) VALUES (?, ?, ?, ?)");
@@ -127,6 +136,7 @@ std::int64_t History::add(const StoredRun& run) {
       }
     }
     transaction.commit();
+    ++added_runs;
     return id;
   });
 }

@@ -58,6 +58,9 @@ class History {
   /// another unit or as another kind.
   std::int64_t add(const StoredRun& run);
 
+  /// How many runs this program has added so far.
+  static int added();
+
   /// Runs without their measurements, oldest first; of one machine, or of all.
   std::vector<StoredRun> runs(const std::optional<Machine>& machine) const;
 

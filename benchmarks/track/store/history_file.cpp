@@ -10,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "reports/record/whole_file.h"
+
 namespace stiction::track {
 
 namespace {
@@ -117,6 +119,7 @@ void demand_tables(SQLite::Database& database, const fs::path& file) {
 void make_tables(SQLite::Database& database) {
   const auto are_there = [&] { return database.execAndGet("PRAGMA user_version").getInt64() > 0; };
   if (are_there()) return;
+  const Writing writing;  // of an empty file the transaction's begin writes a page
   SQLite::Transaction transaction = begin(database);
   // Somebody else may have made them in between.
   if (!are_there()) database.exec(kTables);

@@ -2,15 +2,16 @@
 #include "benchmarks/track/store/remembered.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "benchmarks/track/measure/child.h"
 #include "reports/record/environment.h"
+#include "reports/record/whole_file.h"
 #include "solver/hash.h"
 
 namespace stiction::track {
@@ -41,13 +42,9 @@ std::string remembered(const std::filesystem::path& folder, const std::string& k
     }
   }
   const std::string text = make();
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path part = fmt::format("{}.{}", file.string(), getpid());
-  std::ofstream stream(part);
-  stream << whole_key << '\n' << text << std::flush;
-  if (!stream) throw TrackError(fmt::format("cannot write {}", part.string()));
-  stream.close();
-  std::filesystem::rename(part, file);
+  std::error_code none;  // what is wrong shows when the file is written
+  std::filesystem::create_directories(folder, none);
+  write_whole(file, whole_key + '\n' + text);
   return text;
 }
 

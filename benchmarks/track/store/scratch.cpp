@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <mutex>
@@ -35,7 +37,10 @@ void clear(const std::filesystem::path& folder) {
 Scratch::Scratch() {
   const std::lock_guard lock(folders().mutex);
   std::string name = (std::filesystem::temp_directory_path() / "stiction-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw TrackError("no temporary folder can be made");
+  if (mkdtemp(name.data()) == nullptr) {
+    throw TrackError(std::string("cannot make the temporary folder ") + name + ": " +
+                     std::strerror(errno));
+  }
   folder_ = name;
   folders().all.insert(folder_);
 }

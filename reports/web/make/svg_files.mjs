@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { make_folder } from "./files.mjs";
+import { make_folder, write_whole } from "./files.mjs";
 import { svg_of, svg_width } from "../plots/draw.js";
 
 // A plot's id as a file name: letters that every file system takes, and short.
@@ -23,7 +22,7 @@ export async function write_svg_files(folder, data) {
     for (let i = 2; taken.has(name.toLowerCase()); ++i)
       name = file_name(plot.id).replace(/\.svg$/, `-${i}.svg`);
     taken.add(name.toLowerCase());
-    writeFileSync(
+    write_whole(
       join(folder, name),
       await svg_of({ title: plot.title, ...plot.spec }, "light", svg_width(plot)),
     );
