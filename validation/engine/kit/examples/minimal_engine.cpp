@@ -27,14 +27,15 @@ void* load(const stiction_problem* problem) {
 
 double time_step(void* self) { return static_cast<Slider*>(self)->dt; }
 
-void touch(Slider& s, size_t b, const stiction_obstacle& plane) {
+void touch(Slider& s, size_t b, size_t o) {
+  const stiction_obstacle& plane = s.problem->obstacles[o];
   const Vector3d n(plane.normal), gap = s.x[b] - Vector3d(plane.point);
   const double reach = 0.5 * s.problem->bodies[b].size[2];  // it lies flat
   const double push = -std::max(n.dot(gap) - reach, 0.0) / s.dt - n.dot(s.v[b]);
   if (push <= 0.0) return;
   s.v[b] += push * n;
   const Vector3d slip = s.v[b] - n.dot(s.v[b]) * n;
-  const double most = plane.friction * push;
+  const double most = stiction_friction(s.problem, b, o, 0) * push;
   s.v[b] -= slip.norm() > most ? Vector3d(most * slip.normalized()) : slip;
 }
 
@@ -45,7 +46,7 @@ void advance(void* self, uint64_t steps) {
     stiction_at(&s.problem->gravity, s.t, g.data());
     for (size_t b = 0; b < s.x.size(); ++b) {
       s.v[b] += s.dt * g;
-      for (size_t o = 0; o < s.problem->obstacle_count; ++o) touch(s, b, s.problem->obstacles[o]);
+      for (size_t o = 0; o < s.problem->obstacle_count; ++o) touch(s, b, o);
       s.x[b] += s.dt * s.v[b];
     }
   }
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
   const stiction_engine engine = {.name = "minimal",
                                   .version = "1",
                                   .description = "boxes that slide on half-spaces and do not turn",
-                                  .can = "boxes varying_gravity",
+                                  .can = "boxes varying_gravity oscillation pair_friction",
                                   .settings = settings,
                                   .symplectic_euler = 1,
                                   .load = load,

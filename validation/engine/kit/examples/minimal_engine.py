@@ -13,7 +13,7 @@ def dot(a, b):
 
 class Minimal(stiction_engine.Engine):
     name, version, description = "minimal-python", "1", "boxes that slide on half-spaces and do not turn"
-    can = ["boxes", "varying_gravity"]
+    can = ["boxes", "varying_gravity", "oscillation", "pair_friction"]
     settings_help = {"dt": "time step, s (default 1e-3)"}
     symplectic_euler = True
 
@@ -29,19 +29,20 @@ class Minimal(stiction_engine.Engine):
             g = stiction_engine.at(self.problem.gravity, self.t)
             for b, body in enumerate(self.problem.bodies):
                 self.v[b] = [v + dt * a for v, a in zip(self.v[b], g)]
-                for plane in self.problem.obstacles:
-                    self.touch(b, 0.5 * body.shape.size[2], plane)  # it lies flat
+                for o in range(len(self.problem.obstacles)):
+                    self.touch(b, 0.5 * body.shape.size[2], o)  # it lies flat
                 self.x[b] = [x + dt * v for x, v in zip(self.x[b], self.v[b])]
             self.t += dt
 
-    def touch(self, b, reach, plane):
+    def touch(self, b, reach, o):
+        plane, mu = self.problem.obstacles[o], stiction_engine.friction(self.problem, b, o)
         n = plane.normal
         gap = dot(n, [x - p for x, p in zip(self.x[b], plane.point)]) - reach
         push = -max(gap, 0.0) / self.time_step - dot(n, self.v[b])
         if push <= 0.0:
             return
         slip = [v - dot(n, self.v[b]) * a for v, a in zip(self.v[b], n)]
-        left = max(0.0, 1.0 - plane.friction * push / max(dot(slip, slip) ** 0.5, 1e-300))
+        left = max(0.0, 1.0 - mu * push / max(dot(slip, slip) ** 0.5, 1e-300))
         along = dot(n, self.v[b]) + push
         self.v[b] = [left * u + along * a for u, a in zip(slip, n)]
 
