@@ -9,8 +9,8 @@
 namespace stiction {
 
 /// Friction of each contact by the chosen rule, applied to the velocities in place (Seidel order:
-/// pairs, as normal forces have ordered them, crossing edges, obstacles); the friction memory moves on from the last step's contacts to this step's.
-/// A contact that is new, because it did not exist in the last step, starts with fresh memory.
+/// pairs, as normal forces have ordered them, crossing edges, obstacles); the friction memory moves
+/// on from the last step's contacts to this step's. A contact that is new, because it did not exist in the last step, starts with fresh memory.
 ///
 ///   vᵢ ← vᵢ + Δt/mᵢ f,   vⱼ ← vⱼ − Δt/mⱼ hᵢⱼ f,   |f| ≤ μ fⁿ       [Lazarevych2009, (7)–(14)]
 ///
@@ -25,5 +25,9 @@ namespace stiction {
 ///    clamped (a warm start); then it iterates, `options.sweeps` times over all contacts.
 void friction_forces(const Scene& scene, const Options& options, State& state,
                      Workspace& workspace);
+
+/// The same where pairs have a μ of their own: friction_forces calls it.
+void friction_forces_of_pairs(const Scene& scene, const Options& options, State& state,
+                              Workspace& workspace);
 
 }  // namespace stiction
