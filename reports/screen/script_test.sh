@@ -180,6 +180,7 @@ exec 9>>build/release/stiction.lock && flock 9
 for one in 'INT 2' 'TERM 15'; do
   read -r name number <<<"$one"
   what="SIG$name while it waits"
+  : >"$work/err" # what the last one said is not this one's
   env --default-signal=INT ./stiction validate >"$work/out" 2>"$work/err" 9>&- &
   running=$!
   until grep -qF "$waits" "$work/err"; do sleep 0.02; done
