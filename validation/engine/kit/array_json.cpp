@@ -88,6 +88,13 @@ std::vector<double> read_array(const nlohmann::json& value, const std::string& w
   return numbers;
 }
 
+std::uint64_t read_count(const nlohmann::json& value, const std::string& what, std::uint64_t most) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most) {
+    throw std::runtime_error(what + " is no whole number from 0 to " + std::to_string(most));
+  }
+  return value.get<std::uint64_t>();
+}
+
 nlohmann::json write_array(const double* values, std::size_t count) {
   if (count > kMostAsNumbers) {
     return {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -12,6 +14,11 @@ namespace stiction::kit {
 /// {"f64": "…"}, base64 of little-endian doubles.
 /// Throws std::runtime_error with one sentence that names `what` when it is neither.
 std::vector<double> read_array(const nlohmann::json& value, const std::string& what);
+
+/// A whole number from 0 to `most`, written as one: 3, not 3.0.
+/// Throws std::runtime_error with one sentence that names `what` when it is anything else.
+std::uint64_t read_count(const nlohmann::json& value, const std::string& what,
+                         std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// As numbers up to 48 of them, in base64 beyond that: a mesh is read as fast as it is written.
 nlohmann::json write_array(const double* values, std::size_t count);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,6 +46,12 @@ double number(const json& object, const char* name, const std::string& of, doubl
     throw std::runtime_error("'" + std::string(name) + "' of " + of + " is no number");
   }
   return object.at(name).get<double>();
+}
+
+int count(const json& object, const std::string& name) {
+  if (!object.contains(name)) return 0;
+  return static_cast<int>(
+      read_count(object.at(name), "'" + name + "'", std::numeric_limits<int>::max()));
 }
 
 template <std::size_t Count>
@@ -128,8 +135,8 @@ class Owned final : public OwnedProblem {
     problem_.pair_friction = pair_friction_.data();
     problem_.restitution = number(problem, "restitution", "the problem", 0.0);
     const json accuracy = message.value("accuracy", json::object());
-    problem_.fineness = accuracy.value("fineness", 0);
-    problem_.roundness = accuracy.value("roundness", 0);
+    problem_.fineness = count(accuracy, "fineness");
+    problem_.roundness = count(accuracy, "roundness");
     problem_.time = accuracy.value("time", 0.0);
     problem_.finer = accuracy.value("finer", 1.0);
   }

@@ -138,7 +138,7 @@ class Session::Dealings {
   }
 
   json advance(const json& request) {
-    const auto steps = request.at("steps").get<std::uint64_t>();
+    const auto steps = read_count(request.at("steps"), "'steps'");
     const double before = cpu_seconds();
     if (steps > 0) {
       const Rounds rounds(rounding_);
@@ -254,7 +254,7 @@ class Session::Dealings {
 
   json save(const json& request) {
     for (const json& one : request.value("forget", json::array())) {
-      const auto found = saved_.find(one.get<std::size_t>());
+      const auto found = saved_.find(read_count(one, "a state to forget"));
       if (found == saved_.end()) continue;
       forget(found->second);
       saved_.erase(found);
@@ -269,7 +269,7 @@ class Session::Dealings {
   }
 
   json restore(const json& request) {
-    const auto found = saved_.find(request.at("state").get<std::size_t>());
+    const auto found = saved_.find(read_count(request.at("state"), "'state'"));
     if (found == saved_.end()) throw std::runtime_error("no such state was saved");
     engine_.restore(self_, found->second.state);
     steps_ = found->second.steps;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "solver/demand.h"
 #include "validation/engine/protocol/program_kind.h"
 #include "validation/problems/slopes/incline_problem.h"
@@ -85,6 +87,35 @@ TEST(Session, RoundsByItsSettingAndRefusesAnother) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("upward, downward or toward-zero"));
   }
+}
+
+// Found by fuzzing: a real number beyond what an integer holds was taken for one.
+TEST(Session, TakesCountsAsWholeNumbersOnly) {
+  const stiction_engine engine = counter();
+  kit::Session session(engine);
+  const EngineKind kind = program_kind({"./counter"}, [&](const std::string& line) {
+    using nlohmann::json;
+    json request = json::parse(line);
+    if (request.at("do") == "load") {
+      json rough = request;
+      for (const json& no_count : {json(4.4e45), json(-1), json("two"), json(3000000000U)}) {
+        rough["accuracy"] = {{"fineness", no_count}};
+        EXPECT_THAT(session.reply(rough.dump()),
+                    testing::HasSubstr("'fineness' is no whole number from 0 to 2147483647"));
+      }
+    }
+    return session.reply(line);
+  });
+  kind.make({})->load(incline_problem({}), {});
+  for (const std::string no_count : {"4.44444e45", "-1", "1.5", "null"}) {
+    EXPECT_THAT(session.reply(R"({"do":"advance","steps":)" + no_count + "}"),
+                testing::HasSubstr("'steps' is no whole number"));
+    EXPECT_THAT(session.reply(R"({"do":"restore","state":)" + no_count + "}"),
+                testing::HasSubstr("'state' is no whole number"));
+    EXPECT_THAT(session.reply(R"({"do":"save","forget":[)" + no_count + "]}"),
+                testing::HasSubstr("a state to forget is no whole number"));
+  }
+  EXPECT_THAT(session.reply(R"({"do":"advance","steps":2})"), testing::HasSubstr("\"steps\":2"));
 }
 
 }  // namespace
