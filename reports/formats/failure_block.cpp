@@ -64,8 +64,8 @@ std::string failure_block(const Record& record, const Screen& screen, const std:
   for (const Judgement& check : record.checks) {
     if (!is_bad(check.verdict)) continue;
     text += told("", check_sentence(check));
-    text += told("  worst at:  ", check.worst);
-    text += told("  tolerance: ", check.claim.reason);
+    text += told("  worst at: ", check.worst);
+    text += told("  why this tolerance: ", check.claim.reason);
     if (check.band) text += told("  cause of the band: ", check.cause);
   }
   for (const std::string& note : record.notes) text += told("note: ", note);

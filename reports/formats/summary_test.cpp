@@ -123,8 +123,8 @@ TEST(Summary, OfNothingAndOfHostileText) {
 TEST(FailureBlock, TellsAllAndHowToRunItAgain) {
   const std::string text = failure_block(test::failing_record(), {.width = 200});
   EXPECT_THAT(text, HasSubstr("stopping distance: measured 0.31 m, expected 0.3 m (analytic)"));
-  EXPECT_THAT(text, HasSubstr("worst at:  vertex 17 at t = 0.42 s"));
-  EXPECT_THAT(text, HasSubstr("tolerance: v₀Δt/2, the bias of symplectic Euler"));
+  EXPECT_THAT(text, HasSubstr("worst at: vertex 17 at t = 0.42 s"));
+  EXPECT_THAT(text, HasSubstr("why this tolerance: v₀Δt/2, the bias of symplectic Euler"));
   EXPECT_THAT(text, HasSubstr("note: Fails until the stop is resolved within a step."));
   EXPECT_THAT(text, HasSubstr("again: ./stiction validate --case 'incline/below/mu=0.3' "
                               "--configuration 'paper, fixed point' --set 'kappa=0.7'"));

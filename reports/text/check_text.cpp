@@ -67,12 +67,19 @@ std::string band_text(const Judgement& check) {
                 : ", worse than expected " + ends;
 }
 
+// "analytic"; what comes from outside says from whom.
+std::string reference_text(const Claim& claim) {
+  const std::string kind(to_string(claim.kind));
+  if (claim.kind != ReferenceKind::kExternal || claim.source.empty()) return kind;
+  return kind + ": " + one_line(claim.source);
+}
+
 std::string check_sentence(const Judgement& check) {
   const std::string unit = one_line(check.claim.unit);
   return fmt::format("{}: measured {}, expected {} ({}), error {}, tolerance {}{}",
                      one_line(check.claim.quantity), with_unit(format_value(check.value), unit),
                      with_unit(format_value(check.claim.expected), unit),
-                     to_string(check.claim.kind), error_text(check), tolerance_text(check),
+                     reference_text(check.claim), error_text(check), tolerance_text(check),
                      band_text(check));
 }
 

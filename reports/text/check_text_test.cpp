@@ -20,6 +20,17 @@ TEST(CheckText, RelativeErrorSaysSo) {
             "tolerance 0.0001 rel");
 }
 
+TEST(CheckText, AReferenceFromOutsideSaysWhose) {
+  Judgement check = test::passing_check();
+  check.claim.kind = ReferenceKind::kExternal;
+  check.claim.source = "table 3 of\nthe handbook";
+  EXPECT_NE(check_sentence(check).find("expected 0.3 (external: table 3 of the handbook), error"),
+            std::string::npos)
+      << check_sentence(check);
+  check.claim.source.clear();
+  EXPECT_NE(check_sentence(check).find("expected 0.3 (external), error"), std::string::npos);
+}
+
 // As band_text() of the page, web/test/model_test.mjs.
 TEST(CheckText, ABandSaysOnWhichSideAValueLies) {
   const auto banded = [](double value, Verdict verdict) {

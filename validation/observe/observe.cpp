@@ -2,6 +2,9 @@
 #include "validation/observe/observe.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace stiction {
 
@@ -21,12 +24,62 @@ double summed(const Sample& sample, const Quantity& quantity) {
   return value;
 }
 
+// As the other one of its two bodies feels it.
+ContactSample from_the_other_side(ContactSample contact) {
+  std::swap(contact.body, contact.obstacle);
+  contact.normal = -contact.normal;
+  contact.friction_force = -contact.friction_force;
+  contact.slip = -contact.slip;
+  contact.arm = -contact.arm;
+  return contact;
+}
+
+bool with(const ContactSample& contact, const std::optional<Partner>& partner) {
+  return !partner ||
+         (contact.obstacle == partner->index && contact.against_body == partner->is_body);
+}
+
+bool of_itself(const ContactSample& contact) {
+  return contact.against_body && contact.obstacle == contact.body;
+}
+
+std::vector<ContactSample> contacts_of(const std::vector<ContactSample>& all,
+                                       const Watched& watched) {
+  std::vector<ContactSample> own;
+  for (const ContactSample& contact : all) {
+    if (contact.body == watched.body && with(contact, watched.against)) own.push_back(contact);
+    if (!contact.against_body || contact.obstacle != watched.body || of_itself(contact)) continue;
+    const ContactSample felt = from_the_other_side(contact);
+    if (with(felt, watched.against)) own.push_back(felt);
+  }
+  return own;
+}
+
+// Place and velocity of what another motion is told over: of an obstacle as the problem plans it.
+std::pair<Vec3, Vec3> frame_of(const Engine& engine, const Problem& problem, double time,
+                               const Partner& partner) {
+  if (partner.is_body) {
+    const BodyMotion motion = engine.body(partner.index);
+    return {motion.position, motion.velocity};
+  }
+  const Obstacle& obstacle = problem.obstacles[partner.index];
+  const double step = engine.time_step();
+  return {obstacle.point + obstacle.motion.at(time),
+          obstacle.motion.mean_velocity(time - step, step)};
+}
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
 }  // namespace
 
-Sample sample_of(const Engine& engine, double time, std::size_t body) {
-  Sample sample{time, engine.body(body), engine.energies(), {}};
-  for (const ContactSample& contact : engine.contacts()) {
-    if (contact.body == body) sample.contacts.push_back(contact);
+Sample sample_of(const Engine& engine, const Problem& problem, double time,
+                 const Watched& watched) {
+  Sample sample{time, engine.body(watched.body), engine.energies(), {}};
+  if (watched.contacts) sample.contacts = contacts_of(engine.contacts(), watched);
+  if (watched.relative_to) {
+    const auto [place, velocity] = frame_of(engine, problem, time, *watched.relative_to);
+    sample.motion.position -= place;
+    sample.motion.velocity -= velocity;
   }
   return sample;
 }
@@ -50,46 +103,62 @@ double fastest_slip(const Engine& engine) {
 const std::vector<Observable>& observables() {
   using S = const Sample&;
   using D = const Vec3&;
+  using enum Subject;
   static const std::vector<Observable> all = {
-      {"position", "m", "centre of mass along the direction", false, true, false,
+      {"position", "m", "centre of mass along the direction", kCentre, false, true,
        [](S, S at, D d) { return d.dot(at.motion.position); }},
-      {"velocity", "m/s", "of the centre of mass along the direction", false, true, false,
+      {"velocity", "m/s", "of the centre of mass along the direction", kCentre, false, true,
        [](S, S at, D d) { return d.dot(at.motion.velocity); }},
-      {"speed", "m/s", "magnitude of the velocity of the centre of mass", false, false, false,
+      {"speed", "m/s", "magnitude of the velocity of the centre of mass", kCentre, false, false,
        [](S, S at, D) { return at.motion.velocity.norm(); }},
-      {"displacement", "m", "of the centre of mass along the direction, between from and at", true,
-       true, false,
+      {"displacement", "m", "of the centre of mass along the direction, between from and at",
+       kCentre, true, true,
        [](S from, S at, D d) { return d.dot(at.motion.position - from.motion.position); }},
-      {"drift", "m", "distance of the centre of mass between from and at", true, false, false,
+      {"drift", "m", "distance of the centre of mass between from and at", kCentre, true, false,
        [](S from, S at, D) { return (at.motion.position - from.motion.position).norm(); }},
-      {"mean-velocity", "m/s", "displacement over time, between from and at", true, true, false,
+      {"mean-velocity", "m/s", "displacement over time, between from and at", kCentre, true, true,
        [](S from, S at, D d) {
          return d.dot(at.motion.position - from.motion.position) / (at.time - from.time);
        }},
-      {"acceleration", "m/s²", "mean along the direction, between from and at", true, true, false,
+      {"acceleration", "m/s²", "mean along the direction, between from and at", kCentre, true, true,
        [](S from, S at, D d) {
          return d.dot(at.motion.velocity - from.motion.velocity) / (at.time - from.time);
        }},
-      {"kinetic-energy", "J", "of the whole scene", false, false, true,
+      {"rotation", "deg",
+       "by which the body has turned about the direction, between from and at; "
+       "-180 to 180",
+       kTurn, true, true,
+       [](S from, S at, D d) {
+         const Eigen::Quaterniond turn = at.motion.rotation * from.motion.rotation.conjugate();
+         const double angle = 2.0 * std::atan2(d.dot(turn.vec()), turn.w());
+         return degrees(std::remainder(angle, 2.0 * std::numbers::pi));
+       }},
+      {"angular-velocity", "rad/s", "about the direction", kTurn, false, true,
+       [](S, S at, D d) { return d.dot(at.motion.angular_velocity); }},
+      {"kinetic-energy", "J", "of the whole scene", kScene, false, false,
        [](S, S at, D) { return at.energies.kinetic; }},
-      {"total-energy", "J", "of the whole scene: kinetic, elastic and gravity", false, false, true,
+      {"total-energy", "J", "of the whole scene: kinetic, elastic and gravity", kScene, false,
+       false,
        [](S, S at, D) { return at.energies.kinetic + at.energies.elastic + at.energies.gravity; }},
-      {"normal-force", "N", "sum over the body's contacts", false, false, false,
+      {"normal-force", "N", "sum over the body's contacts, of magnitudes, whatever their normals",
+       kContacts, false, false,
        [](S, S at, D) {
          return summed(at, [](const ContactSample& c) { return c.normal_force; });
        }},
-      {"friction-force", "N", "sum over the body's contacts, along the direction", false, true,
-       false,
+      {"friction-force", "N", "on the body, sum over its contacts with others, along the direction",
+       kContacts, false, true,
        [](S, S at, D d) {
-         return summed(at, [&](const ContactSample& c) { return d.dot(c.friction_force); });
+         return summed(at, [&](const ContactSample& c) {
+           return of_itself(c) ? 0.0 : d.dot(c.friction_force);
+         });
        }},
-      {"slip", "m/s", "fastest tangential slip of the body's contacts", false, false, false,
+      {"slip", "m/s", "fastest tangential slip of the body's contacts", kContacts, false, false,
        [](S, S at, D) {
          return largest(at, [](const ContactSample& c) { return c.slip.norm(); });
        }},
-      {"penetration", "m", "deepest penetration of the body's contacts", false, false, false,
+      {"penetration", "m", "deepest penetration of the body's contacts", kContacts, false, false,
        [](S, S at, D) { return largest(at, [](const ContactSample& c) { return -c.gap; }); }},
-      {"contacts", "1", "number of the body's contacts", false, false, false,
+      {"contacts", "1", "number of the body's contacts", kContacts, false, false,
        [](S, S at, D) { return static_cast<double>(at.contacts.size()); }},
   };
   return all;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numbers>
 #include <set>
 
 namespace stiction {
@@ -22,7 +24,7 @@ Sample early() {
 Sample late() {
   Sample sample;
   sample.time = 3.0;
-  sample.motion = {Vec3(5, 2, 0), Vec3(3, 4, 0)};
+  sample.motion = {Vec3(5, 2, 0), Vec3(3, 4, 0), Eigen::Quaterniond(0, 1, 0, 0), Vec3(6, 1, 1)};
   sample.energies = {.kinetic = 7.0, .gravity = -2.0, .elastic = 1.0};
   ContactSample contact;
   contact.normal.setConstant(kNaN);  // unused
@@ -30,6 +32,7 @@ Sample late() {
   contact.normal_force = 4.0;
   contact.friction_force = Vec3(-2, 0, 0);
   contact.slip = Vec3(3, 4, 0);
+  contact.obstacle = 7;
   sample.contacts = {contact, contact};
   sample.contacts[1].gap = 0.5;
   sample.contacts[1].friction_force = Vec3(-1, 5, 0);
@@ -57,11 +60,12 @@ TEST_P(ObservableOfTwoSamples, IsWhatOneComputesByHand) {
   FAIL() << "there is no observable " << GetParam().name;
 }
 
-const Seen kSeen[] = {{"position", 5.0},     {"velocity", 3.0},        {"speed", 5.0},
-                      {"displacement", 4.0}, {"drift", 5.0},           {"mean-velocity", 2.0},
-                      {"acceleration", 1.5}, {"kinetic-energy", 7.0},  {"total-energy", 6.0},
-                      {"normal-force", 8.0}, {"friction-force", -3.0}, {"slip", 5.0},
-                      {"penetration", 0.25}, {"contacts", 2.0}};
+const Seen kSeen[] = {{"position", 5.0},        {"velocity", 3.0},     {"speed", 5.0},
+                      {"displacement", 4.0},    {"drift", 5.0},        {"mean-velocity", 2.0},
+                      {"acceleration", 1.5},    {"rotation", 180.0},   {"angular-velocity", 6.0},
+                      {"kinetic-energy", 7.0},  {"total-energy", 6.0}, {"normal-force", 8.0},
+                      {"friction-force", -3.0}, {"slip", 5.0},         {"penetration", 0.25},
+                      {"contacts", 2.0}};
 
 INSTANTIATE_TEST_SUITE_P(Names, ObservableOfTwoSamples, testing::ValuesIn(kSeen),
                          [](const auto& one) {
@@ -80,6 +84,34 @@ TEST(Observables, AreAllTestedAboveAndHaveNamesUnitsAndMeanings) {
     EXPECT_FALSE(observable.meaning.empty()) << observable.name;
   }
   EXPECT_EQ(names, tested);
+}
+
+TEST(Observables, RotationIsAboutTheDirectionAlone) {
+  const auto turned = [](double degrees, const Vec3& axis) {
+    Sample sample;
+    const double angle = degrees * std::numbers::pi / 180.0;
+    sample.motion.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+    return sample;
+  };
+  const auto rotation = std::find_if(observables().begin(), observables().end(),
+                                     [](const Observable& one) { return one.name == "rotation"; });
+  const Sample from = turned(30.0, Vec3::UnitZ());
+  EXPECT_NEAR(rotation->measure(from, turned(-20.0, Vec3::UnitZ()), Vec3::UnitZ()), -50.0, 1e-12);
+  EXPECT_NEAR(rotation->measure(from, turned(200.0, Vec3::UnitZ()), Vec3::UnitZ()), 170.0, 1e-12);
+  EXPECT_NEAR(rotation->measure(from, turned(220.0, Vec3::UnitZ()), Vec3::UnitZ()), -170.0, 1e-12);
+  EXPECT_NEAR(rotation->measure(from, turned(90.0, Vec3::UnitZ()), Vec3::UnitX()), 0.0, 1e-12);
+}
+
+TEST(Observables, FrictionOfABodyWithItselfIsNoForceOnIt) {
+  Sample sample = late();
+  for (ContactSample& contact : sample.contacts) {
+    contact.against_body = true;
+    contact.obstacle = contact.body;
+  }
+  for (const Observable& observable : observables()) {
+    if (observable.name != "friction-force") continue;
+    EXPECT_EQ(observable.measure(sample, sample, Vec3::UnitX()), 0.0);
+  }
 }
 
 TEST(Observables, OfABodyWithoutContactsAreZeroWhereTheyConcernContacts) {

@@ -14,8 +14,10 @@ build, root, work = (pathlib.Path(word) for word in sys.argv[1:4])
 program = work / "compare"
 
 
-def asks(file):
-    return '"solver/friction/catalog.h"' in file.read_text()
+def including(header):
+    """The objects of the build whose source includes it, by whatever way."""
+    told = subprocess.run(["ninja", "-t", "deps"], cwd=build, check=True, text=True, capture_output=True).stdout
+    return {block.split(":")[0] for block in told.split("\n\n") if re.search(rf"/{re.escape(header)}$", block, re.M)}
 
 
 def compile_all():
@@ -29,20 +31,21 @@ def compile_all():
     generated.write_text(text)
     link = subprocess.run(["ninja", "-t", "commands", "compare"], cwd=build, check=True, text=True, capture_output=True).stdout
     link = [line for line in link.splitlines() if " -o compare " in line][-1]
-    running, objects = [], []
+    running, objects, asking = [], [], including("solver/friction/catalog.h")
     for unit in json.loads((build / "compile_commands.json").read_text()):
         file = pathlib.Path(unit["file"])
+        words = shlex.split(unit["command"])
+        at = words.index("-o") + 1
         wanted = file.suffix == ".cpp" and "_test" not in file.name and "plants" not in file.parts
         own = re.search(r"CMakeFiles/(stiction_solver|stiction_validation|stiction_comparison|compare)\.dir/", unit["command"])
-        if not (wanted and own and file.is_relative_to(root) and asks(file)):
+        if not (wanted and own and file.is_relative_to(root) and words[at] in asking):
             continue
-        words = shlex.split(unit["command"])
         object_file = work / (file.stem + ".o")
-        words[words.index("-o") + 1] = str(object_file)
+        words[at] = str(object_file)
         words.insert(words.index("-c"), f"-I{work / 'generated'}")
         # Before the build's own folder, else that one's list is taken.
-        at = next(k for k, word in enumerate(words) if word.startswith(("-I", "-isystem")))
-        words.insert(at, f"-I{work / 'generated'}")
+        first = next(k for k, word in enumerate(words) if word.startswith(("-I", "-isystem")))
+        words.insert(first, f"-I{work / 'generated'}")
         if own.group(1) == "compare":
             link = link.replace(next(word for word in link.split() if word.endswith("/compare.cpp.o")), str(object_file))
         else:

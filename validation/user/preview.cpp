@@ -109,11 +109,15 @@ std::string gravity_text(const Gravity& gravity) {
 
 std::string check_text(const UserProblem& user, const UserCheck& one) {
   const Observable& observable = *one.watch.observable;
-  std::string words = "check '" + one_line(one.claim.quantity) + "': " + observable.name;
-  if (!observable.of_scene) words += " of '" + user.problem.bodies[one.watch.body].name + "'";
+  std::string words = "check '" + one_line(one.claim.quantity) + "': " + extreme_word(one.extreme) +
+                      observable.name;
+  if (observable.subject != Subject::kScene) {
+    words += " of '" + user.problem.bodies[one.watch.body].name + "'";
+  }
+  words += partner_words(one.watch, user.problem);
   if (observable.in_direction) words += " along " + text(one.watch.direction);
-  words += observable.over_window ? fmt::format(" from {:g} s to {:g} s", one.from, one.at)
-                                  : fmt::format(" at {:g} s", one.at);
+  words += one.over_window() ? fmt::format(" from {:g} s to {:g} s", one.from, one.at)
+                             : fmt::format(" at {:g} s", one.at);
   words += fmt::format(" is {:g} {} within {:g}{}: ", one.claim.expected, one.claim.unit,
                        one.claim.tolerance, one.claim.relative ? " of it" : "");
   return words + one_line(one.claim.reason);

@@ -16,12 +16,14 @@ constexpr const char* kNeeded = "must be given";
 
 // Of what changes over time; `value` is the name of its keyframes' values, `unit` theirs.
 std::vector<TomlKey> keys_over_time(const std::string& value, const std::string& unit) {
-  return {{"time", "s", "[0, 1, …]", "none", "when the keyframes are; joined by a C² smooth step"},
+  return {{"time", "s", "[0, 1, …]", "none",
+           "when the keyframes are; joined by a C² smooth step, whose acceleration reaches "
+           "5.77 of the distance over the square of the time"},
           {value, unit, "[[x, y, z], …]", "none", "the vector at each of those times"},
           {"constant", unit, "[x, y, z]", "zero", "the vector at all times, in place of keyframes"},
           {"amplitude", unit, "[x, y, z]", "zero",
            "of a sine on top of it: amplitude · sin(2π · frequency · (t − begins) + phase)"},
-          {"frequency", "Hz", "3", "0", "of the sine"},
+          {"frequency", "Hz", "3", "needed with `amplitude`", "of the sine"},
           {"phase_deg", "deg", "90", "0", "of the sine"},
           {"begins", "s", "0.5", "0", "when the sine begins to grow; before it is zero"},
           {"full_from", "s", "1", "`begins`", "when it has grown to its whole amplitude"}};
@@ -48,7 +50,8 @@ const TomlKeys& file() {
       {{"title", "", "\"text\"", "the file's name", "one line for people"},
        {"duration", "s", "3", kNeeded, "how long is simulated"},
        {"gravity", "m/s²", "[x, y, z] or a table", "[0, 0, -9.81]", "see [gravity]"},
-       {"friction", "1", "0.5", "0", "μ between bodies; of single pairs see [[pair]]"},
+       {"friction", "1", "0.5", "0",
+        "μ of all bodies against each other; of single pairs see [[pair]]"},
        {"restitution", "1", "0.5", "0",
         "of every contact, normal speed after it over before; for engines that take one: bodies of "
         "`stiction` rebound by their elasticity"},
@@ -95,9 +98,12 @@ const TomlKeys& obstacle() {
        {"point", "m", "[x, y, z]", "[0, 0, 0]", "a point of its surface"},
        {"friction", "1", "0.5", kNeeded, "μ of every body against it"},
        {"slope_deg", "deg", "20", "0", "by how much it is tilted"},
-       {"azimuth_deg", "deg", "30", "0", "where it is tilted to, from the x axis"},
+       {"azimuth_deg", "deg", "30", "0",
+        "where it is tilted to, from the x axis; given, it is \"downhill\" of a level one too"},
        {"normal", "", "[x, y, z]", "by the slope", "its outward normal, of any length"},
-       {"motion", "m", "a table", "it stands still", "see [motion]"}}};
+       {"motion", "m", "a table", "it stands still", "see [motion]"}},
+      {{"shape", "an obstacle is a half-space; a body that is 'held' can have any shape"},
+       {"size", "an obstacle is a half-space; a body that is 'held' can have any size"}}};
   return keys;
 }
 
@@ -122,7 +128,9 @@ const TomlKeys& body() {
        {"most_tetrahedra", "1", "200000", "200000", "a surface that needs more is refused"},
        {"time_limit", "s", "300", "300", "the mesher of a surface is stopped after it"},
        {"mass", "kg", "1", kNeeded, "spread evenly"},
-       {"youngs_modulus", "Pa", "5e5", "5e5", ""},
+       {"youngs_modulus", "Pa", "5e5", "5e5",
+        "5e5 is as soft as foam, rubber has 1e6 to 1e8. The bodies of `stiction` are never rigid: "
+        "a stiffer or lighter one needs smaller steps"},
        {"poisson_ratio", "1", "0.3", "0.3", ""},
        {"damping_time", "s", "1e-3", "0", "viscous stress = damping_time · elasticity · rate"},
        {"self_collision", "", "true or false", "false", "whether it may touch itself"},
@@ -139,7 +147,13 @@ const TomlKeys& body() {
        {"velocity", "m/s", "[x, y, z]", "[0, 0, 0]", "without rests_on"},
        {"spin", "rad/s", "[x, y, z]", "[0, 0, 0]", "angular velocity about the centre"},
        {"held", "", "{ point = [0, 0, 0], normal = [0, 0, 1] }", "none", "see [held]"},
-       {"motion", "m", "a table", "it stands still", "of the held part; see [motion]"}}};
+       {"motion", "m", "a table", "it stands still",
+        "moves the held part, so it needs `held`; see [motion]"}},
+      {{"friction",
+        "μ is an obstacle's 'friction', the file's 'friction' between all bodies, or a [[pair]]'s"},
+       {"density", "give the 'mass' in kg"},
+       {"fixed", "'held' holds a part of a body, or all of it"},
+       {"static", "'held' holds a part of a body, or all of it"}}};
   return keys;
 }
 
@@ -154,15 +168,19 @@ const TomlKeys& rotation() {
 const TomlKeys& held() {
   static const TomlKeys keys = {
       "[held]",
-      "What lies below a plane, in the body's own frame, is held, or moved by `motion`.",
-      {{"point", "m", "[x, y, z]", kNeeded, "of the plane"},
+      "What lies below a plane is held, or moved by `motion`: the side opposite `normal`. The "
+      "plane is told in the body's own frame, with its origin at the body's centre: a box of edge "
+      "0.1 spans -0.05 to 0.05.",
+      {{"point", "m", "[x, y, z]", kNeeded, "of the plane; on the body's lower face to hold that"},
        {"normal", "", "[x, y, z]", kNeeded, "of the plane, away from the held part"}}};
   return keys;
 }
 
 const TomlKeys& motion() {
   static const TomlKeys keys = with(
-      over_time("[motion]", "Displacement of an obstacle or of a held part from where it begins.",
+      over_time("[motion]",
+                "Displacement of an obstacle or of a held part from where it begins. What moves "
+                "carries bodies along by friction: a jaw, a table, a rail.",
                 "offset", "m"),
       {"velocity", "m/s", "[x, y, z]", "zero", "steadily, on top of it"});
   return keys;
@@ -174,7 +192,10 @@ const TomlKeys& load() {
       "A force on a body, spread like its mass, and a couple.",
       {{"body", "", "\"box\"", kNeeded, ""},
        {"force", "N", "[x, y, z] or a table", "zero", "see [force]"},
-       {"couple", "N m", "[x, y, z] or a table", "zero", "see [couple]"}}};
+       {"couple", "N m", "[x, y, z] or a table", "zero", "see [couple]"}},
+      {{"point", "a force that acts at r from the centre is its 'force' and a 'couple', r × force"},
+       {"position",
+        "a force that acts at r from the centre is its 'force' and a 'couple', r × force"}}};
   return keys;
 }
 
@@ -218,8 +239,15 @@ const TomlKeys& check() {
        {"body", "", "\"box\"", "the only body", ""},
        {"direction", "", "[x, y, z], \"downhill\" or a table", "needed where it has one",
         "\"downhill\" is that of what the body rests on; { downhill = \"ramp\" } of an obstacle"},
+       {"against", "", "\"ramp\"", "all of them",
+        "an obstacle or a body: of the contacts those with it alone"},
+       {"relative_to", "", "\"table\"", "none",
+        "an obstacle or a body over which the centre's motion is told"},
        {"from", "s", "1", "0", "where a window begins"},
        {"at", "s", "2", "the end", "when it is observed, or a window ends"},
+       {"extreme", "", "\"largest\" or \"smallest\"", "none",
+        "of the values at all steps from `from` to `at`, of an observable at one time: \"largest\" "
+        "slip 0 says that it never slipped"},
        {"expected", "", "0", kNeeded, "in the observable's unit"},
        {"tolerance", "", "1e-9", kNeeded, "in its unit; with `relative` a share"},
        {"relative", "", "true or false", "false",
@@ -247,7 +275,9 @@ const TomlKeys& series() {
       {{"observable", "", "\"position\"", kNeeded,
         "one that is observed at a time, not over a window; see OBSERVABLES"},
        {"body", "", "\"box\"", "the only body", ""},
-       {"direction", "", "as of a check", "needed where it has one", ""}}};
+       {"direction", "", "as of a check", "needed where it has one", ""},
+       {"against", "", "\"ramp\"", "all of them", "as of a check"},
+       {"relative_to", "", "\"table\"", "none", "as of a check"}}};
   return keys;
 }
 
@@ -255,8 +285,7 @@ const TomlKeys& threshold() {
   static const TomlKeys keys = {
       "[threshold]",
       "Finds by bisection the value from which on some check fails, and judges it instead of them.",
-      {{"vary", "", "\"ramp.slope_deg\"", kNeeded,
-        "a number of this file: KEY, drag.KEY, engine.KEY, or NAME.KEY of an obstacle or body"},
+      {{"vary", "", "\"ramp.slope_deg\"", kNeeded, kVaries},
        {"holds_at", "", "20", kNeeded, "a value at which every check must hold"},
        {"fails_at", "", "30", kNeeded, "a value at which some check must fail"},
        {"within", "", "0.01", kNeeded, "how narrow the bracket shall get"},

@@ -30,6 +30,14 @@ const TomlKeys& series();
 const TomlKeys& threshold();
 const TomlKeys& sweep();
 
+/// What a threshold or a sweep can vary.
+inline constexpr const char* kVaries =
+    "a number of this file: KEY, drag.KEY, gravity.KEY, engine.KEY, NAME.KEY of an obstacle or "
+    "body, "
+    "NAME.motion.KEY, or NAME.force, NAME.couple and the keys of both (NAME.force.value) of the "
+    "only "
+    "[[load]] on a body; of a vector its length, of keyframes that of the longest";
+
 /// All of them, in the order in which they are explained.
 std::vector<const TomlKeys*> all();
 

@@ -103,6 +103,8 @@ std::optional<double> quantity_in(std::string_view unit, std::string_view text) 
   return std::nullopt;
 }
 
+std::string shown_unit(const std::string& unit) { return unit == "deg" ? "°" : unit; }
+
 std::vector<std::string_view> units_like(std::string_view unit) {
   std::vector<std::string_view> names;
   for (const Unit& one : kUnits) {

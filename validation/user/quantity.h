@@ -13,6 +13,9 @@ namespace stiction {
 /// "Pa", "deg", …
 std::optional<double> quantity_in(std::string_view unit, std::string_view text);
 
+/// As reports write it: "°" for "deg".
+std::string shown_unit(const std::string& unit);
+
 /// What may stand behind a number for this unit, e.g. {"m", "mm", "cm", "um", "km"}; empty for a
 /// unit that has no others.
 std::vector<std::string_view> units_like(std::string_view unit);

@@ -90,7 +90,8 @@ struct Seat {
 Seat obstacle_seat(const UserProblem& user, std::size_t number) {
   const Obstacle& obstacle = user.problem.obstacles[number];
   const Vector3d& downhill = user.downhill[number];
-  Seat seat{{number, std::nullopt}, obstacle.point, {}, downhill};
+  Seat seat{{number, std::nullopt}, obstacle.point, {}, {}};
+  if (!user.level[number]) seat.downhill = downhill;
   seat.frame << downhill, obstacle.normal.cross(downhill), obstacle.normal;
   return seat;
 }
@@ -106,7 +107,7 @@ Seat body_seat(const UserProblem& user, std::size_t number) {
 }
 
 Seat read_seat(TomlTable& table, const Reading& reading) {
-  const Touched support = find_touched(table, "rests_on", reading);
+  const Partner support = find_partner(table, "rests_on", reading);
   return support.is_body ? body_seat(reading.user, support.index)
                          : obstacle_seat(reading.user, support.index);
 }
@@ -126,7 +127,8 @@ void put_down(TomlTable& table, Reading& reading, ProblemBody& body) {
   if (table.has("speed_downhill")) {
     if (!seat.downhill) {
       table.refuse("speed_downhill",
-                   "what it rests on stands on no obstacle: there is no downhill");
+                   "what it rests on is level, or stands on no obstacle: nothing is downhill, but "
+                   "where the obstacle is given an 'azimuth_deg'");
     }
     body.velocity = table.number("speed_downhill") * *seat.downhill;
   }
@@ -141,10 +143,35 @@ void read_pose(TomlTable& table, Reading& reading, ProblemBody& body) {
   reading.user.supports.emplace_back();
 }
 
+std::string text_of(const Vector3d& v) {
+  return fmt::format("({:g}, {:g}, {:g})", v.x(), v.y(), v.z());
+}
+
+// Of a box around it, from its origin, along its own axes, m.
+Vector3d most(const Shape& shape, double sign) {
+  Vector3d corner;
+  for (int k = 0; k < 3; ++k) {
+    corner[k] = sign * reach(shape, Matrix3d::Identity(), sign * Vector3d::Unit(k));
+  }
+  return corner;
+}
+
+// Before it is meshed: no mesh of it reaches farther.
+void refuse_held_beside(TomlTable& held, const ProblemBody& body) {
+  const HeldPart& part = *body.held;
+  const double lowest = -reach(body.shape, Matrix3d::Identity(), -part.normal);
+  if (lowest <= part.normal.dot(part.point)) return;
+  held.refuse("point",
+              fmt::format("no part of the body lies below this plane: in its own frame, whose "
+                          "origin is its centre, it spans {} to {} m",
+                          text_of(most(body.shape, -1.0)), text_of(most(body.shape, 1.0))));
+}
+
 void read_held(TomlTable& table, ProblemBody& body) {
   if (!table.has("held")) return;
   TomlTable held = table.table("held", problem_keys::held());
   body.held = HeldPart{held.vector("point"), read_direction(held, "normal")};
+  refuse_held_beside(held, body);
   held.finish();
   if (table.has("motion")) body.motion = read_motion(table.table("motion", problem_keys::motion()));
 }

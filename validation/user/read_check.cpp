@@ -6,6 +6,7 @@
 
 #include "reports/text/names.h"
 #include "validation/user/problem_keys.h"
+#include "validation/user/quantity.h"
 #include "validation/user/reading.h"
 
 namespace stiction {
@@ -28,12 +29,21 @@ std::size_t read_watched_body(TomlTable& table, const Reading& reading) {
   table.refuse("body", "which 'body' is observed? There are: " + reading.bodies.listed());
 }
 
+Eigen::Vector3d downhill_on(TomlTable& table, const Reading& reading, std::size_t obstacle) {
+  const UserProblem& user = reading.user;
+  if (!user.level[obstacle]) return user.downhill[obstacle];
+  table.refuse("direction",
+               fmt::format("'{}' is level, so nothing is downhill on it: give three numbers, or an "
+                           "'azimuth_deg' to the obstacle",
+                           user.problem.obstacles[obstacle].name));
+}
+
 // The obstacle that a body stands on, itself or by way of others, or the only one.
 Eigen::Vector3d downhill_of(TomlTable& table, const Reading& reading, std::size_t body) {
   const UserProblem& user = reading.user;
   std::optional<std::size_t> obstacle = user.supports[body].obstacle;
   if (!obstacle && user.downhill.size() == 1) obstacle = 0;
-  if (obstacle) return user.downhill[*obstacle];
+  if (obstacle) return downhill_on(table, reading, *obstacle);
   table.refuse("direction",
                user.downhill.empty()
                    ? "there is no obstacle, so nothing is \"downhill\": give three numbers"
@@ -52,41 +62,64 @@ Eigen::Vector3d read_watched_direction(TomlTable& table, const Reading& reading,
   TomlTable inner = table.table("direction", problem_keys::direction());
   const std::size_t obstacle = reading.obstacles.find(inner, "downhill", "obstacle");
   inner.finish();
-  return reading.user.downhill[obstacle];
+  return downhill_on(table, reading, obstacle);
 }
 
 UserWatch read_watch(TomlTable& table, const Reading& reading) {
   UserWatch watch;
   watch.observable = &read_observable(table);
-  if (!watch.observable->of_scene) watch.body = read_watched_body(table, reading);
+  const Subject subject = watch.observable->subject;
+  watch.contacts = subject == Subject::kContacts;
+  if (subject != Subject::kScene) watch.body = read_watched_body(table, reading);
+  if (watch.contacts && table.has("against")) {
+    watch.against = find_partner(table, "against", reading);
+  }
+  if (subject == Subject::kCentre && table.has("relative_to")) {
+    watch.relative_to = find_partner(table, "relative_to", reading);
+    if (watch.relative_to->is_body && watch.relative_to->index == watch.body) {
+      table.refuse("relative_to", "a body does not move over itself");
+    }
+  }
   if (watch.observable->in_direction) {
     watch.direction = read_watched_direction(table, reading, watch.body);
   }
   return watch;
 }
 
-// "speed", and of which body where there are several.
-std::string name_of(const UserWatch& watch, const Problem& problem) {
-  if (watch.observable->of_scene || problem.bodies.size() == 1) return watch.observable->name;
-  return watch.observable->name + " of " + problem.bodies[watch.body].name;
+// "largest speed of box relative to table"; the body only where there are several.
+std::string name_of(const UserWatch& watch, const Problem& problem,
+                    Extreme extreme = Extreme::kNone) {
+  std::string name = extreme_word(extreme) + watch.observable->name;
+  if (watch.observable->subject == Subject::kScene) return name;
+  if (problem.bodies.size() > 1) name += " of " + problem.bodies[watch.body].name;
+  return name + partner_words(watch, problem);
+}
+
+Extreme read_extreme(TomlTable& table, const Observable& observable) {
+  if (observable.over_window || !table.has("extreme")) return Extreme::kNone;
+  const std::string word = table.text("extreme");
+  if (word == "largest") return Extreme::kLargest;
+  if (word == "smallest") return Extreme::kSmallest;
+  table.refuse("extreme", "'extreme' is \"largest\" or \"smallest\"");
 }
 
 void read_times(TomlTable& table, const Problem& problem, UserCheck& one) {
   one.at = table.number("at", problem.duration);
-  if (one.watch.observable->over_window) one.from = table.number("from", 0.0);
+  if (one.over_window()) one.from = table.number("from", 0.0);
   if (!(one.from >= 0.0 && one.from < one.at && one.at <= problem.duration)) {
     table.refuse("at", fmt::format("the times of a check must follow 0 ≤ from < at ≤ {} s",
                                    problem.duration));
   }
 }
 
-void read_claim(TomlTable& table, Claim& claim) {
+void read_claim(TomlTable& table, const std::string& unit, Claim& claim) {
+  claim.unit = shown_unit(unit);
   claim.source = table.text("source", "the problem's author");
   claim.kind = ReferenceKind::kExternal;
-  claim.expected = table.number_in(claim.unit, "expected");
+  claim.expected = table.number_in(unit, "expected");
   claim.relative = table.flag("relative", false);
-  if (table.has("scale")) claim.scale = table.number_in(claim.unit, "scale");
-  claim.tolerance = table.number_in(claim.relative ? "1" : claim.unit, "tolerance");
+  if (table.has("scale")) claim.scale = table.number_in(unit, "scale");
+  claim.tolerance = table.number_in(claim.relative ? "1" : unit, "tolerance");
   claim.reason = table.text("reason");
   if (!(claim.tolerance >= 0.0)) table.refuse("tolerance", "'tolerance' must not be negative");
   if (claim.scale && !(*claim.scale > 0.0)) {
@@ -99,7 +132,7 @@ void read_claim(TomlTable& table, Claim& claim) {
 }
 
 std::string times_of(const UserCheck& one) {
-  if (!one.watch.observable->over_window) return fmt::format(" at {:g} s", one.at);
+  if (!one.over_window()) return fmt::format(" at {:g} s", one.at);
   return fmt::format(" from {:g} s to {:g} s", one.from, one.at);
 }
 
@@ -119,12 +152,13 @@ void tell_apart(std::vector<UserCheck>& checks, const Words& words) {
 void read_check(TomlTable table, Reading& reading) {
   UserCheck one;
   one.watch = read_watch(table, reading);
+  one.extreme = read_extreme(table, *one.watch.observable);
   read_times(table, reading.user.problem, one);
   one.place = table.place();
-  one.claim.unit = one.watch.observable->unit;
-  one.claim.quantity = table.text("quantity", name_of(one.watch, reading.user.problem));
+  one.claim.quantity =
+      table.text("quantity", name_of(one.watch, reading.user.problem, one.extreme));
   one.claim.statement = table.text("claim", one.watch.observable->meaning);
-  read_claim(table, one.claim);
+  read_claim(table, one.watch.observable->unit, one.claim);
   reading.user.checks.push_back(one);
   table.finish();
 }

@@ -42,7 +42,7 @@ std::string Names::listed() const {
                      names_.size() - kTold);
 }
 
-Touched find_touched(TomlTable& table, const std::string& key, const Reading& reading) {
+Partner find_partner(TomlTable& table, const std::string& key, const Reading& reading) {
   const std::string name = table.text(key);
   const std::size_t* const obstacle = reading.obstacles.find(name);
   const std::size_t* const body = reading.bodies.find(name);
@@ -81,9 +81,10 @@ void read_obstacle(TomlTable table, Reading& reading) {
   const Eigen::Vector3d& n = obstacle.normal;
   const Eigen::Vector3d descent = -Eigen::Vector3d::UnitZ() + n.z() * n;
   const Eigen::Vector3d level(std::cos(azimuth), std::sin(azimuth), 0.0);
-  reading.user.downhill.push_back(descent.norm() > 1e-9
-                                      ? descent.normalized()
-                                      : Eigen::Vector3d((level - n.dot(level) * n).normalized()));
+  const bool steep = descent.norm() > 1e-9;
+  reading.user.downhill.push_back(steep ? descent.normalized()
+                                        : Eigen::Vector3d((level - n.dot(level) * n).normalized()));
+  reading.user.level.push_back(!steep && !table.has("azimuth_deg"));
   if (table.has("motion")) {
     obstacle.motion = read_motion(table.table("motion", problem_keys::motion()));
   }
@@ -119,9 +120,9 @@ void read_pair(TomlTable table, Reading& reading) {
   Problem& problem = reading.user.problem;
   PairFriction pair;
   pair.body = reading.bodies.find(table, "body", "body");
-  const Touched touched = find_touched(table, "against", reading);
-  pair.other = touched.index;
-  pair.against_body = touched.is_body;
+  const Partner partner = find_partner(table, "against", reading);
+  pair.other = partner.index;
+  pair.against_body = partner.is_body;
   pair.friction = table.number("friction");
   if (!(pair.friction >= 0.0)) table.refuse("friction", "'friction' must not be negative");
   if (pair.against_body && pair.other == pair.body && !problem.bodies[pair.body].self_collision) {

@@ -37,14 +37,8 @@ struct Reading {
   Names obstacles{}, bodies{};
 };
 
-/// What a body touches: an obstacle, or another body with `is_body`.
-struct Touched {
-  std::size_t index = 0;
-  bool is_body = false;
-};
-
 /// The obstacle, or the body read before it, that the key names; refuses others, and names of both.
-Touched find_touched(TomlTable& table, const std::string& key, const Reading& reading);
+Partner find_partner(TomlTable& table, const std::string& key, const Reading& reading);
 
 /// A vector's direction, unit; refuses zero.
 Eigen::Vector3d read_direction(TomlTable& table, const std::string& key);

@@ -77,10 +77,16 @@ void TomlTable::finish() const {
   for (const auto& [key, node] : table_) {
     const std::string word(key.str());
     if (asked_.count(word) > 0) continue;
-    if (std::any_of(keys_.keys.begin(), keys_.keys.end(),
-                    [&](const TomlKey& one) { return one.name == word; })) {
+    for (const TomlKey& one : keys_.keys) {
+      if (one.name != word) continue;
+      const std::string& what = one.meaning.empty() ? one.otherwise : one.meaning;
       refuse_at(file_, node,
-                fmt::format("'{}' has no effect beside what else {} says", word, keys_.table));
+                fmt::format("'{}' has no effect beside what else {} says{}{}", word, keys_.table,
+                            what.empty() ? "" : "; it is: ", what));
+    }
+    for (const auto& [tried, sentence] : keys_.instead) {
+      if (tried != word) continue;
+      refuse_at(file_, node, fmt::format("{} has no key '{}': {}", keys_.table, word, sentence));
     }
     refuse_at(file_, node,
               fmt::format("{} has no key '{}'; there are: {}", keys_.table, word,

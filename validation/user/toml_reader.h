@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction {
@@ -26,6 +27,8 @@ struct TomlKeys {
   std::string table;  ///< how messages call it: "[[body]]"
   std::string meaning;
   std::vector<TomlKey> keys;
+  /// What people try, and a sentence that says what does it instead.
+  std::vector<std::pair<std::string, std::string>> instead{};
 };
 
 /// Throws InputError "FILE:LINE: SENTENCE".

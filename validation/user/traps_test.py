@@ -50,8 +50,52 @@ expected = -1.25
 tolerance = 2e-2
 reason = "½ g t², and the steps' first order"
 """
+STACK = """duration = 1
+gravity = { time = [0, 0.2], acceleration = [[0, 0, 0], [0, 0, -10]] }
+friction = 0.5
+drag = { rate = 50, full_until = 0.3, ends = 0.4 }
+[[obstacle]]
+name = "floor"
+friction = 0.5
+[[body]]
+name = "low"
+shape = "box"
+size = [0.1, 0.1, 0.1]
+mass = 1
+damping_time = 1e-3
+rests_on = "floor"
+[[body]]
+name = "top"
+shape = "box"
+size = [0.1, 0.1, 0.1]
+mass = 1
+damping_time = 1e-3
+rests_on = "low"
+[[check]]
+observable = "normal-force"
+body = "low"
+expected = 30
+tolerance = "10 mN"
+reason = "10 N of the upper box, 20 N of the floor; what still moves"
+[[check]]
+observable = "slip"
+body = "top"
+extreme = "largest"
+from = 0.5
+expected = 0
+tolerance = "1 mm/s"
+reason = "nothing pushes it; what still moves"
+[[check]]
+observable = "position"
+body = "top"
+direction = [0, 0, 1]
+relative_to = "low"
+expected = 0.1
+tolerance = "1 mm"
+reason = "both sink in, and are pressed, by less"
+"""
 EXAMPLES = pathlib.Path(__file__).resolve().parent / "examples"
-BASES = {"box": BOX, "fall": FALL, **{file.stem: file.read_text() for file in sorted(EXAMPLES.glob("*.toml"))}}
+BASES = {"box": BOX, "fall": FALL, "stack": STACK, **{file.stem: file.read_text() for file in sorted(EXAMPLES.glob("*.toml"))}}
 
 WINDOW = 'observable = "mean-velocity"\ndirection = "downhill"\nfrom = 0.5'
 DROP = 'observable = "displacement"\ndirection = [0, 0, 1]'
@@ -96,6 +140,13 @@ FALSE = [
             'observable = "kinetic-energy"'),
     *claims("fall", "gravity = [0, 0, -10]", 'gravity = ["-10 m/s²", 0, 0]', "gravity = [0, 0, -9]",
             "gravity = [0, 0, -10]\ndrag = { rate = 5, full_until = 0.3, ends = 0.4 }"),
+    *claims("stack", "expected = 30", "expected = 20", "expected = 10", 'expected = 30\nagainst = "floor"',
+            'expected = 30\nagainst = "top"'),
+    *claims("stack", 'relative_to = "low"', 'relative_to = "floor"', ""),
+    # Back at rest at the end: at one time it would pass.
+    ("stack", {"[[check]]": '[[load]]\nbody = "top"\nforce = { time = [0.5, 0.55, 0.6], value = [[0, 0, 0], [9, 0, 0], [0, 0, 0]] }\n[[check]]'}),
+    ("stack", {"[[check]]": '[[load]]\nbody = "top"\ncouple = { time = [0.5, 0.6], value = [[0, 0, 0], [0, 0, 2]] }\n[[check]]'}),
+    ("box", {'"mean-velocity"\ndirection = "downhill"\nfrom = 0.5': '"rotation"\ndirection = [0, 0, 1]', "expected = 0": "expected = 3"}),
     *claims("ramp", "slope_deg = 20", "slope_deg = 27", "slope_deg = 19"),
     *claims("ramp", "expected = 9.2183846", "expected = 9.2184", "expected = -9.2183846"),
     *claims("gripper", "friction = 0.5\n\n[[obstacle]]", "friction = 0.02\n\n[[obstacle]]"),
@@ -133,6 +184,10 @@ REFUSED = [
             'duration = 1\nthreshold = { vary = "ramp.slope_deg", holds_at = 20, fails_at = 30, within = 2, expected = 26, tolerance = 0.1, '
             'reason = "narrower than it is found" }\n'),
     *claims("fall", "direction = [0, 0, 1]", "direction = [0, 0, 0]", 'direction = "downhill"'),
+    *claims("box", "slope_deg = 20\nazimuth_deg = 90\n", ""),  # level: what is downhill?
+    *claims("stack", 'relative_to = "low"', 'relative_to = "top"', 'relative_to = "hill"', 'against = "low"', 'extreme = "most"'),
+    *claims("stack", 'name = "top"\n', 'name = "top"\nheld = { point = [0, 0, -0.06], normal = [0, 0, 1] }\n',
+            'name = "top"\nmotion = { velocity = [1, 0, 0] }\n'),
 ]
 
 

@@ -52,7 +52,9 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
   std::vector<fs::path> paths;
   std::map<fs::path, std::string> seen;
   for (const std::string& file : files) {
-    paths.push_back(fs::weakly_canonical(file));
+    std::error_code no_path;  // a pipe has none: the shell's <(…)
+    paths.push_back(fs::weakly_canonical(file, no_path));
+    if (no_path) paths.back() = file;
     const auto [before, first] = seen.emplace(paths.back(), file);
     if (!first) throw InputError(fmt::format("the problem '{}' is given twice", one_line(file)));
   }

@@ -119,10 +119,11 @@ TEST_F(UserMotion, ASweepJudgesEachValue) {
 }
 
 TEST_F(UserMotion, WhatCannotVaryIsRefused) {
-  for (const char* what :
-       {"ramp.colour", "hill.friction", "ramp.name", "ramp.point", "body.mass", ""}) {
+  for (const char* what : {"ramp.colour", "hill.friction", "ramp.name", "ramp.point", "body.mass",
+                           "point.force", "ramp.motion.frequency", "ramp.motion", ".force",
+                           "point.force.value", "gravity.constant", ""}) {
     EXPECT_THAT(refusal(std::string(kProblem) + "[sweep]\nvary = \"" + what + "\"\nvalues = [1]\n"),
-                HasSubstr("is no number of this file"))
+                HasSubstr("cannot vary; it is to be a number of this file"))
         << what;
   }
 }
@@ -154,7 +155,8 @@ TEST_F(UserMotion, EveryExplainedKeyOfATableIsRead) {
     EXPECT_THAT(refusal(text), HasSubstr("'" + key + "' must be")) << text;
   };
   for (const TomlKey& key : problem_keys::check().keys) {
-    if (key.name == "from" || key.name == "direction") continue;  // of other observables
+    const bool of_others = key.name == "from" || key.name == "direction" || key.name == "against";
+    if (of_others) continue;  // of other observables
     std::string text = "";
     std::istringstream lines(kProblem);
     for (std::string line; std::getline(lines, line);) {

@@ -10,6 +10,7 @@
 #include "reports/text/text.h"
 #include "validation/user/nesting.h"
 #include "validation/user/problem_keys.h"
+#include "validation/user/quantity.h"
 #include "validation/user/read_motion.h"
 #include "validation/user/start_overlap.h"
 #include "validation/user/vary.h"
@@ -78,7 +79,7 @@ UserThreshold read_threshold(TomlTable table, const std::shared_ptr<const Parsed
   one.within = table.number_in(unit, "within");
   if (!(one.within > 0.0)) table.refuse("within", "'within' must be positive");
   one.claim.quantity = "threshold of " + one.vary.what;
-  one.claim.unit = unit.empty() ? "1" : unit == "deg" ? "°" : unit;
+  one.claim.unit = unit.empty() ? "1" : shown_unit(unit);
   one.claim.statement = table.text("claim", "from where on a check fails");
   one.claim.source = table.text("source", "the problem's author");
   one.claim.kind = ReferenceKind::kExternal;
@@ -103,6 +104,19 @@ UserSweep read_sweep(TomlTable table, const std::shared_ptr<const ParsedFile>& p
 }
 
 }  // namespace
+
+std::string extreme_word(Extreme extreme) {
+  if (extreme == Extreme::kNone) return "";
+  return extreme == Extreme::kLargest ? "largest " : "smallest ";
+}
+
+std::string partner_words(const Watched& watched, const Problem& problem) {
+  const auto name = [&](const Partner& one) {
+    return one.is_body ? problem.bodies[one.index].name : problem.obstacles[one.index].name;
+  };
+  if (watched.against) return " against " + name(*watched.against);
+  return watched.relative_to ? " relative to " + name(*watched.relative_to) : "";
+}
 
 UserProblem read_parsed(const std::string& file, const toml::table& root) {
   TomlTable top(file, root, problem_keys::file());

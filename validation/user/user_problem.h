@@ -24,19 +24,23 @@ class NotMeshed : public InputError {
 };
 
 /// What is observed of which body.
-struct UserWatch {
+struct UserWatch : Watched {
   const Observable* observable = nullptr;
-  std::size_t body = 0;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit, of observables along one
 };
+
+/// Of the values at all steps of a window, in place of the one at a time.
+enum class Extreme { kNone, kLargest, kSmallest };
 
 /// A claim of a person's problem, and when it is observed.
 struct UserCheck {
   Claim claim{};
   UserWatch watch{};
-  double from = 0.0;  ///< s; of observables over a window
+  Extreme extreme = Extreme::kNone;
+  double from = 0.0;  ///< s; of observables and extremes over a window
   double at = 0.0;    ///< s
   std::string place;  ///< "FILE:LINE", for messages
+  bool over_window() const { return watch.observable->over_window || extreme != Extreme::kNone; }
 };
 
 /// A curve over time.
@@ -78,6 +82,7 @@ struct UserSupport {
 struct UserProblem {
   Problem problem{};
   std::vector<Eigen::Vector3d> downhill{};  ///< one an obstacle, unit
+  std::vector<bool> level{};                ///< one an obstacle: its downhill is a convention alone
   std::vector<UserSupport> supports{};      ///< one a body
   Settings settings{};                      ///< of the engine
   std::vector<UserCheck> checks{};
@@ -87,6 +92,12 @@ struct UserProblem {
   std::string title{};
   std::string file{};  ///< as messages call it
 };
+
+/// " against ramp", " relative to table", or nothing.
+std::string partner_words(const Watched& watched, const Problem& problem);
+
+/// "largest ", "smallest ", or nothing.
+std::string extreme_word(Extreme extreme);
 
 /// The problem that a text describes (TOML; `stiction validate --help-problem` explains each key);
 /// `file` is what messages call it, and where its relative paths start. Throws InputError with one

@@ -79,8 +79,8 @@ const Mistake kMistakes[] = {
      "'rotation' must be like { axis = [0, 0, 1], angle_deg = 30 }"},
     {"AnUnknownObservable", "\"speed\"", "\"sped\"", 20,
      "there is no observable 'sped'; there are: position, velocity, speed, displacement, drift, "
-     "mean-velocity, acceleration, kinetic-energy, total-energy, normal-force, friction-force, "
-     "slip, penetration, contacts"},
+     "mean-velocity, acceleration, rotation, angular-velocity, kinetic-energy, total-energy, "
+     "normal-force, friction-force, slip, penetration, contacts"},
     {"AMissingReason", "reason = \"it sticks\"", "", 19, "[[check]] lacks 'reason'"},
     {"AMissingDirection", "\"speed\"", "\"velocity\"", 19, "[[check]] lacks 'direction'"},
     {"AnUnknownDirection", "\"speed\"", "\"velocity\"\ndirection = \"up\"", 21,

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "validation/judge/verdict.h"
+#include "validation/user/quantity.h"
 
 namespace stiction {
 
@@ -29,7 +31,7 @@ std::uint64_t step_at(double time, double time_step) {
 // Times that the engine's steps cannot tell apart would compare a state with itself.
 void refuse_times(const UserProblem& user, double time_step) {
   for (const UserCheck& one : user.checks) {
-    const bool window = one.watch.observable->over_window;
+    const bool window = one.over_window();
     if (step_at(window ? one.from : 0.0, time_step) < step_at(one.at, time_step)) continue;
     const std::string fault =
         window ? fmt::format("from = {:g} s and at = {:g} s are the same step", one.from, one.at)
@@ -39,6 +41,14 @@ void refuse_times(const UserProblem& user, double time_step) {
                     "[engine] or take other times",
                     one.place, fault, time_step));
   }
+}
+
+Sample sampled(const UserProblem& user, const Simulation& simulation, const UserWatch& watch) {
+  return sample_of(simulation.engine(), user.problem, simulation.time(), watch);
+}
+
+double measured(const UserWatch& watch, const Sample& from, const Sample& at) {
+  return watch.observable->measure(from, at, watch.direction);
 }
 
 std::vector<double> times_of(const UserProblem& user) {
@@ -51,9 +61,68 @@ std::vector<double> times_of(const UserProblem& user) {
   return times;
 }
 
-double measured(const UserWatch& watch, const Sample& from, const Sample& at) {
-  return watch.observable->measure(from, at, watch.direction);
-}
+// What one check has seen so far.
+struct Looked {
+  std::uint64_t from = 0, at = 0;  // steps
+  Sample first{}, last{};
+  std::optional<double> extreme{};
+};
+
+// What the checks see while a problem runs.
+class Looks {
+ public:
+  Looks(const UserProblem& user, double time_step) : user_(user) {
+    for (const UserCheck& one : user.checks) {
+      looked_.push_back({step_at(one.from, time_step), step_at(one.at, time_step), {}, {}, {}});
+    }
+  }
+
+  // Whether some extreme's window goes on up to this step.
+  bool each_step_until(std::uint64_t step) const {
+    for (std::size_t k = 0; k < looked_.size(); ++k) {
+      const bool within = looked_[k].from < step && step <= looked_[k].at;
+      if (within && user_.checks[k].extreme != Extreme::kNone) return true;
+    }
+    return false;
+  }
+
+  void look(const Simulation& simulation, std::uint64_t step) {
+    const auto sample = [&](const UserWatch& watch) { return sampled(user_, simulation, watch); };
+    for (std::size_t k = 0; k < looked_.size(); ++k) {
+      const UserCheck& one = user_.checks[k];
+      Looked& looked = looked_[k];
+      if (one.extreme != Extreme::kNone) {
+        if (looked.from <= step && step <= looked.at) widen(one, looked, sample(one.watch));
+        continue;
+      }
+      if (step == looked.from) looked.first = sample(one.watch);
+      if (step == looked.at) looked.last = sample(one.watch);
+    }
+  }
+
+  std::vector<double> values() const {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < looked_.size(); ++k) {
+      const Looked& looked = looked_[k];
+      values.push_back(looked.extreme ? *looked.extreme
+                                      : measured(user_.checks[k].watch, looked.first, looked.last));
+    }
+    return values;
+  }
+
+ private:
+  // A value that is no number stays: no check holds with it.
+  static void widen(const UserCheck& one, Looked& looked, const Sample& now) {
+    const double value = measured(one.watch, now, now);
+    const double sign = one.extreme == Extreme::kLargest ? 1.0 : -1.0;
+    if (!looked.extreme || std::isnan(value) || sign * value > sign * *looked.extreme) {
+      looked.extreme = value;
+    }
+  }
+
+  const UserProblem& user_;
+  std::vector<Looked> looked_;
+};
 
 Observed observe(CaseRun& run, const UserProblem& user, const Settings& over) {
   const CaseRun::Running simulation = run.simulate_with(over, user.problem);
@@ -67,31 +136,29 @@ Observed observe(CaseRun& run, const UserProblem& user, const Settings& over) {
   if (contacts) seen.series.push_back({"fastest contact slip", "m/s", "time", "s", {}, {}});
   const std::size_t own = seen.series.size();
   for (const UserSeries& one : user.series) {
-    seen.series.push_back({one.name, one.watch.observable->unit, "time", "s", {}, {}});
+    seen.series.push_back({one.name, shown_unit(one.watch.observable->unit), "time", "s", {}, {}});
   }
-  std::vector<std::pair<Sample, Sample>> samples(user.checks.size());
+  Looks looks(user, time_step);
   for (const double time : times_of(user)) {
-    simulation->advance_to(time);
+    const std::uint64_t target = step_at(time, time_step);
     const Engine& engine = simulation->engine();
-    const auto sample = [&](const UserWatch& watch) {
-      return sample_of(engine, simulation->time(), watch.body);
-    };
+    if (looks.each_step_until(target)) {
+      while (engine.steps_done() + 1 < target) {
+        simulation->advance(1);
+        looks.look(*simulation, engine.steps_done());
+      }
+    }
+    simulation->advance_to(time);
+    looks.look(*simulation, target);
     for (Series& one : seen.series) one.x.push_back(simulation->time());
     seen.series[0].y.push_back(engine.energies().kinetic);
     if (contacts) seen.series[1].y.push_back(fastest_slip(engine));
     for (std::size_t k = 0; k < user.series.size(); ++k) {
-      const Sample now = sample(user.series[k].watch);
+      const Sample now = sampled(user, *simulation, user.series[k].watch);
       seen.series[own + k].y.push_back(measured(user.series[k].watch, now, now));
     }
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      const UserCheck& one = user.checks[k];
-      if (time == one.from) samples[k].first = sample(one.watch);
-      if (time == one.at) samples[k].second = sample(one.watch);
-    }
   }
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    seen.values.push_back(measured(user.checks[k].watch, samples[k].first, samples[k].second));
-  }
+  seen.values = looks.values();
   return seen;
 }
 

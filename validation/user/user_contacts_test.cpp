@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be asked of bodies that touch and move over each other: forces against the weights that
+// they carry, motion over another body, the extreme of a window.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "solver/testing/test_refusal.h"
+#include "validation/core/case_run.h"
+#include "validation/user/test_user_problem.h"
+#include "validation/user/user_case.h"
+
+namespace stiction {
+namespace {
+
+using test::UserProblem;
+using testing::HasSubstr;
+
+// Two boxes of 1 kg, one on the other, on a level floor.
+constexpr const char* kStack = R"(duration = 0.6
+gravity = { time = [0, 0.2], acceleration = [[0, 0, 0], [0, 0, -10]] }
+friction = 0.5
+drag = { rate = 50, full_until = 0.3, ends = 0.4 }
+[[obstacle]]
+name = "floor"
+friction = 0.5
+[[body]]
+name = "low"
+shape = "box"
+size = [0.1, 0.1, 0.1]
+mass = 1
+damping_time = 1e-3
+rests_on = "floor"
+[[body]]
+name = "top"
+shape = "box"
+size = [0.1, 0.1, 0.1]
+mass = 1
+damping_time = 1e-3
+rests_on = "low"
+)";
+
+std::string check(const std::string& lines) {
+  return "[[check]]\nexpected = 0\ntolerance = 9\nreason = \"x\"\n" + lines + "\n";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+class UserContacts : public UserProblem {
+ protected:
+  std::string refusal(const std::string& text) {
+    return test::refusal([&] { read_user_problem(write(text)); });
+  }
+  std::vector<double> values(const std::string& text) {
+    const Record record = run(read_user_problem(write(text)));
+    EXPECT_EQ(record.error, "");
+    std::vector<double> all;
+    for (const Judgement& one : record.checks) all.push_back(one.value);
+    return all;
+  }
+};
+
+TEST_F(UserContacts, ForcesBetweenBodiesAreFeltByBoth) {
+  const std::string force = "observable = \"normal-force\"\nbody = ";
+  const std::vector<double> seen = values(
+      kStack + check(force + "\"top\"") + check(force + "\"low\"") +
+      check(force + "\"low\"\nagainst = \"top\"") + check(force + "\"low\"\nagainst = \"floor\"") +
+      check(force + "\"top\"\nagainst = \"floor\""));
+  ASSERT_EQ(seen.size(), 5u);
+  const double settled = 1e-3;  // N: what still moves
+  EXPECT_NEAR(seen[0], 10.0, settled);
+  EXPECT_NEAR(seen[1], 30.0, settled) << "10 N from above, 20 N from below";
+  EXPECT_NEAR(seen[2], 10.0, settled);
+  EXPECT_NEAR(seen[3], 20.0, settled);
+  EXPECT_EQ(seen[4], 0.0);
+}
+
+TEST_F(UserContacts, FrictionBetweenBodiesActsOnBothOppositely) {
+  const std::string push =
+      "[[load]]\nbody = \"top\"\nforce = { time = [0.3, 0.4], value = [[0, 0, 0], [2, 0, 0]] }\n";
+  const std::string force = "observable = \"friction-force\"\ndirection = [1, 0, 0]\nbody = ";
+  const std::vector<double> seen = values(
+      kStack + push + check(force + "\"top\"") + check(force + "\"low\"") +
+      check(force + "\"low\"\nagainst = \"top\"") + check(force + "\"low\"\nagainst = \"floor\""));
+  ASSERT_EQ(seen.size(), 4u);
+  const double sways = 0.05;  // N: 1 kg that still sways by so many m/s²
+  EXPECT_NEAR(seen[0], -2.0, sways);
+  EXPECT_EQ(seen[2], -seen[0]);
+  EXPECT_NEAR(seen[3], -2.0, sways);
+  EXPECT_NEAR(seen[1], seen[2] + seen[3], 1e-12);
+}
+
+// Ten steps of 10 ms; the point slides as the ramp's 20° and gravity have it, from the start.
+TEST_F(UserContacts, AnExtremeIsOfAllStepsOfItsWindow) {
+  const std::string swings =
+      edited("rests_on = \"ramp\"",
+             "position = [0, 0, 5]\n[[load]]\nbody = \"point\"\nforce = { amplitude = [40, 0, 0], "
+             "frequency = 20 }");
+  const std::size_t cut = swings.find("[[check]]");
+  const std::string velocity = "observable = \"velocity\"\ndirection = [1, 0, 0]\n";
+  const std::vector<double> seen =
+      values(swings.substr(0, cut) + check(velocity) + check(velocity + "extreme = \"largest\"") +
+             check(velocity + "extreme = \"smallest\"") +
+             check(velocity + "extreme = \"largest\"\nfrom = 0.05\nat = 0.06"));
+  ASSERT_EQ(seen.size(), 4u);
+  // v = F/(m ω) (1 − cos ωt): back at zero after two whole periods, and twice the mean between.
+  const double omega = 2.0 * std::numbers::pi * 20.0, mean = 40.0 / 2.0 / omega;
+  const double first_order = 20.0 * 1e-3;
+  EXPECT_NEAR(seen[0], 0.0, first_order);
+  EXPECT_NEAR(seen[1], 2.0 * mean, first_order);
+  EXPECT_NEAR(seen[2], 0.0, first_order);
+  EXPECT_NEAR(seen[3], mean * (1.0 - std::cos(0.06 * omega)), first_order);
+}
+
+TEST_F(UserContacts, AnExtremeIsOfAnObservableOfOneTime) {
+  EXPECT_THAT(refusal(edited("\"speed\"", "\"drift\"\nextreme = \"largest\"")),
+              HasSubstr("'extreme' has no effect"));
+  EXPECT_THAT(refusal(edited("\"speed\"", "\"speed\"\nextreme = \"biggest\"")),
+              HasSubstr("'extreme' is \"largest\" or \"smallest\""));
+  EXPECT_THAT(refusal(edited("\"speed\"", "\"speed\"\nfrom = 0.05")),
+              HasSubstr("'from' has no effect beside what else [[check]] says; it is: where a "
+                        "window begins"));
+}
+
+TEST_F(UserContacts, MotionCanBeToldOverAnotherThing) {
+  std::string text = edited("slope_deg = 20", "motion = { velocity = [0.5, 0, 0] }");
+  text += "relative_to = \"ramp\"\n" +
+          check("observable = \"velocity\"\ndirection = [1, 0, 0]\nrelative_to = \"ramp\"") +
+          check("observable = \"displacement\"\ndirection = [1, 0, 0]\nrelative_to = \"ramp\"") +
+          check("observable = \"position\"\ndirection = [0, 0, 1]\nrelative_to = \"ramp\"") +
+          check("observable = \"velocity\"\ndirection = [1, 0, 0]");
+  const std::vector<double> seen = values(text);
+  ASSERT_EQ(seen.size(), 5u);
+  // Friction of μ g = 5 m/s² takes the point along: it slips by v²/(2 μ g).
+  EXPECT_NEAR(seen[0], 0.0, 1e-9);
+  EXPECT_NEAR(seen[1], 0.0, 1e-9);
+  EXPECT_NEAR(seen[2], -0.025, 5e-4);
+  EXPECT_NEAR(seen[3], 0.0, 1e-3);
+  EXPECT_NEAR(seen[4], 0.5, 1e-9);
+  const std::string stack =
+      kStack + check(
+                   "body = \"top\"\nobservable = \"position\"\ndirection = [0, 0, 1]\n"
+                   "relative_to = \"low\"");
+  EXPECT_NEAR(values(stack).at(0), 0.1, 1e-3);
+  EXPECT_THAT(refusal(kStack + check("body = \"top\"\nobservable = \"speed\"\n"
+                                     "relative_to = \"top\"")),
+              HasSubstr("a body does not move over itself"));
+  EXPECT_THAT(refusal(edited("\"speed\"", "\"speed\"\nagainst = \"ramp\"")),
+              HasSubstr("'against' has no effect"));
+}
+
+TEST_F(UserContacts, NamesSayOfWhatAndOverWhat) {
+  const Record record = run(read_user_problem(
+      write(kStack +
+            check("body = \"top\"\nobservable = \"slip\"\nextreme = \"largest\"\n"
+                  "against = \"low\"") +
+            check("body = \"top\"\nobservable = \"rotation\"\ndirection = [1, 0, 0]"))));
+  ASSERT_EQ(record.checks.size(), 2u);
+  EXPECT_EQ(record.checks[0].claim.quantity, "largest slip of top against low");
+  EXPECT_EQ(record.checks[1].claim.unit, "°");
+}
+
+TEST_F(UserContacts, NothingIsDownhillOnLevelGround) {
+  const std::string level = edited("slope_deg = 20\n", "");
+  const auto downhill = [](std::string text) {
+    return text + "[[check]]\nobservable = \"velocity\"\ndirection = \"downhill\"\n" +
+           "expected = 0\ntolerance = 1\nreason = \"x\"\n";
+  };
+  EXPECT_THAT(refusal(downhill(level)), HasSubstr("'ramp' is level, so nothing is downhill on it"));
+  EXPECT_EQ(refusal(downhill(edited("slope_deg = 20", "azimuth_deg = 0"))), "");
+  const std::size_t at = level.find("mass");
+  EXPECT_THAT(refusal(std::string(level).insert(at, "speed_downhill = 1\n")),
+              HasSubstr("what it rests on is level, or stands on no obstacle"));
+}
+
+TEST_F(UserContacts, APlaneBesideABodyHoldsNothing) {
+  const std::string held =
+      "shape = \"box\"\nsize = [0.2, 0.2, 0.1]\nheld = { normal = [0, 0, 1], point = ";
+  EXPECT_THAT(
+      refusal(edited("shape = \"point\"", held + "[0, 0, -0.06] }")),
+      HasSubstr("ramp.toml:17: no part of the body lies below this plane: in its own frame, "
+                "whose origin is its centre, it spans (-0.1, -0.1, -0.05) to (0.1, 0.1, "
+                "0.05) m"));
+  EXPECT_EQ(refusal(edited("shape = \"point\"", held + "[0, 0, -0.05] }")), "");
+}
+
+TEST_F(UserContacts, WhatPeopleTryIsToldInTheWordsOfTheFile) {
+  EXPECT_THAT(refusal(edited("mass = 2.0", "mass = 2.0\nmotion = { velocity = [1, 0, 0] }")),
+              HasSubstr("'motion' has no effect beside what else [[body]] says; it is: moves the "
+                        "held part, so it needs `held`"));
+  EXPECT_THAT(
+      refusal(edited("[[check]]",
+                     "[[load]]\nbody = \"point\"\nforce = [1, 0, 0]\npoint = "
+                     "[0, 0, 1]\n[[check]]")),
+      HasSubstr("[[load]] has no key 'point': a force that acts at r from the centre is its "
+                "'force' and a 'couple', r × force"));
+}
+
+// Force = mass · acceleration: along its direction, of whatever length it is given.
+TEST_F(UserContacts, TheLengthOfALoadAndOfAMotionCanVary) {
+  std::string text = edited("rests_on = \"ramp\"",
+                            "position = [0, 0, 5]\n[[load]]\nbody = "
+                            "\"point\"\nforce = [0, \"-3 mN\", 0]");
+  const std::size_t cut = text.find("[[check]]");
+  text = text.substr(0, cut) + check("observable = \"velocity\"\ndirection = [0, 1, 0]") +
+         "[sweep]\nvary = \"point.force\"\nvalues = [\"40 N\", 20]\n";
+  const std::vector<double> seen = values(text);
+  ASSERT_EQ(seen.size(), 2u);
+  EXPECT_NEAR(seen[0], -2.0, 1e-12);
+  EXPECT_NEAR(seen[1], -1.0, 1e-12);
+
+  std::string grows =
+      replaced(text, "[0, \"-3 mN\", 0]", "{ time = [0, 0.05], value = [[0, 0, 0], [0, -1, 0]] }");
+  grows = replaced(grows, "point.force", "point.force.value");
+  const std::vector<double> grown = values(grows);
+  ASSERT_EQ(grown.size(), 2u);
+  // Half of it on the mean until 0.05 s.
+  EXPECT_NEAR(grown[0], -40.0 / 2.0 * 0.075, 0.02);
+  EXPECT_NEAR(grown[1], -20.0 / 2.0 * 0.075, 0.01);
+
+  std::string moves = edited("slope_deg = 20", "motion = { amplitude = [0, 1, 0], frequency = 5 }");
+  moves =
+      moves.substr(0, moves.find("[[check]]")) +
+      check("observable = \"position\"\ndirection = [0, 1, 0]\nrelative_to = \"ramp\"\nat = 0.05") +
+      "[sweep]\nvary = \"ramp.motion.amplitude\"\nvalues = [\"1 m\", 1e-9]\n";
+  const std::vector<double> places = values(moves);
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_LT(places[0], -0.9) << "it cannot follow";
+  EXPECT_NEAR(places[1], 0.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace stiction
