@@ -100,12 +100,14 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         os.chdir(folder)
-        for one in ("validate", "compare", "bench", "track", "engine", "readme", "mesh_surface"):
+        for one in ("validate", "compare", "sweep", "bench", "track", "engine", "readme", "mesh_surface"):
             try_streams(f"{one} --help", program(one, "--help"), 0)
             try_streams(f"{one} --bogus", program(one, "--bogus"), 2)
         try_streams("validate --list", program("validate", "--list"), 0)
         try_streams("compare --list", program("compare", "--list"), 0)
         try_streams("compare engines --list", program("compare", "engines", "--list"), 0)
+        study = pathlib.Path(__file__).resolve().parent / "sweep/examples/hold-or-slide.toml"
+        try_streams("sweep --dry-run", program("sweep", str(study), "--dry-run"), 0)
         try_streams("bench --list-fixed", program("bench", "--list-fixed"), 0)
         try_streams("engine list", program("engine", "list"), 0)
         try_streams("engine show", program("engine", "show", "stiction"), 0)

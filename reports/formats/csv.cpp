@@ -29,15 +29,7 @@ std::string cell(const std::string& text) {
   return quoted + '"';
 }
 
-// A cell of words. Spreadsheets would take one that begins like a formula for that, so it is told that
-// it is text by the sign that they know.
-std::string words(std::string_view raw) {
-  const std::string text = one_line(raw);
-  const std::size_t first = text.find_first_not_of(' ');
-  const bool is_formula = first != std::string::npos &&
-                          std::string_view("=+-@").find(text[first]) != std::string_view::npos;
-  return is_formula ? "'" + text : text;
-}
+std::string words(std::string_view raw) { return csv_words(raw); }
 
 std::string optional(const std::optional<double>& value) {
   return value ? format_exact(*value) : std::string();
@@ -103,6 +95,18 @@ std::string run_cells(const Record& record) {
 }
 
 }  // namespace
+
+// Spreadsheets would take words that begin like a formula for one, so they are told that it is text by
+// the sign that they know.
+std::string csv_words(std::string_view raw) {
+  const std::string text = one_line(raw);
+  const std::size_t first = text.find_first_not_of(' ');
+  const bool is_formula = first != std::string::npos &&
+                          std::string_view("=+-@").find(text[first]) != std::string_view::npos;
+  return is_formula ? "'" + text : text;
+}
+
+std::string csv_row(const std::vector<std::string>& cells) { return row(cells) + "\r\n"; }
 
 std::string csv_table(const std::vector<Record>& records) {
   std::string table(kHeader);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/record/record.h"
@@ -15,5 +16,11 @@ namespace stiction {
 /// Column names are the fields of reports/record/schema.md; a check's verdict and error are
 /// `verdict` and `error`, its record's `case_verdict` and `case_error`.
 std::string csv_table(const std::vector<Record>& records);
+
+/// A cell of words, guarded as above.
+std::string csv_words(std::string_view text);
+
+/// Cells as a row, with its line's end.
+std::string csv_row(const std::vector<std::string>& cells);
 
 }  // namespace stiction

@@ -65,6 +65,13 @@ struct Cost {
   std::map<std::string, double> phase_seconds{};  ///< wall-clock, s; empty when not timed
 };
 
+/// What a sweep varied, and to which value.
+struct AxisValue {
+  std::string name{};  ///< e.g. "ramp.slope_deg"
+  std::string unit{};  ///< "1" when dimensionless
+  double value = 0.0;  ///< in `unit`
+};
+
 /// Where and with what a record was made.
 struct Environment {
   std::string revision{};   ///< git revision, "+" behind it when the tree was changed
@@ -102,6 +109,8 @@ struct Record {
   Environment environment{};
   Verdict verdict = Verdict::kFail;
   std::string error{};   ///< what went wrong when verdict is kError
+  std::string point{};   ///< of a sweep: 16 hex digits, a hash of what was run; else empty
+  std::vector<AxisValue> axes{};  ///< of a sweep
   std::string frames{};  ///< file in the run's folder with a Recording (frames.h); may be empty
 };
 

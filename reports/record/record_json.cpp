@@ -98,6 +98,10 @@ OrderedJson mesh_json(const Mesh& mesh) {
           {"min_altitude", number(mesh.min_altitude)}};
 }
 
+OrderedJson axis_json(const AxisValue& axis) {
+  return {{"name", axis.name}, {"unit", axis.unit}, {"value", number(axis.value)}};
+}
+
 OrderedJson quartiles_json(const ContactTime& time) {
   return OrderedJson::array({number(time.lower), number(time.upper)});
 }
@@ -202,6 +206,10 @@ Mesh read_mesh(const JsonField& field) {
           field["min_altitude"].real()};
 }
 
+AxisValue read_axis(const JsonField& field) {
+  return {field["name"].text(), field["unit"].text(), field["value"].real()};
+}
+
 void read_quartiles(const JsonField& cost, const char* name, ContactTime& time) {
   if (!cost.has(name)) return;
   const std::vector<double> two = cost[name].list(read_real);
@@ -262,6 +270,8 @@ Record read_record(const JsonField& field) {
   record.state_hash = field.optional_text("state_hash");
   record.environment = read_environment(field["environment"]);
   if (field.has("series")) record.series = field["series"].list(read_series);
+  record.point = field.optional_text("point");
+  if (field.has("axes")) record.axes = field["axes"].list(read_axis);
   record.frames = field.optional_text("frames");
   return record;
 }
@@ -290,6 +300,10 @@ std::string to_json_line(const Record& record) {
                       {"environment", environment_json(record.environment)},
                       {"series", array_of(record.series, series_json)},
                       {"frames", record.frames}};
+  if (!record.point.empty()) {
+    json["point"] = record.point;
+    json["axes"] = array_of(record.axes, axis_json);
+  }
   if (!record.problem.empty()) json["problem"] = OrderedJson::parse(record.problem);
   constexpr int kNoIndent = -1;
   constexpr bool kKeepUnicode = false;
@@ -306,20 +320,27 @@ Record from_json_line(const std::string& line, const std::string& where) {
   return read_record(JsonField(json, where, ""));
 }
 
-RecordFile read_records(std::istream& stream, const std::string& name) {
-  RecordFile file;
-  std::string line;
+std::string each_record(std::istream& stream, const std::string& name,
+                        const std::function<void(Record)>& use) {
+  std::string line, unfinished;
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const std::string where = fmt::format("{}:{}", name, number_of_line);
     // getline meets the end of the file only on a line that has no line break.
     if (stream.eof() && !Json::accept(line)) {
-      file.unfinished = where + ": the line is cut off; the records before it are complete";
+      unfinished = where + ": the line is cut off; the records before it are complete";
       break;
     }
-    file.records.push_back(from_json_line(line, where));
+    use(from_json_line(line, where));
   }
   if (stream.bad()) throw std::runtime_error(name + ": reading failed");
+  return unfinished;
+}
+
+RecordFile read_records(std::istream& stream, const std::string& name) {
+  RecordFile file;
+  file.unfinished =
+      each_record(stream, name, [&](Record one) { file.records.push_back(std::move(one)); });
   return file;
 }
 

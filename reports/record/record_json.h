@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <istream>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ struct RecordFile {
 /// JSON is a crash's trace and is reported in `unfinished`; any other fault throws as above, and so
 /// does a stream that fails while it is read. `name` stands for the file in messages.
 RecordFile read_records(std::istream& stream, const std::string& name);
+
+/// The same record by record, for files of any size; returns `unfinished`.
+std::string each_record(std::istream& stream, const std::string& name,
+                        const std::function<void(Record)>& use);
 
 /// As above; throws std::runtime_error too when the file cannot be opened.
 RecordFile read_records(const std::filesystem::path& file);

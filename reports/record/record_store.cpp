@@ -123,7 +123,10 @@ void RecordStore::append(const Record& record) {
   const std::lock_guard lock(mutex_);
   const Writing writing;
   if (torn_ && !cut_back()) fail("mend the cut-off last line of", records_file_, errno);
-  const int error = write_fully(descriptor_, line);
+  const auto now = std::chrono::steady_clock::now();
+  const bool waits = std::chrono::duration<double>(now - waited_).count() >= wait_every_;
+  if (waits) waited_ = now;
+  const int error = write_fully(descriptor_, line, waits ? Wait::kYes : Wait::kNo);
   if (error != 0) {
     const bool whole = cut_back();
     throw std::runtime_error(fmt::format(
@@ -153,6 +156,7 @@ void RecordStore::finish() {
   const fs::path latest = out_dir / kLatest;
   const std::lock_guard lock(mutex_);
   const Writing writing;
+  if (wait_every_ > 0.0 && fdatasync(descriptor_) != 0) fail("write", records_file_, errno);
   demand_place_of_link(latest);
   if (symlink(folder_.filename().c_str(), temporary.c_str()) != 0) fail("create", temporary, errno);
   if (rename(temporary.c_str(), latest.c_str()) != 0) {

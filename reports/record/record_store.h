@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
@@ -38,10 +39,14 @@ class RecordStore {
   RecordStore(const RecordStore&) = delete;
   RecordStore& operator=(const RecordStore&) = delete;
 
-  /// Adds one line to records.jsonl and waits until it is on disk. Safe to call from many threads.
+  /// Adds one line to records.jsonl and waits until it is on disk (wait_for_disk_every). Safe to call from many threads.
   /// On failure the file holds the records of the earlier calls, and later calls may succeed.
   /// Throws std::invalid_argument for a record that could not be read back (record_json.h).
   void append(const Record& record);
+
+  /// From now on append waits for the disk no more often than that, for runs of thousands of short
+  /// records: what kills the program costs no record, a power cut those of the last `seconds`.
+  void wait_for_disk_every(double seconds) { wait_every_ = seconds; }
 
   /// Writes a file of the run (report.md, junit.xml, …): completely or not at all; an older one of
   /// the same name stays until then. `name` is a plain file name.
@@ -73,6 +78,8 @@ class RecordStore {
   std::mutex mutex_;                  // guards what follows and the writes
   std::uint64_t complete_bytes_ = 0;  // of records.jsonl, up to the last complete line
   std::uint64_t complete_records_ = 0;
+  double wait_every_ = 0.0;                         // s
+  std::chrono::steady_clock::time_point waited_{};  // for the disk, last
   bool torn_ = false;  // bytes behind complete_bytes_ could not be cut yet
 };
 

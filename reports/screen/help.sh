@@ -22,6 +22,8 @@ DESCRIPTION
                                hard cases: digits that survive, where it breaks
          compare               friction rules side by side: speed against error
          compare engines       engines side by side: who holds, who creeps
+         sweep study.toml      thousands of points: parameters and engines; goes on
+                               where it was, in parts on several machines
 
        Engines
          engine list | show | check
@@ -61,8 +63,8 @@ EXAMPLES
               the manual page of a command
 
 SEE ALSO
-       README.md, validation/user/TUTORIAL.md (ten minutes: your own ramp, mesh,
-       engine and friction rule)
+       README.md, validation/user/TUTORIAL.md (eleven minutes: your own ramp,
+       push, mesh, engine and friction rule)
 TXT
 }
 
@@ -143,7 +145,7 @@ help_on() {
     '' | help | -h | --help) show usage ;;
     test) page "$root/stiction" test ;;
     report) page "$root/stiction" report ;;
-    validate | compare | engine | bench | track | readme)
+    validate | compare | sweep | engine | bench | track | readme)
       program_with_page "$1"
       page "$build/$1" "${@:2}"
       ;;

@@ -31,7 +31,8 @@ man=$build/man
 has "$man/stiction-validate.1" validation/validate.cpp
 has "$man"/stiction-compare{,-engines}.1 validation/compare.cpp
 has "$man"/stiction-engine{,-check,-list,-show}.1 validation/engine_main.cpp
-has "$man"/stiction-{validate,compare-engines,engine-check}.1 validation/core/engine_options.h
+has "$man"/stiction-{validate,sweep,compare-engines,engine-check}.1 validation/core/engine_options.h
+has "$man"/stiction-sweep.1 validation/sweep.cpp
 has "$man/stiction-bench.1" benchmarks/bench/bench.cpp
 has "$man"/stiction-track{,-record,-history,-compare,-import,-export,-bisect}.1 benchmarks/track.cpp
 has "$man/stiction-readme.1" reports/readme.cpp
@@ -48,7 +49,7 @@ for page in "$man"/*.1; do
 done
 printf 'ok    %s pages have their sections\n' "$(find "$man" -name '*.1' | wc -l)"
 
-for program in validate compare bench track engine readme; do
+for program in validate compare sweep bench track engine readme; do
   COLUMNS=80 "$build/$program" --help >"$work/help" || failed "$program --help"
   [ "$(awk '{ if (length($0) > 80) print }' "$work/help" | grep -cvE '^ +(\./stiction|[a-z-]+/)')" -eq 0 ] ||
     failed "$program --help is wider than 80 columns: $(awk 'length($0) > 80' "$work/help" | head -n 1)"

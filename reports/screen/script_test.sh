@@ -54,7 +54,7 @@ for words in help --help -h '' 'help test' 'test --help' 'report --help' 'report
   ! grep -q '`' "$work/out" || failed "it is no text"
   ! grep -qE '^(apt-get|sudo|cmake|npm|node) ' "$calls" || failed "it called $(head -n 1 "$calls")"
 done
-for command in validate compare bench track engine readme; do
+for command in validate compare sweep bench track engine readme; do
   for words in "$command --help" "$command some -h" "help $command"; do
     # shellcheck disable=SC2086
     exits 2 "./stiction $words, not built" $words
@@ -135,7 +135,7 @@ for one in 'INT 2' 'TERM 15' 'HUP 1'; do
   interrupted "$name" "$number" "a build" validate
   interrupted "$name" "$number" "a build of tests" test
   stand_in "$work/bin/cmake" </dev/null
-  for command in validate compare bench track engine readme; do
+  for command in validate compare sweep bench track engine readme; do
     stand_in "build/release/$command" <<<"$heeds; $busy"
     interrupted "$name" "$number" "$command" "$command" word
     says kept

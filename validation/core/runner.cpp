@@ -124,21 +124,14 @@ Record run_job(const Job& job, double tolerance_scale, std::optional<Recording>*
   return record;
 }
 
-void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
-              const std::function<void(std::size_t, Record)>& finished, const KeepRecording& keep) {
+void run_numbered(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
-  std::mutex one_at_a_time;
-  // Jobs are taken in order, so that their results can be shown in order soon after they are known.
-  const auto work = [&] {
-    for (std::size_t k = next++; k < jobs.size(); k = next++) {
-      std::optional<Recording> recording;
-      Record record = run_job(jobs[k], tolerance_scale, keep ? &recording : nullptr);
-      const std::lock_guard<std::mutex> lock(one_at_a_time);
+  const auto take = [&] {
+    for (std::size_t k = next++; k < count; k = next++) {
       try {
-        if (recording) record.frames = keep(k, *recording);
-        finished(k, std::move(record));
+        work(k);
       } catch (...) {
-        next = jobs.size();
+        next = count;
         throw;
       }
     }
@@ -146,8 +139,21 @@ void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::task_group group;
-    for (int k = 1; k < threads; ++k) group.run(work);
-    group.run_and_wait(work);
+    for (int k = 1; k < threads; ++k) group.run(take);
+    group.run_and_wait(take);
+  });
+}
+
+void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
+              const std::function<void(std::size_t, Record)>& finished, const KeepRecording& keep) {
+  std::mutex one_at_a_time;
+  // Jobs are taken in order, so that their results can be shown in order soon after they are known.
+  run_numbered(jobs.size(), threads, [&](std::size_t k) {
+    std::optional<Recording> recording;
+    Record record = run_job(jobs[k], tolerance_scale, keep ? &recording : nullptr);
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    if (recording) record.frames = keep(k, *recording);
+    finished(k, std::move(record));
   });
 }
 

@@ -44,6 +44,10 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
 Record run_job(const Job& job, double tolerance_scale,
                std::optional<Recording>* recording = nullptr);
 
+/// Calls `work(k)` for k = 0 … count − 1 on `threads` threads, begun in that order; when one throws, no
+/// further one begins and the exception leaves this function.
+void run_numbered(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
+
 /// Keeps the recording of the job with this index; gives the record's `frames`.
 using KeepRecording = std::function<std::string(std::size_t, const Recording&)>;
 

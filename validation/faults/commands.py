@@ -92,6 +92,7 @@ class Commands:
         (store / "box.toml").write_text(PROBLEM.format(shape=BOX, duration=duration, speed=9.81 * duration))
         (store / "surface.toml").write_text(PROBLEM.format(shape=SURFACE, duration=duration, speed=9.81 * duration))
         (store / "cube.off").write_text(CUBE)
+        (store / "study.toml").write_text('problem = "box.toml"\n[[axis]]\nvary = "box.mass"\nvalues = [1, 2, 3]\n')
         (store / "import.json").write_text(bench_json(1))
         self.make("runs", "validate", "box.toml", "--out", "runs", "--set", "dt=1e-4")
         self.make("drawn", "validate", "box.toml", "--check-only", "--out", "drawn")
@@ -156,6 +157,7 @@ class Commands:
             Command("compare", one("compare", "--scene", "rules/slab", "--rule", "fixed-point", "--jobs", "1")),
             Command("compare engines", one("compare", "engines", "--engine", "plain", "--engine", "stiction", "--question",
                                            "creep-0", "--quick")),
+            Command("sweep", one("sweep", "study.toml", "--jobs", "1"), prepare=self.copy("study.toml", "box.toml"), few=True),
             Command("bench", one("bench", "--benchmark_filter=^(depth|friction:none)/(slab|plane)/contacts:100$", "--benchmark_out=google.json")),
             Command("track import", one("track", "import", "import.json", "--history", "history.sqlite"),
                     prepare=self.copy("import.json", "history.sqlite"), few=True),

@@ -177,9 +177,10 @@ char* mkdtemp(char* path) {
 
 int mkdir(const char* path, mode_t mode) {
   REAL(mkdir);
-  // What is there already needs no room.
+  // What is there already needs no room, nor does what has no name.
   struct stat there;
-  return stat(path, &there) != 0 && fails("mkdir", path) ? -1 : theirs(path, mode);
+  const bool made = *path != '\0' && stat(path, &there) != 0;
+  return made && fails("mkdir", path) ? -1 : theirs(path, mode);
 }
 
 int rename(const char* from, const char* to) {

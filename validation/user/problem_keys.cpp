@@ -325,14 +325,19 @@ std::string told(const TomlKey& key, std::size_t width) {
 
 }  // namespace
 
-std::string problem_help(std::size_t width) {
+std::string keys_help(const std::vector<const TomlKeys*>& tables, std::size_t width) {
   std::string text;
-  for (const TomlKeys* const table : problem_keys::all()) {
-    text += table == &problem_keys::file() ? "THE FILE\n" : table->table + "\n";
+  for (const TomlKeys* const table : tables) {
+    text += table == tables.front() ? "THE FILE\n" : table->table + "\n";
     text += bullet(table->meaning, width, "  ");
     for (const TomlKey& key : table->keys) text += told(key, width);
     text += '\n';
   }
+  return text;
+}
+
+std::string problem_help(std::size_t width) {
+  std::string text = keys_help(problem_keys::all(), width);
   text += "OBSERVABLES\n";
   for (const Observable& one : observables()) {
     text += bullet(fmt::format("{} ({}): {}{}", one.name, one.unit, one.meaning,

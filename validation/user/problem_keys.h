@@ -43,6 +43,10 @@ std::vector<const TomlKeys*> all();
 
 }  // namespace problem_keys
 
+/// Tables and keys with form, unit, default and meaning, in lines of at most `width` columns where a
+/// word allows it. The first table is the file itself.
+std::string keys_help(const std::vector<const TomlKeys*>& tables, std::size_t width);
+
 /// What --help-problem prints: tables and keys with form, unit, default and meaning, the observables
 /// and the units; lines of at most `width` columns where a word allows it.
 std::string problem_help(std::size_t width);

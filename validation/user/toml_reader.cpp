@@ -160,6 +160,17 @@ const toml::array& TomlTable::array_of(const std::string& key) {
   return *array;
 }
 
+std::vector<std::string> TomlTable::texts(const std::string& key) {
+  std::vector<std::string> all;
+  for (const toml::node& node : array_of(key)) {
+    if (!node.is_string()) {
+      refuse_at(file_, node, fmt::format("'{}' must be a list of texts in quotes", key));
+    }
+    all.push_back(node.as_string()->get());
+  }
+  return all;
+}
+
 std::vector<double> TomlTable::numbers(const std::string& key) {
   return numbers_in(asked(key).unit, key);
 }

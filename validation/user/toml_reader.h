@@ -55,6 +55,7 @@ class TomlTable {
                    const std::string& key);  ///< of no unit of its own
   Eigen::Vector3d vector(const std::string& key);
   Eigen::Vector3d vector(const std::string& key, const Eigen::Vector3d& fallback);
+  std::vector<std::string> texts(const std::string& key);
   std::vector<double> numbers(const std::string& key);
   std::vector<double> numbers_in(const std::string& unit, const std::string& key);
   std::vector<Eigen::Vector3d> vectors(const std::string& key);

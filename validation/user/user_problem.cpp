@@ -140,7 +140,8 @@ UserProblem read_parsed(const std::string& file, const toml::table& root) {
   return std::move(reading.user);
 }
 
-UserProblem user_problem(std::istream& text, const std::filesystem::path& file) {
+std::shared_ptr<const ParsedFile> parse_problem(std::istream& text,
+                                                const std::filesystem::path& file) {
   const std::string source{std::istreambuf_iterator<char>(text), {}};
   refuse_deep_keys(source, file.string());
   const auto parsed = std::make_shared<ParsedFile>();
@@ -151,6 +152,11 @@ UserProblem user_problem(std::istream& text, const std::filesystem::path& file) 
     throw InputError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
                                  one_line(error.description())));
   }
+  return parsed;
+}
+
+UserProblem user_problem(std::istream& text, const std::filesystem::path& file) {
+  const std::shared_ptr<const ParsedFile> parsed = parse_problem(text, file);
   UserProblem user = read_parsed(parsed->file, parsed->root);
   TomlTable top(parsed->file, parsed->root, problem_keys::file());
   if (top.has("threshold")) {

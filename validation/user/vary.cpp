@@ -148,6 +148,10 @@ void set(const Place& place, double value) {
 
 }  // namespace
 
+void set_value(toml::table& root, const std::string& what, double value) {
+  set(*find_place(root, what), value);
+}
+
 UserVariation read_variation(TomlTable& table, const std::shared_ptr<const ParsedFile>& parsed) {
   const std::string what = table.text("vary");
   toml::table copy = parsed->root;
@@ -160,7 +164,7 @@ UserVariation read_variation(TomlTable& table, const std::shared_ptr<const Parse
   }
   return {what, place->unit, [parsed, what](double value) {
             toml::table root = parsed->root;
-            set(*find_place(root, what), value);
+            set_value(root, what, value);
             return read_parsed(parsed->file, root);
           }};
 }

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program behind `./stiction sweep`: the points of a study → records, a table, diagrams.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "reference/process/interruption.h"
+#include "reports/record/record_store.h"
+#include "reports/screen/command_line.h"
+#include "reports/screen/help_page.h"
+#include "reports/screen/progress_line.h"
+#include "reports/screen/screen.h"
+#include "solver/demand.h"
+#include "solver/environment.h"
+#include "validation/core/engine_options.h"
+#include "validation/sweep/earlier_points.h"
+#include "validation/sweep/points.h"
+#include "validation/sweep/results.h"
+#include "validation/sweep/shard.h"
+#include "validation/sweep/study_estimate.h"
+
+namespace stiction {
+
+namespace {
+
+struct Arguments {
+  std::string study;
+  std::string out = "sweep-report";
+  std::vector<std::string> share;
+  std::string shard;
+  bool help_study = false;
+  bool dry_run = false;
+  bool list_engines = false;
+  bool retry = false;
+  bool no_page = false;
+  double max_seconds = std::numeric_limits<double>::infinity();
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  ProgramLimits limits;
+};
+
+HelpPage help_page() {
+  return {
+      .name = "stiction-sweep",
+      .summary = "runs the points of a study: parameters × engines",
+      .synopsis = {"./stiction sweep STUDY.toml [OPTIONS]"},
+      .description =
+          "Runs a problem of your own, or cases, at each of thousands of points: slopes, "
+          "frictions, steps, engines. Each point has a name that is a hash of what it is, and a "
+          "finished one is never computed again: type the command once more and an interrupted "
+          "sweep goes on, or the shards of several machines come together.",
+      .exit_codes = {{"0", "every point has a result, whether its checks hold or not"},
+                     {"2", "could not run: bad input, a point that broke off, a full disk"}},
+      .files = {{"sweep-report/STUDY/latest/records.jsonl", "every point, as soon as it is known"},
+                {"sweep-report/STUDY/latest/points.csv", "a line a point: axes, verdict, values"}},
+      .examples = {{"./stiction sweep --help-study", "all keys of a study's file"},
+                   {"./stiction sweep validation/sweep/examples/hold-or-slide.toml --dry-run",
+                    "its points, and about how long they take"},
+                   {"./stiction sweep study.toml --shard 2/8", "the second of eight parts"}},
+      .see_also = {"./stiction help validate", "validation/sweep/README.md"},
+      .more = {}};
+}
+
+void define(CLI::App& app, Arguments& arguments) {
+  app.add_option("study", arguments.study, "The study, a TOML file (--help-study explains it)")
+      ->type_name("STUDY");
+  app.add_flag("--help-study", arguments.help_study, "Explain the file of a study")
+      ->group("What runs");
+  app.add_flag("--dry-run", arguments.dry_run,
+               "Say which points there are and about how long they take, and end")
+      ->group("What runs");
+  // For ./stiction, which builds those that are programs.
+  app.add_flag("--list-engines", arguments.list_engines, "The names of the study's engines")
+      ->group("");
+  app.add_option("--shard", arguments.shard,
+                 "Only the I-th of N parts [by GTEST_SHARD_INDEX or SLURM_ARRAY_TASK_ID, else all]")
+      ->type_name("I/N")
+      ->group("What runs");
+  app.add_flag("--retry", arguments.retry, "Points that broke off are computed again")
+      ->group("What runs");
+  app.add_option("--jobs", arguments.jobs, "Points to run at a time")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str()
+      ->group("How it runs");
+  app.add_option("--max-seconds", arguments.max_seconds,
+                 "A point whose steps take more CPU time is given up, and its record says so")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber)
+      ->group("How it runs");
+  for (CLI::Option* const option : add_engine_limits(app, arguments.limits))
+    option->group("How it runs");
+  app.add_option("--out", arguments.out,
+                 "Folder for the results: in it one for the study, and in that one for each run")
+      ->type_name("DIR")
+      ->capture_default_str()
+      ->group("What is written");
+  app.add_option("--share", arguments.share,
+                 "Take finished points from runs in this folder too; repeatable")
+      ->type_name("DIR")
+      ->group("What runs");
+  app.add_flag("--no-page", arguments.no_page,
+               "Leave out report.html, which ./stiction makes from the records with node")
+      ->group("What is written");
+  set_help(app, help_page());
+}
+
+int sweep(const Arguments& arguments) {
+  set_program_limits(arguments.limits);
+  const Screen screen = screen_of(STDOUT_FILENO);
+  if (arguments.help_study) {
+    show(study_help(screen.width));
+    return kHolds;
+  }
+  if (arguments.study.empty()) throw InputError("which study? ./stiction sweep STUDY.toml");
+  if (arguments.list_engines) {
+    for (const std::string& name : engines_named(arguments.study)) show_line(name);
+    return kHolds;  // what is wrong with the file is said when it runs
+  }
+  const Study study = read_study(arguments.study);
+  const Points points(study);
+  if (arguments.dry_run) {
+    show(dry_run_screen(study, points, arguments.jobs, screen));
+    return kHolds;
+  }
+  const Shard shard = shard_from(arguments.shard);
+
+  RecordStore store = RecordStore::create(std::filesystem::path(arguments.out) / study.name);
+  const reference::LastWords words([&store] { return store.last_words(); });
+  store.wait_for_disk_every(1.0);
+  Results results(points.size());
+  std::vector<std::filesystem::path> folders = {store.folder().parent_path()};
+  folders.insert(folders.end(), arguments.share.begin(), arguments.share.end());
+  const std::size_t found = take_over(folders, store, points, arguments.retry, results);
+
+  // All points are alike to the shards, so that neighbours, which cost alike, go to different ones.
+  std::vector<std::size_t> own = jobs_of(shard, std::vector<double>(points.size(), 1.0));
+  std::erase_if(own, [&](std::size_t point) { return results[point].known; });
+  if (found > 0) tell(fmt::format("{} points are known already, {} to go", found, own.size()));
+  const auto began = std::chrono::steady_clock::now();
+  ProgressLine progress(own.size());
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
+  run_numbered(own.size(), arguments.jobs, [&](std::size_t k) {
+    const std::size_t point = own[k];
+    Job job = points.job(point);
+    job.cpu_limit = arguments.max_seconds;
+    const Record record = points.finished(point, run_job(job, 1.0));
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    store.append(record);
+    results[point] = result_of(record);
+    if (!record.error.empty()) {
+      progress.clear();
+      tell(record.case_name + ": " + record.error);
+    }
+    progress.show(++done, record.case_name);
+  });
+  progress.clear();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  store.write_file("points.csv", points_csv(study, points, results));
+  store.finish();
+  show_line(fmt::format("{}: {} points, {} computed in {:.3g} s", study.title, points.size(),
+                        own.size(), took.count()));
+  show(results_screen(study, results, screen));
+  show_line("Points: " + (store.folder() / "points.csv").string());
+  if (!arguments.no_page) store.tell_caller();
+  const bool broke = std::any_of(results.begin(), results.end(), [](const PointResult& one) {
+    return one.known && one.verdict == Verdict::kError;
+  });
+  return broke ? kCouldNotRun : kHolds;
+}
+
+}  // namespace
+
+}  // namespace stiction
+
+int main(int argc, char** argv) {
+  stiction::reference::end_in_order("stiction sweep");
+  CLI::App app("Runs the points of a study.", "stiction sweep");
+  stiction::Arguments arguments;
+  stiction::define(app, arguments);
+  return stiction::run_program(app, argc, argv, [&] {
+    stiction::check_environment();  // what cannot be had is refused before anything runs
+    return stiction::sweep(arguments);
+  });
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/sweep/shard.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <queue>
+#include <string_view>
+#include <utility>
+
+#include "reports/text/text.h"
+#include "solver/demand.h"
+
+namespace stiction {
+
+namespace {
+
+std::optional<std::size_t> whole(std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+Shard checked(std::optional<std::size_t> number, std::optional<std::size_t> count,
+              const std::string& words) {
+  if (!number || !count || *number < 1 || *number > *count) {
+    throw InputError("a shard is I/N with 1 ≤ I ≤ N, not '" + one_line(words) + "'");
+  }
+  return {*number, *count};
+}
+
+// Where a variable names the shard, counted from `base`.
+std::optional<Shard> shard_of(const char* number_name, const char* count_name, std::size_t base) {
+  const char* const number = std::getenv(number_name);
+  const char* const count = std::getenv(count_name);
+  if (number == nullptr || count == nullptr) return std::nullopt;
+  std::optional<std::size_t> from_one = whole(number);
+  if (from_one) from_one = *from_one >= base ? *from_one - base + 1 : 0;
+  return checked(from_one, whole(count),
+                 fmt::format("{}={}, {}={}", number_name, number, count_name, count));
+}
+
+}  // namespace
+
+Shard shard_from(const std::string& words) {
+  if (!words.empty()) {
+    const std::size_t slash = words.find('/');
+    if (slash == std::string::npos) return checked({}, {}, words);
+    return checked(whole(std::string_view(words).substr(0, slash)),
+                   whole(std::string_view(words).substr(slash + 1)), words);
+  }
+  if (const auto shard = shard_of("GTEST_SHARD_INDEX", "GTEST_TOTAL_SHARDS", 0)) return *shard;
+  const char* const first = std::getenv("SLURM_ARRAY_TASK_MIN");
+  const std::optional<std::size_t> base = whole(first != nullptr ? first : "0");
+  if (!base)
+    throw InputError(fmt::format("SLURM_ARRAY_TASK_MIN is no number: '{}'", one_line(first)));
+  if (const auto shard = shard_of("SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", *base)) {
+    return *shard;
+  }
+  return {};
+}
+
+std::vector<std::size_t> jobs_of(const Shard& shard, const std::vector<double>& costs) {
+  std::vector<std::size_t> dearest(costs.size());
+  std::iota(dearest.begin(), dearest.end(), std::size_t{0});
+  std::stable_sort(dearest.begin(), dearest.end(),
+                   [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
+  using Load = std::pair<double, std::size_t>;  // and the shard that has it, from 1 on
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> least;
+  for (std::size_t number = 1; number <= shard.count; ++number) least.emplace(0.0, number);
+  std::vector<std::size_t> own;
+  for (const std::size_t job : dearest) {
+    const auto [load, number] = least.top();
+    least.pop();
+    least.emplace(load + costs[job], number);
+    if (number == shard.number) own.push_back(job);
+  }
+  std::sort(own.begin(), own.end());
+  return own;
+}
+
+}  // namespace stiction

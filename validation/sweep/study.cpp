@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/sweep/study.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <utility>
+
+#include "reports/text/text.h"
+#include "solver/demand.h"
+#include "validation/user/problem_keys.h"
+#include "validation/user/quantity.h"
+
+namespace stiction {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNeeded = "must be given";
+constexpr std::size_t kMostPoints = 100'000'000;
+
+const TomlKeys& study_keys() {
+  static const TomlKeys keys = {
+      "the study",
+      "What stands at the top, before the first table.",
+      {{"title", "", "\"text\"", "the file's name", "one line for people"},
+       {"problem", "", "\"ramp.toml\"", "`cases`, if not this",
+        "a problem of your own, from the folder of this file; what its checks claim is judged at "
+        "each point. Without [sweep] and [threshold]"},
+       {"cases", "", "[\"incline/restick/*\"]", "`problem`, if not this",
+        "cases of the suite, by name; * and ? as in a shell. Their axes are settings of engines"},
+       {"engines", "", "[\"stiction\", \"bullet\"]", "[\"stiction\"]",
+        "names, or commands of programs that speak the engine protocol"},
+       {"engine", "", "tables", "none", "see [[engine]]"},
+       {"configurations", "", "[\"default\", \"best\"]", "what each of `engines` does by default",
+        "by name, of each engine those that it has; \"all\" takes all. `./stiction engine show "
+        "NAME` "
+        "lists them"},
+       {"keep_series", "", "true or false", "false",
+        "whether records keep curves over time, some 8 kB a point"},
+       {"axis", "", "tables", kNeeded, "see [[axis]]"},
+       {"sample", "", "a table", "every combination of the axes' values", "see [sample]"}}};
+  return keys;
+}
+
+const TomlKeys& engine_keys() {
+  static const TomlKeys keys = {
+      "[[engine]]",
+      "An engine with settings of its own, beside `engines`.",
+      {{"name", "", "\"stiction\"", kNeeded, "a name, or the command of a program"},
+       {"settings", "", "{ method = \"paper\", rule = \"secant\" }", kNeeded,
+        "as `./stiction engine show NAME` lists them; those of the problem's file go before "
+        "them"}}};
+  return keys;
+}
+
+const TomlKeys& axis_keys() {
+  static const TomlKeys keys = {
+      "[[axis]]",
+      "What varies, and over which values. Values may have units: \"20 deg\".",
+      {{"vary", "", "\"ramp.slope_deg\"", kNeeded, problem_keys::kVaries},
+       {"values", "", "[10, 20, 30]", "`from`, `to` and `count`", "each of these"},
+       {"from", "", "0", "needed without `values`", "the first value"},
+       {"to", "", "40", "needed without `values`", "the last value"},
+       {"count", "1", "21", "needed with `from`, but with [sample]", "how many, evenly spaced"},
+       {"scale", "", "\"linear\" or \"log\"", "\"linear\"", "\"log\": evenly spaced by factors"}}};
+  return keys;
+}
+
+const TomlKeys& sample_keys() {
+  static const TomlKeys keys = {
+      "[sample]",
+      "Points drawn from the box that the axes' `from` and `to` span, in place of a grid.",
+      {{"method", "", "\"sobol\", \"halton\" or \"random\"", "\"sobol\"",
+        "the first two fill the box more evenly (GSL)"},
+       {"count", "1", "1000", kNeeded, "how many points for each engine"},
+       {"seed", "1", "1", "0", "another draw; of a sequence how many points are skipped"}}};
+  return keys;
+}
+
+std::size_t read_count(TomlTable& table, const std::string& key, std::size_t most) {
+  const double count = table.number(key);
+  if (!(count >= 1.0 && count <= static_cast<double>(most)) || count != std::floor(count)) {
+    table.refuse(key, fmt::format("'{}' must be a whole number from 1 to {}", key, most));
+  }
+  return static_cast<std::size_t>(count);
+}
+
+std::vector<double> spaced(const Axis& axis, std::size_t count) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = count == 1 ? 0.0 : static_cast<double>(k) / static_cast<double>(count - 1);
+    values.push_back(at_share(axis, share));
+  }
+  return values;
+}
+
+Axis read_axis(TomlTable table, const std::shared_ptr<const ParsedFile>& problem, bool samples) {
+  const UserVariation varied = read_variation(table, problem);
+  Axis axis{varied.what, varied.unit.empty() ? "1" : varied.unit, {}, 0.0, 0.0, false};
+  if (!samples && table.has("values")) {
+    axis.values = table.numbers_in(varied.unit, "values");
+    if (axis.values.empty()) table.refuse("values", "'values' needs at least one number");
+    if (std::set<double>(axis.values.begin(), axis.values.end()).size() != axis.values.size()) {
+      table.refuse("values", "a value is given twice");
+    }
+    table.finish();
+    return axis;
+  }
+  axis.from = table.number_in(varied.unit, "from");
+  axis.to = table.number_in(varied.unit, "to");
+  if (axis.from == axis.to) table.refuse("to", "'from' and 'to' must not be the same");
+  const std::string scale = table.text("scale", "linear");
+  if (scale != "linear" && scale != "log") {
+    table.refuse("scale", "'scale' is \"linear\" or \"log\"");
+  }
+  axis.log = scale == "log";
+  if (axis.log && !(axis.from * axis.to > 0.0)) {
+    table.refuse("scale",
+                 "a scale by factors needs 'from' and 'to' of one sign, neither of them 0");
+  }
+  if (!samples) axis.values = spaced(axis, read_count(table, "count", kMostPoints));
+  table.finish();
+  return axis;
+}
+
+Samples read_samples(TomlTable table, std::size_t dimensions) {
+  Samples samples;
+  const std::string method = table.text("method", "sobol");
+  if (method == "sobol") {
+    samples.method = reference::Sampling::kSobol;
+  } else if (method == "halton") {
+    samples.method = reference::Sampling::kHalton;
+  } else if (method == "random") {
+    samples.method = reference::Sampling::kRandom;
+  } else {
+    table.refuse("method", "'method' is \"sobol\", \"halton\" or \"random\"");
+  }
+  samples.count = read_count(table, "count", kMostPoints);
+  if (table.has("seed")) samples.seed = read_count(table, "seed", 1'000'000);
+  try {
+    reference::unit_samples(samples.method, dimensions, 1, 0);
+  } catch (const std::invalid_argument& error) {
+    table.refuse("method", error.what());
+  }
+  table.finish();
+  return samples;
+}
+
+EngineKind find_engine_of(TomlTable& table, const std::string& key, const std::string& words) {
+  try {
+    return find_engine(words);
+  } catch (const InputError& error) {
+    table.refuse(key, error.what());
+  }
+}
+
+// The engine in those of its configurations that are asked for; `found` gets their names.
+void add_engine(TomlTable& top, Study& study, const std::string& words,
+                const std::vector<std::string>& wanted, std::set<std::string>& found) {
+  const EngineKind kind = find_engine_of(top, "engines", words);
+  const bool all = wanted.size() == 1 && wanted.front() == "all";
+  const std::size_t before = study.engines.size();
+  if (!wanted.empty() && kind.configurations) {
+    for (const Configuration& one : kind.configurations("")) {
+      const std::string name = called_configuration(kind, "", one.settings).name;
+      if (!all && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+      found.insert(name);
+      study.engines.push_back({kind, one.settings, name});
+    }
+  }
+  if (study.engines.size() > before) return;
+  if (!wanted.empty() && !all) {
+    top.refuse("configurations",
+               fmt::format("engine '{}' has none of these configurations", kind.name));
+  }
+  study.engines.push_back({kind, {}, ""});
+}
+
+// One with settings of its own.
+void add_engine(TomlTable table, Study& study) {
+  const EngineKind kind = find_engine_of(table, "name", table.text("name"));
+  StudyEngine one{kind, {}, ""};
+  for (auto& [name, value] : table.settings("settings")) one.settings[name] = value;
+  try {
+    kind.make(one.settings);
+  } catch (const InputError& error) {
+    table.refuse("settings", error.what());
+  }
+  one.configuration = called_configuration(kind, "", one.settings).name;
+  study.engines.push_back(std::move(one));
+  table.finish();
+}
+
+void read_engines(TomlTable& top, Study& study) {
+  for (TomlTable& table : top.tables("engine", engine_keys())) add_engine(table, study);
+  std::vector<std::string> engines, wanted;
+  if (top.has("engines")) engines = top.texts("engines");
+  if (engines.empty() && study.engines.empty()) engines = {"stiction"};
+  if (!engines.empty() && top.is_text("configurations")) {
+    wanted = {top.text("configurations")};
+  } else if (!engines.empty() && top.has("configurations")) {
+    wanted = top.texts("configurations");
+  }
+  std::set<std::string> found;
+  for (const std::string& words : engines) add_engine(top, study, words, wanted, found);
+  for (const std::string& name : wanted) {
+    if (name == "all" || found.count(name) > 0) continue;
+    top.refuse("configurations", fmt::format("no engine has a configuration '{}'", name));
+  }
+}
+
+void read_cases(TomlTable& top, Study& study) {
+  const std::vector<Case> catalog = case_catalog();
+  for (const std::string& glob : top.texts("cases")) {
+    const std::size_t before = study.cases.size();
+    for (const Case& one : catalog) {
+      if (fnmatch(glob.c_str(), one.name.c_str(), 0) == 0) study.cases.push_back(one);
+    }
+    if (study.cases.size() == before) {
+      top.refuse("cases", "no case matches '" + glob + "'; ./stiction validate --list shows them");
+    }
+  }
+}
+
+std::shared_ptr<const ParsedFile> read_problem_of(TomlTable& top) {
+  const fs::path file = top.folder() / top.text("problem");
+  std::ifstream stream(file);
+  if (!stream || fs::is_directory(file)) {
+    top.refuse("problem", "cannot read '" + file.string() + "'");
+  }
+  const auto parsed = parse_problem(stream, file);
+  for (const char* const own : {"sweep", "threshold"}) {
+    if (!parsed->root.contains(own)) continue;
+    top.refuse("problem", fmt::format("'{}' has a [{}] of its own; of a study's problem the study "
+                                      "says what varies",
+                                      file.string(), own));
+  }
+  read_parsed(parsed->file, parsed->root);  // what is wrong with it is said now
+  return parsed;
+}
+
+// Cases have no file: their axes are settings of engines.
+std::shared_ptr<const ParsedFile> no_problem() { return std::make_shared<ParsedFile>(); }
+
+}  // namespace
+
+double at_share(const Axis& axis, double share) {
+  if (!axis.log) return axis.from + share * (axis.to - axis.from);
+  return axis.from * std::pow(axis.to / axis.from, share);
+}
+
+std::size_t Study::designs() const {
+  if (samples) return samples->count;
+  std::size_t count = 1;
+  for (const Axis& axis : axes) count *= axis.values.size();
+  return count;
+}
+
+std::size_t Study::size() const {
+  return designs() * engines.size() * std::max<std::size_t>(1, cases.size());
+}
+
+Study read_study(const fs::path& file) {
+  std::ifstream stream(file);
+  if (!stream || fs::is_directory(file)) {
+    throw InputError("cannot read '" + one_line(file.string()) + "'");
+  }
+  const auto parsed = parse_problem(stream, file);
+  TomlTable top(parsed->file, parsed->root, study_keys());
+  Study study;
+  study.name = one_line(file.stem().string());
+  study.title = one_line(top.text("title", study.name));
+  if (top.has("problem") == top.has("cases")) {
+    top.refuse("problem", "a study has a 'problem' or 'cases', one of them");
+  }
+  if (top.has("problem")) {
+    study.problem = read_problem_of(top);
+    study.problem_name = one_line(fs::path(top.text("problem")).stem().string());
+  } else {
+    read_cases(top, study);
+  }
+  read_engines(top, study);
+  const bool samples = top.has("sample");
+  const auto varied = study.problem ? study.problem : no_problem();
+  std::set<std::string> names;
+  double points = static_cast<double>(study.engines.size());
+  for (TomlTable& table : top.tables("axis", axis_keys())) {
+    study.axes.push_back(read_axis(table, varied, samples));
+    const Axis& axis = study.axes.back();
+    if (!names.insert(axis.vary).second) {
+      table.refuse("vary", "'" + axis.vary + "' varies on another axis too");
+    }
+    if (!study.problem && !axis.vary.starts_with("engine.")) {
+      table.refuse("vary", "of cases the settings of an engine vary: engine.KEY");
+    }
+    points *= static_cast<double>(std::max<std::size_t>(1, axis.values.size()));
+    if (points > static_cast<double>(kMostPoints)) {
+      table.refuse("vary", fmt::format("the study has more than {} points", kMostPoints));
+    }
+  }
+  if (study.axes.empty()) top.refuse("axis", "a study needs an [[axis]]");
+  if (samples) study.samples = read_samples(top.table("sample", sample_keys()), study.axes.size());
+  study.keeps_series = top.flag("keep_series", false);
+  top.finish();
+  return study;
+}
+
+std::vector<std::string> engines_named(const fs::path& file) {
+  std::ifstream stream(file);
+  std::shared_ptr<const ParsedFile> parsed = no_problem();
+  try {
+    parsed = parse_problem(stream, file);
+  } catch (const InputError&) {
+    return {};
+  }
+  std::vector<std::string> names;
+  const auto add = [&](const toml::node* node) {
+    if (node != nullptr && node->is_string()) names.push_back(node->as_string()->get());
+  };
+  if (const toml::array* const list = parsed->root["engines"].as_array()) {
+    for (const toml::node& one : *list) add(&one);
+  }
+  if (const toml::array* const tables = parsed->root["engine"].as_array()) {
+    for (const toml::node& one : *tables) {
+      if (one.is_table()) add(one.as_table()->get("name"));
+    }
+  }
+  return names;
+}
+
+std::string study_help(std::size_t width) {
+  return keys_help({&study_keys(), &engine_keys(), &axis_keys(), &sample_keys()}, width);
+}
+
+}  // namespace stiction

@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sweep as a person calls it: sweep_test.py BUILD_DIR [KILLS]
+
+A study in one piece and in shards has the same points; one that is killed KILLS times (SIGKILL, 8) at random moments loses
+no finished point and computes none twice; a point that broke off is told, and retried when asked.
+"""
+import json
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+PROBLEM = """duration = 0.2
+gravity = [0, 0, -10]
+[engine]
+dt = 1e-3
+[[obstacle]]
+name = "ramp"
+slope_deg = 20
+friction = 0.5
+[[body]]
+name = "box"
+shape = "box"
+size = [0.2, 0.2, 0.1]
+mass = 1
+youngs_modulus = 1e5
+rests_on = "ramp"
+[[check]]
+observable = "speed"
+expected = 0
+tolerance = 1e-3
+reason = "it sticks"
+"""
+STUDY = """problem = "box.toml"
+engines = ["stiction", "plain"]
+[[axis]]
+vary = "ramp.friction"
+from = 0.05
+to = 1
+count = 20
+[[axis]]
+vary = "ramp.slope_deg"
+from = 5
+to = 45
+count = 21
+"""
+COUNT = 2 * 20 * 21
+faults = 0
+
+
+def hold(true, words):
+    global faults
+    print("ok   " if true else "FAIL ", words, flush=True)
+    faults += not true
+
+
+def same(line):
+    """A record without what is of the moment: times, and where it ran."""
+    record = json.loads(line)
+    for name in ("cost", "environment"):
+        del record[name]
+    return json.dumps(record, sort_keys=True)
+
+
+def main():
+    program = pathlib.Path(sys.argv[1]).resolve() / "sweep"
+    kills = int(sys.argv[2]) if len(sys.argv) > 2 else 8
+    random.seed(1)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "box.toml").write_text(PROBLEM.replace("duration = 0.2", f"duration = {0.03 * kills}"))
+        (folder / "study.toml").write_text(STUDY)
+        plain = {name: value for name, value in os.environ.items() if not name.startswith(("GTEST_", "SLURM_"))}
+
+        def words(out, *more):
+            return [program, "study.toml", "--no-page", "--out", out, *more]
+
+        def run(out, *more, **environment):
+            return subprocess.run(words(out, *more), cwd=folder, env={**plain, **environment}, capture_output=True, text=True, timeout=120)
+
+        def lines(out):
+            """Of the newest run."""
+            return (folder / out / "study/latest/records.jsonl").read_text().splitlines()
+
+        began = time.monotonic()
+        whole = run("whole")
+        takes = time.monotonic() - began
+        hold(whole.returncode == 0, f"a study in one piece: exit code {whole.returncode} {whole.stderr}")
+        wanted = sorted(map(same, lines("whole")))
+        hold(len(wanted) == COUNT and len({json.loads(line)["point"] for line in lines("whole")}) == COUNT,
+             f"{COUNT} points, each with a name of its own")
+        table = (folder / "whole/study/latest/points.csv").read_bytes()
+        hold(table.count(b"\r\n") == COUNT + 1, "a table with a line a point")
+
+        again = run("whole")
+        hold("0 computed" in again.stdout and sorted(map(same, lines("whole"))) == wanted, "the same again computes nothing")
+        shared = run("elsewhere", "--share", "whole")
+        hold("0 computed" in shared.stdout, "points of another folder are taken")
+
+        for number in range(4):
+            part = run("parts", SLURM_ARRAY_TASK_ID=str(number + 3), SLURM_ARRAY_TASK_COUNT="4", SLURM_ARRAY_TASK_MIN="3")
+            hold(part.returncode == 0, f"shard {number + 1} of 4")
+        together = run("parts")
+        hold("0 computed" in together.stdout and sorted(map(same, lines("parts"))) == wanted, "four shards are the whole")
+
+        # Killed at random moments: whatever was finished by then is in some run's file.
+        seen, computed = set(), 0
+        for number in range(kills):
+            started = subprocess.Popen(words("killed", "--jobs", "2"), cwd=folder, env=plain, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(0.04 + random.uniform(0, 1.5 * takes / kills))
+            started.send_signal(signal.SIGKILL)
+            started.wait()
+            runs = sorted((folder / "killed/study").glob("*/records.jsonl"))
+            newest = [json.loads(line)["point"] for line in (runs[-1].read_text().rpartition("\n")[0].splitlines() if runs else [])]
+            if len(newest) != len(set(newest)):
+                hold(False, "a point stands twice in a run")
+            # A run takes over what is known before it computes: unless it was killed before, all of it.
+            new = set(newest) - seen
+            if new and not seen <= set(newest):
+                hold(False, f"points were computed before all {len(seen)} known ones were taken")
+            computed += len(new)
+            seen |= set(newest)
+        last = run("killed")
+        hold(last.returncode == 0 and sorted(map(same, lines("killed"))) == wanted, f"after {kills} kills the whole is the same")
+        hold(0 < computed < COUNT, f"of {COUNT} points {computed} were finished when it was killed")
+        hold(f"{COUNT - computed} computed" in last.stdout, "and were not computed again")
+
+        (folder / "study.toml").write_text(STUDY.replace("from = 0.05", "from = -0.05"))
+        broke = run("broke")
+        hold(broke.returncode == 2 and "ramp.friction=-0.05" in broke.stderr, "points that break off are told, with exit code 2")
+        hold("0 computed" in run("broke").stdout, "and stay as they are")
+        retried = run("broke", "--retry")
+        hold(" 42 computed" in retried.stdout, f"unless they are retried: {retried.stdout.splitlines()[0]}")
+        hold(run("x", "--shard", "3/2").returncode == 2, "a shard that is none is refused")
+        few = run("few", "--shard", "5000/9000")
+        hold(few.returncode == 0 and " 0 computed" in few.stdout, "an empty shard is fine")
+        dry = run("dry", "--dry-run")
+        hold(dry.returncode == 0 and f"{COUNT} points" in dry.stdout and not (folder / "dry").exists(), "a dry run computes nothing")
+    return faults > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
