@@ -95,7 +95,8 @@ std::vector<double> spaced(const Axis& axis, std::size_t count) {
   std::vector<double> values;
   for (std::size_t k = 0; k < count; ++k) {
     const double share = count == 1 ? 0.0 : static_cast<double>(k) / static_cast<double>(count - 1);
-    values.push_back(at_share(axis, share));
+    // 0.15, not 0.15000000000000002: names are made of them.
+    values.push_back(std::stod(fmt::format("{:.12g}", at_share(axis, share))));
   }
   return values;
 }

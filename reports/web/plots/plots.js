@@ -9,6 +9,7 @@ import { engine_work_plot } from "./engine_work_plot.js";
 import { ladder_plots } from "./ladder_plot.js";
 import { history_plots, is_history } from "./history_plot.js";
 import { parameter_plot } from "./parameter_plot.js";
+import { phase_diagrams } from "./phase_diagram.js";
 import { phase_plot } from "./phase_plot.js";
 import { is_rule_work, rule_work_plots } from "./rule_work_plot.js";
 import { run_plot } from "./run_plot.js";
@@ -159,6 +160,7 @@ export function family_plots(
   const work = records.some(is_answer) ? null : work_precision_plot(records);
   return with_id(
     [
+      ...phase_diagrams(records, name_of),
       ...ladder_plots(current, name_of, series_of),
       threshold && { kind: "threshold", ...threshold },
       prediction && { kind: "prediction", ...prediction },

@@ -147,3 +147,46 @@ test("an axis of both signs is logarithmic where its values span decades", () =>
   assert.deepEqual(wide.axis.values, [-1000, -10, -0.1, 0, 0.1, 10, 1000]);
   assert.equal(axis([-0.5, 0, 2.5]).scale.type, "linear");
 });
+
+const point = (axes, change = {}) =>
+  record({
+    case: `user/box/${Object.entries(axes).map(([name, value]) => `${name}=${value}`).join("/")}`,
+    point: "0123456789abcdef",
+    axes: Object.entries(axes).map(([name, value]) => ({ name, unit: name.endsWith("_deg") ? "deg" : "1", value })),
+    ...change,
+  });
+const sweep_plots_of = (records) =>
+  family_plots("user/box", records.map((one) => ({ record: one, run: 0 })), [{ role: "shown", short: "now" }]).filter(
+    ({ kind }) => kind === "phase-diagram",
+  );
+
+test("a sweep over two axes is a diagram of verdicts, one a configuration", () => {
+  const grid = [];
+  for (const configuration of ["quiet", "paper"])
+    for (const mu of [0.1, 1, 10])
+      for (const slope_deg of [10, 20])
+        grid.push(point({ mu, slope_deg }, { configuration, verdict: mu > slope_deg / 30 ? "pass" : "fail" }));
+  const plots = sweep_plots_of(grid);
+  assert.equal(plots.length, 2);
+  const { spec, caption } = plots[0];
+  assert.equal(spec.data.values.length, 6);
+  assert.equal(spec.encoding.x.scale.type, "log", "by factors of more than fifty");
+  assert.equal(spec.encoding.y.scale.type, "linear");
+  assert.match(spec.encoding.y.axis.title, /slope_deg \(°\)/);
+  assert.deepEqual(spec.encoding.color.legend.values, ["fail", "pass"]);
+  assert.equal(caption, "2 fail, 4 hold.");
+});
+
+test("a sweep over one axis is a curve of each check", () => {
+  const line = [1, 2, 3].map((mass) => point({ mass, mu: 0.5 }, { configuration: "quiet" }));
+  const [plot, ...more] = sweep_plots_of(line);
+  assert.equal(more.length, 0);
+  assert.equal(plot.title, "stopping distance over mass");
+  assert.deepEqual(plot.spec.data.values.map(({ x }) => x), [1, 2, 3]);
+});
+
+test("records of no sweep, and of three axes, have no such diagram", () => {
+  assert.deepEqual(sweep_plots_of([record()]), []);
+  const cube = [1, 2].flatMap((a) => [1, 2].flatMap((b) => [1, 2].map((c) => point({ a, b, c }))));
+  assert.deepEqual(sweep_plots_of(cube), []);
+});

@@ -6,6 +6,7 @@ import { plots_of_family } from "../records.js";
 import { hash_of } from "../route.js";
 
 const KINDS = {
+  "phase-diagram": "Sweeps",
   scores: "Rules by case",
   "work-precision": "Work and precision",
   ladder: "Ladders",

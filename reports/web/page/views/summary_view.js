@@ -13,6 +13,7 @@ import { glyph } from "../widgets/glyph.js";
 import { style_mark } from "../widgets/style_mark.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { stability_sentences } from "./stability_words.js";
+import { plots_of_family } from "../records.js";
 import { case_hash, hash_of } from "../route.js";
 import { tally_of } from "../tally.js";
 
@@ -166,6 +167,19 @@ const overview_part = ({ summary }) =>
     ),
   );
 
+// Diagrams of a sweep; they come when their part of the page has been read.
+function sweep_part(index) {
+  const is_diagram = ({ kind }) => kind === "phase-diagram";
+  const families = index.families.filter(({ plots }) => plots.some(is_diagram));
+  if (families.length === 0) return null;
+  const place = h("div", { class: "plot-pairs" });
+  for (const { name } of families)
+    plots_of_family(name, index).then((plots) =>
+      place.append(...plots.filter(is_diagram).map((plot) => plot_figure(plot))),
+    );
+  return h("section", { "aria-labelledby": "sweep-title" }, h("h2", { id: "sweep-title" }, "Where it holds"), place);
+}
+
 const stability_line = ({ stability }) =>
   stability &&
   h(
@@ -235,7 +249,7 @@ export function summary_view({ index, rows, comparison }) {
       ? null
       : index.compared
         ? [failures_list(current), compared_parts(index, current)]
-        : [failures_list(current), overview_part(index), more_part(shown, tally, index)],
+        : [sweep_part(index), failures_list(current), overview_part(index), more_part(shown, tally, index)],
     index.engines && engines_parts(index.engines, index.runs),
   );
 }
