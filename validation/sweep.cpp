@@ -38,6 +38,7 @@ struct Arguments {
   bool dry_run = false;
   bool list_engines = false;
   bool retry = false;
+  bool fresh = false;
   bool no_page = false;
   double max_seconds = std::numeric_limits<double>::infinity();
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -82,6 +83,11 @@ void define(CLI::App& app, Arguments& arguments) {
       ->type_name("I/N")
       ->group("What runs");
   app.add_flag("--retry", arguments.retry, "Points that broke off are computed again")
+      ->group("What runs");
+  app.add_flag(
+         "--fresh", arguments.fresh,
+         "Every point is computed, whatever is known: an engine's command names its files, not "
+         "all that those load")
       ->group("What runs");
   app.add_option("--jobs", arguments.jobs, "Points to run at a time")
       ->type_name("N")
@@ -136,7 +142,8 @@ int sweep(const Arguments& arguments) {
   Results results(points.size());
   std::vector<std::filesystem::path> folders = {store.folder().parent_path()};
   folders.insert(folders.end(), arguments.share.begin(), arguments.share.end());
-  const std::size_t found = take_over(folders, store, points, arguments.retry, results);
+  const std::size_t found =
+      arguments.fresh ? 0 : take_over(folders, store, points, arguments.retry, results);
 
   // All points are alike to the shards, so that neighbours, which cost alike, go to different ones.
   std::vector<std::size_t> own = jobs_of(shard, std::vector<double>(points.size(), 1.0));

@@ -57,6 +57,19 @@ std::string files_of(const ParsedFile& problem) {
   return words;
 }
 
+// An engine that is a program is what its command's files hold, as far as the command names them.
+std::string program_words(const std::string& command) {
+  std::istringstream words(command);
+  std::string told;
+  for (std::string word; words >> word;) {
+    std::error_code none;
+    told += word;
+    if (fs::is_regular_file(word, none)) told += " " + hash_of_file(word);
+    told += '\n';
+  }
+  return told;
+}
+
 std::string settings_words(const Settings& settings) {
   std::string words;
   for (const auto& [name, value] : settings) words += name + "=" + value + "\n";
@@ -72,6 +85,10 @@ Settings merged(Settings base, const Settings& over) {
 
 Points::Points(const Study& study) : study_(study), alike_("point 1\n" + revision() + "\n") {
   if (study.problem) alike_ += files_of(*study.problem);
+  for (const StudyEngine& one : study.engines) {
+    engines_.push_back(one.kind.name + "\n" + one.kind.description + "\n" +
+                       program_words(one.kind.program) + settings_words(one.settings));
+  }
   if (!study.samples) return;
   const Samples& how = *study.samples;
   samples_ = reference::unit_samples(how.method, study.axes.size(), how.count, how.seed);
@@ -120,12 +137,8 @@ toml::table Points::root(std::size_t point) const {
 }
 
 std::string Points::hash(std::size_t point) const {
-  const StudyEngine& one = engine(point);
   std::ostringstream words;
-  words << alike_ << one.kind.name << '\n'
-        << one.kind.description << '\n'
-        << one.kind.program << '\n'
-        << settings_words(one.settings);
+  words << alike_ << engines_[place(point).engine];
   if (!study_.problem) words << study_.cases[place(point).which].name << '\n';
   words << toml::toml_formatter(root(point));
   return hash_of(words.str());

@@ -25,8 +25,8 @@ class Points {
   /// What it is called: "user/ramp/ramp.slope_deg=20/ramp.friction=0.3".
   std::string name(std::size_t point) const;
   /// 16 hex digits, a hash of what is run: the problem with its values and the files that it names,
-  /// the engine and its settings, the suite's revision (of a changed tree the program itself). The
-  /// same point has the same in every study.
+  /// the engine with the files that its command names and its settings, the suite's revision (of a
+  /// changed tree the program itself). The same point has the same in every study.
   std::string hash(std::size_t point) const;
   /// For run_job. A value that the problem refuses is the error of its record.
   Job job(std::size_t point) const;
@@ -44,7 +44,8 @@ class Points {
 
   const Study& study_;
   std::vector<std::vector<double>> samples_{};
-  std::string alike_{};  // of all points: the revision, the files
+  std::string alike_{};                 // of all points: the revision, the files
+  std::vector<std::string> engines_{};  // what each is
 };
 
 }  // namespace stiction

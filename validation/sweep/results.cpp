@@ -145,7 +145,19 @@ std::string points_csv(const Study& study, const Points& points, const Results& 
 std::string results_screen(const Study& study, const Results& results, const Screen& screen) {
   const std::size_t designs = study.designs();
   const std::size_t cases = std::max<std::size_t>(1, study.cases.size());
-  Cells rows = {{"", "points", "hold", "fail", "broke off", "not applicable", "missing", "CPU s"}};
+  // What may be all zero has no column then.
+  const Counts all = counted(results, 0, results.size());
+  const std::vector<std::pair<std::string, std::size_t Counts::*>> columns = [&] {
+    std::vector<std::pair<std::string, std::size_t Counts::*>> out = {{"hold", &Counts::hold},
+                                                                      {"fail", &Counts::fail}};
+    if (all.broke > 0) out.emplace_back("broke off", &Counts::broke);
+    if (all.lacking > 0) out.emplace_back("not applicable", &Counts::lacking);
+    if (all.missing > 0) out.emplace_back("missing", &Counts::missing);
+    return out;
+  }();
+  Cells rows = {{"", "points"}};
+  for (const auto& [name, count] : columns) rows.front().push_back(name);
+  rows.front().push_back("CPU s");
   std::string diagrams;
   for (std::size_t e = 0; e < study.engines.size(); ++e) {
     for (std::size_t c = 0; c < cases; ++c) {
@@ -153,10 +165,10 @@ std::string results_screen(const Study& study, const Results& results, const Scr
       const Counts counts = counted(results, first, designs);
       std::string words = engine_words(study.engines[e]);
       if (!study.cases.empty()) words += ": " + study.cases[c].name;
-      rows.push_back({words, std::to_string(designs), std::to_string(counts.hold),
-                      std::to_string(counts.fail), std::to_string(counts.broke),
-                      std::to_string(counts.lacking), std::to_string(counts.missing),
-                      fmt::format("{:.3g}", counts.cpu_seconds)});
+      std::vector<std::string> row = {words, std::to_string(designs)};
+      for (const auto& [name, count] : columns) row.push_back(std::to_string(counts.*count));
+      row.push_back(fmt::format("{:.3g}", counts.cpu_seconds));
+      rows.push_back(std::move(row));
       const std::string drawn = diagram(study, results, first, screen);
       if (!drawn.empty()) diagrams += "\n" + bold(one_line(words), screen) + "\n" + drawn;
     }

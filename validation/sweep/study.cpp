@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNeeded = "must be given";
-constexpr std::size_t kMostPoints = 100'000'000;
+constexpr std::size_t kMostPoints = 10'000'000;
 
 const TomlKeys& study_keys() {
   static const TomlKeys keys = {
@@ -101,7 +101,13 @@ std::vector<double> spaced(const Axis& axis, std::size_t count) {
   return values;
 }
 
-Axis read_axis(TomlTable table, const std::shared_ptr<const ParsedFile>& problem, bool samples) {
+[[noreturn]] void refuse_more_points(TomlTable& table) {
+  table.refuse("vary", fmt::format("the study has more than {} points", kMostPoints));
+}
+
+// `room`: how many values it may have at most.
+Axis read_axis(TomlTable& table, const std::shared_ptr<const ParsedFile>& problem, bool samples,
+               std::size_t room) {
   const UserVariation varied = read_variation(table, problem);
   Axis axis{varied.what, varied.unit.empty() ? "1" : varied.unit, {}, 0.0, 0.0, false};
   if (!samples && table.has("values")) {
@@ -125,7 +131,11 @@ Axis read_axis(TomlTable table, const std::shared_ptr<const ParsedFile>& problem
     table.refuse("scale",
                  "a scale by factors needs 'from' and 'to' of one sign, neither of them 0");
   }
-  if (!samples) axis.values = spaced(axis, read_count(table, "count", kMostPoints));
+  if (!samples) {
+    const std::size_t count = read_count(table, "count", kMostPoints);
+    if (count > room) refuse_more_points(table);
+    axis.values = spaced(axis, count);
+  }
   table.finish();
   return axis;
 }
@@ -290,9 +300,10 @@ Study read_study(const fs::path& file) {
   const bool samples = top.has("sample");
   const auto varied = study.problem ? study.problem : no_problem();
   std::set<std::string> names;
-  double points = static_cast<double>(study.engines.size());
+  std::size_t room =
+      kMostPoints / std::max<std::size_t>(1, study.cases.size()) / study.engines.size();
   for (TomlTable& table : top.tables("axis", axis_keys())) {
-    study.axes.push_back(read_axis(table, varied, samples));
+    study.axes.push_back(read_axis(table, varied, samples, room));
     const Axis& axis = study.axes.back();
     if (!names.insert(axis.vary).second) {
       table.refuse("vary", "'" + axis.vary + "' varies on another axis too");
@@ -300,10 +311,8 @@ Study read_study(const fs::path& file) {
     if (!study.problem && !axis.vary.starts_with("engine.")) {
       table.refuse("vary", "of cases the settings of an engine vary: engine.KEY");
     }
-    points *= static_cast<double>(std::max<std::size_t>(1, axis.values.size()));
-    if (points > static_cast<double>(kMostPoints)) {
-      table.refuse("vary", fmt::format("the study has more than {} points", kMostPoints));
-    }
+    room /= std::max<std::size_t>(1, axis.values.size());
+    if (room == 0) refuse_more_points(table);
   }
   if (study.axes.empty()) top.refuse("axis", "a study needs an [[axis]]");
   if (samples) study.samples = read_samples(top.table("sample", sample_keys()), study.axes.size());

@@ -236,7 +236,7 @@ TEST_F(StudyFile, MistakesAreToldWithTheirLine) {
   told(with("count = 3", "count = 2.5"), "a whole number");
   told(with("count = 3", "count = 0"), "a whole number");
   told(with("count = 3", "count = 1e300"), "a whole number");
-  told(with("count = 3", "count = 99999999"), "more than 100000000 points");
+  told(with("count = 3", "count = 9999999"), "more than 10000000 points");
   told(with("to = \"30 deg\"", "to = 10"), "must not be the same");
   told(with("count = 3", "count = 3\nscale = \"log\"\nvalues = [1]"), "no effect");
   told(with("from = 10", "scale = \"log\"\nfrom = -10"), "of one sign");

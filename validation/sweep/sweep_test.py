@@ -99,6 +99,8 @@ def main():
 
         again = run("whole")
         hold("0 computed" in again.stdout and sorted(map(same, lines("whole"))) == wanted, "the same again computes nothing")
+        fresh = run("whole", "--fresh")
+        hold(f"{COUNT} computed" in fresh.stdout and sorted(map(same, lines("whole"))) == wanted, "unless all of it is asked for")
         shared = run("elsewhere", "--share", "whole")
         hold("0 computed" in shared.stdout, "points of another folder are taken")
 
@@ -129,6 +131,16 @@ def main():
         hold(last.returncode == 0 and sorted(map(same, lines("killed"))) == wanted, f"after {kills} kills the whole is the same")
         hold(0 < computed < COUNT, f"of {COUNT} points {computed} were finished when it was killed")
         hold(f"{COUNT - computed} computed" in last.stdout, "and were not computed again")
+
+        # An engine's program that was changed is another.
+        kit = pathlib.Path(__file__).resolve().parent.parent / "engine/kit"
+        for file in ("stiction_engine.py", "examples/minimal_engine.py"):
+            (folder / pathlib.Path(file).name).write_bytes((kit / file).read_bytes())
+        (folder / "study.toml").write_text('problem = "box.toml"\nengines = ["python3 minimal_engine.py"]\n[[axis]]\nvary = "ramp.friction"\nvalues = [0.2, 0.6]\n')
+        hold("2 computed" in run("own").stdout and "0 computed" in run("own").stdout, "a person's own engine")
+        with (folder / "minimal_engine.py").open("a") as stream:
+            stream.write("# changed\n")
+        hold("2 computed" in run("own").stdout, "is another when its file has changed")
 
         (folder / "study.toml").write_text(STUDY.replace("from = 0.05", "from = -0.05"))
         broke = run("broke")
