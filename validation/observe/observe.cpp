@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace {
 
 template <class Quantity>
 double largest(const Sample& sample, const Quantity& quantity) {
+  if (sample.contacts.empty()) return std::numeric_limits<double>::quiet_NaN();
   double value = 0.0;
   for (const ContactSample& contact : sample.contacts) value = std::max(value, quantity(contact));
   return value;
@@ -72,12 +74,18 @@ double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 }  // namespace
 
-Sample sample_of(const Engine& engine, const Problem& problem, double time,
-                 const Watched& watched) {
-  Sample sample{time, engine.body(watched.body), engine.energies(), {}};
-  if (watched.contacts) sample.contacts = contacts_of(engine.contacts(), watched);
+Sample Moment::sample(const Watched& watched) {
+  Sample sample{time_, engine_.body(watched.body), {}, {}};
+  if (watched.energies) {
+    if (!energies_) energies_ = engine_.energies();
+    sample.energies = *energies_;
+  }
+  if (watched.contacts) {
+    if (!contacts_) contacts_ = engine_.contacts();
+    sample.contacts = contacts_of(*contacts_, watched);
+  }
   if (watched.relative_to) {
-    const auto [place, velocity] = frame_of(engine, problem, time, *watched.relative_to);
+    const auto [place, velocity] = frame_of(engine_, problem_, time_, *watched.relative_to);
     sample.motion.position -= place;
     sample.motion.velocity -= velocity;
   }
@@ -126,13 +134,14 @@ const std::vector<Observable>& observables() {
        }},
       {"rotation", "deg",
        "by which the body has turned about the direction, between from and at; "
-       "-180 to 180",
+       "whole turns do not count",
        kTurn, true, true,
        [](S from, S at, D d) {
          const Eigen::Quaterniond turn = at.motion.rotation * from.motion.rotation.conjugate();
          const double angle = 2.0 * std::atan2(d.dot(turn.vec()), turn.w());
          return degrees(std::remainder(angle, 2.0 * std::numbers::pi));
-       }},
+       },
+       360.0},
       {"angular-velocity", "rad/s", "about the direction", kTurn, false, true,
        [](S, S at, D d) { return d.dot(at.motion.angular_velocity); }},
       {"kinetic-energy", "J", "of the whole scene", kScene, false, false,
@@ -152,12 +161,17 @@ const std::vector<Observable>& observables() {
            return of_itself(c) ? 0.0 : d.dot(c.friction_force);
          });
        }},
-      {"slip", "m/s", "fastest tangential slip of the body's contacts", kContacts, false, false,
-       [](S, S at, D) {
-         return largest(at, [](const ContactSample& c) { return c.slip.norm(); });
-       }},
-      {"penetration", "m", "deepest penetration of the body's contacts", kContacts, false, false,
-       [](S, S at, D) { return largest(at, [](const ContactSample& c) { return -c.gap; }); }},
+      {"slip", "m/s",
+       "fastest tangential slip of the body's contacts; without any there is none, and no check "
+       "holds",
+       kContacts, false, false,
+       [](S, S at, D) { return largest(at, [](const ContactSample& c) { return c.slip.norm(); }); },
+       0.0, true},
+      {"penetration", "m",
+       "deepest penetration of the body's contacts; without any there is none, and no check holds",
+       kContacts, false, false,
+       [](S, S at, D) { return largest(at, [](const ContactSample& c) { return -c.gap; }); }, 0.0,
+       true},
       {"contacts", "1", "number of the body's contacts", kContacts, false, false,
        [](S, S at, D) { return static_cast<double>(at.contacts.size()); }},
   };

@@ -127,7 +127,10 @@ const TomlKeys& body() {
        {"feature_angle_deg", "deg", "40", "40", "edges of a surface that are sharper are kept"},
        {"most_tetrahedra", "1", "200000", "200000", "a surface that needs more is refused"},
        {"time_limit", "s", "300", "300", "the mesher of a surface is stopped after it"},
-       {"mass", "kg", "1", kNeeded, "spread evenly"},
+       {"mass", "kg", "1", kNeeded,
+        "spread evenly. `stiction` lumps it at nodes: a cube of n cells along its edge (`cells`, 2 "
+        "unless "
+        "[engine] sets it) turns with 1 + 2/n² times its inertia"},
        {"youngs_modulus", "Pa", "5e5", "5e5",
         "5e5 is as soft as foam, rubber has 1e6 to 1e8. The bodies of `stiction` are never rigid: "
         "a stiffer or lighter one needs smaller steps"},
@@ -247,7 +250,7 @@ const TomlKeys& check() {
        {"at", "s", "2", "the end", "when it is observed, or a window ends"},
        {"extreme", "", "\"largest\" or \"smallest\"", "none",
         "of the values at all steps from `from` to `at`, of an observable at one time: \"largest\" "
-        "slip 0 says that it never slipped"},
+        "slip 0 says that it never slipped. Of contacts from the first step on"},
        {"expected", "", "0", kNeeded, "in the observable's unit"},
        {"tolerance", "", "1e-9", kNeeded, "in its unit; with `relative` a share"},
        {"relative", "", "true or false", "false",

@@ -189,6 +189,9 @@ void read_body(TomlTable table, Reading& reading) {
   elasticity.damping_time = table.number("damping_time", elasticity.damping_time);
   body.self_collision = table.flag("self_collision", false);
   body.angular_velocity = table.vector("spin", Vector3d::Zero());
+  if (table.has("spin") && std::holds_alternative<PointShape>(body.shape)) {
+    table.refuse("spin", "a point does not turn");
+  }
   read_pose(table, reading, body);
   body.name = reading.bodies.add(table);  // now: it cannot rest on itself
   reading.user.problem.bodies.push_back(body);

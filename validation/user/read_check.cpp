@@ -70,10 +70,16 @@ UserWatch read_watch(TomlTable& table, const Reading& reading) {
   watch.observable = &read_observable(table);
   const Subject subject = watch.observable->subject;
   watch.contacts = subject == Subject::kContacts;
+  watch.energies = subject == Subject::kScene;
   if (subject != Subject::kScene) watch.body = read_watched_body(table, reading);
   if (watch.contacts && table.has("against")) {
     watch.against = find_partner(table, "against", reading);
+    const bool itself = watch.against->is_body && watch.against->index == watch.body;
+    if (itself && !reading.user.problem.bodies[watch.body].self_collision) {
+      table.refuse("against", "a body touches itself only with self_collision = true");
+    }
   }
+  if (subject == Subject::kTurn) refuse_point(table, reading, "observable", watch.body);
   if (subject == Subject::kCentre && table.has("relative_to")) {
     watch.relative_to = find_partner(table, "relative_to", reading);
     if (watch.relative_to->is_body && watch.relative_to->index == watch.body) {

@@ -56,17 +56,30 @@ Partner find_partner(TomlTable& table, const std::string& key, const Reading& re
                                 name, reading.obstacles.listed(), reading.bodies.listed()));
 }
 
+void refuse_point(TomlTable& table, const Reading& reading, const std::string& key,
+                  std::size_t body) {
+  const ProblemBody& one = reading.user.problem.bodies[body];
+  if (!std::holds_alternative<PointShape>(one.shape)) return;
+  table.refuse(key, fmt::format("'{}' is a point, which does not turn", one.name));
+}
+
 Eigen::Vector3d read_direction(TomlTable& table, const std::string& key) {
   const Eigen::Vector3d vector = table.vector(key);
   if (vector.isZero(0.0)) table.refuse(key, fmt::format("'{}' must not be zero", key));
   return vector.stableNormalized();
 }
 
+double read_friction(TomlTable& table) {
+  const double friction = table.number("friction");
+  if (!(friction >= 0.0)) table.refuse("friction", "'friction' must not be negative");
+  return friction;
+}
+
 void read_obstacle(TomlTable table, Reading& reading) {
   Obstacle obstacle;
   obstacle.name = reading.obstacles.add(table);
   obstacle.point = table.vector("point", Eigen::Vector3d::Zero());
-  obstacle.friction = table.number("friction");
+  obstacle.friction = read_friction(table);
   const double azimuth = table.number("azimuth_deg", 0.0) * kDegree;
   if (table.has("normal")) {
     obstacle.normal = read_direction(table, "normal");
@@ -97,6 +110,7 @@ void read_load(TomlTable table, Reading& reading) {
   load.body = reading.bodies.find(table, "body", "body");
   load.force = read_force(table, "force", problem_keys::force());
   load.couple = read_force(table, "couple", problem_keys::couple());
+  if (table.has("couple")) refuse_point(table, reading, "couple", load.body);
   if (!table.has("force") && !table.has("couple")) {
     table.refuse("body", "a [[load]] needs a 'force' or a 'couple'");
   }
@@ -123,8 +137,7 @@ void read_pair(TomlTable table, Reading& reading) {
   const Partner partner = find_partner(table, "against", reading);
   pair.other = partner.index;
   pair.against_body = partner.is_body;
-  pair.friction = table.number("friction");
-  if (!(pair.friction >= 0.0)) table.refuse("friction", "'friction' must not be negative");
+  pair.friction = read_friction(table);
   if (pair.against_body && pair.other == pair.body && !problem.bodies[pair.body].self_collision) {
     table.refuse("against", "a body touches itself only with self_collision = true");
   }

@@ -40,6 +40,13 @@ struct Reading {
 /// The obstacle, or the body read before it, that the key names; refuses others, and names of both.
 Partner find_partner(TomlTable& table, const std::string& key, const Reading& reading);
 
+/// Refuses the key where the body is a point, which does not turn.
+void refuse_point(TomlTable& table, const Reading& reading, const std::string& key,
+                  std::size_t body);
+
+/// The table's `friction`; refuses a negative one.
+double read_friction(TomlTable& table);
+
 /// A vector's direction, unit; refuses zero.
 Eigen::Vector3d read_direction(TomlTable& table, const std::string& key);
 

@@ -233,5 +233,83 @@ TEST_F(UserContacts, TheLengthOfALoadAndOfAMotionCanVary) {
   EXPECT_NEAR(places[1], 0.0, 1e-9);
 }
 
+TEST_F(UserContacts, WithoutContactsThereIsNoSlip) {
+  const std::string falls = edited("rests_on = \"ramp\"", "position = [0, 0, 5]");
+  const std::string slip = "observable = \"slip\"\nextreme = \"largest\"";
+  const Record record = run(read_user_problem(
+      write(falls.substr(0, falls.find("[[check]]")) + check(slip) +
+            check("observable = \"penetration\"") + check("observable = \"normal-force\""))));
+  ASSERT_EQ(record.checks.size(), 3u);
+  EXPECT_EQ(record.checks[0].verdict, Verdict::kFail);
+  EXPECT_EQ(record.checks[1].verdict, Verdict::kFail);
+  EXPECT_EQ(record.checks[2].value, 0.0);
+  EXPECT_THAT(record.notes, testing::Contains(HasSubstr("largest slip: there was no contact")));
+}
+
+TEST_F(UserContacts, TheStartHasNoContactsYetAndNoExtremeTakesItIn) {
+  const std::vector<double> seen = values(
+      edited("observable = \"speed\"", "observable = \"normal-force\"\nextreme = \"smallest\""));
+  // 2 kg · 10 m/s² · cos 20°
+  EXPECT_NEAR(seen.at(0), 18.79, 0.02);
+}
+
+// A cube that spins freely by 200° and a little more in a second.
+TEST_F(UserContacts, ARotationIsJudgedWithoutWholeTurns) {
+  const std::string cube = R"(duration = 1
+gravity = [0, 0, 0]
+[[body]]
+name = "cube"
+shape = "box"
+size = [0.1, 0.1, 0.1]
+mass = 1
+position = [0, 0, 5]
+spin = [0, 0, "200.1 deg/s"]
+)";
+  const std::string turn =
+      "[[check]]\nobservable = \"rotation\"\ndirection = [0, 0, 1]\ntolerance = \"0.5 "
+      "deg\"\nreason = \"x\"\n";
+  const Record record = run(read_user_problem(write(
+      cube + turn + "expected = 200\n" + turn + "expected = -160\n" + turn + "expected = 180\n")));
+  ASSERT_EQ(record.checks.size(), 3u);
+  EXPECT_EQ(record.checks[0].verdict, Verdict::kPass) << record.checks[0].value;
+  EXPECT_EQ(record.checks[1].verdict, Verdict::kPass) << record.checks[1].value;
+  EXPECT_EQ(record.checks[2].verdict, Verdict::kFail) << record.checks[2].value;
+}
+
+TEST_F(UserContacts, WhatCannotVarySaysWhy) {
+  const auto told = [&](const std::string& problem, const std::string& vary) {
+    return refusal(problem + "[sweep]\nvary = \"" + vary + "\"\nvalues = [1, 2]\n");
+  };
+  const std::string load = "[[load]]\nbody = \"point\"\nforce = ";
+  const auto with_load = [&](const std::string& more) {
+    return edited("[[check]]", more + "\n[[check]]");
+  };
+  EXPECT_THAT(told(with_load(load + "[0, 0, 0]"), "point.force"),
+              HasSubstr("'point.force' cannot vary: it is no number, and no vector with a length"));
+  EXPECT_THAT(
+      told(with_load(load + "{ time = [0, 1, 2], value = [[0, 0, 0], [1, 0, 0], [2, 0, 0]] }"),
+           "point.force.time"),
+      HasSubstr("'point.force.time' cannot vary"));
+  EXPECT_THAT(told(with_load(load + "{ constant = [1, 0, 0] }"), "point.force"),
+              HasSubstr("it is a table, whose keys can"));
+  EXPECT_THAT(told(test::kProblem, "friction"), HasSubstr("the file does not give it"));
+  EXPECT_EQ(told(edited("slope_deg = 20",
+                        "motion = { time = [0, 1], offset = [[0, 0, 0], [0.1, 0, 0]] }"),
+                 "ramp.motion.offset"),
+            "");
+  EXPECT_THAT(told(edited("name = \"point\"", "name = \"ramp\""), "ramp.mass"),
+              HasSubstr("cannot vary"));
+}
+
+TEST_F(UserContacts, AValueThatTheProblemRefusesIsNamedBeforeItRuns) {
+  EXPECT_THAT(refusal(std::string(test::kProblem) +
+                      "[sweep]\nvary = \"ramp.slope_deg\"\nvalues = [10, 20]\n"),
+              "");
+  std::string downhill = edited("\"speed\"", "\"velocity\"\ndirection = \"downhill\"");
+  EXPECT_THAT(refusal(downhill + "[sweep]\nvary = \"ramp.slope_deg\"\nvalues = [10, 0]\n"),
+              testing::AllOf(HasSubstr("ramp.toml:27: at ramp.slope_deg = 0 deg: "),
+                             HasSubstr("'ramp' is level")));
+}
+
 }  // namespace
 }  // namespace stiction

@@ -47,7 +47,7 @@ void read_scene(TomlTable& top, Reading& reading) {
   if (!(user.problem.duration > 0.0)) top.refuse("duration", "'duration' must be positive");
   user.problem.gravity = read_gravity(top);
   if (top.has("drag")) user.problem.drag = read_drag(top.table("drag", problem_keys::drag()));
-  user.problem.friction = top.number("friction", 0.0);
+  if (top.has("friction")) user.problem.friction = read_friction(top);
   user.problem.restitution = top.number("restitution", 0.0);
   if (!(user.problem.restitution >= 0.0 && user.problem.restitution <= 1.0)) {
     top.refuse("restitution", "'restitution' must lie between 0 and 1");
@@ -66,6 +66,18 @@ void read_scene(TomlTable& top, Reading& reading) {
   for (TomlTable& table : top.tables("pair", problem_keys::pair())) read_pair(table, reading);
 }
 
+// What the problem refuses is told before it runs, and where the value stands.
+void refuse_value(TomlTable& table, const std::string& key, const UserVariation& vary,
+                  double value) {
+  try {
+    vary.with(value);
+  } catch (const NotMeshed&) {
+    return;  // the record's error
+  } catch (const InputError& error) {
+    table.refuse(key, error.what());
+  }
+}
+
 UserThreshold read_threshold(TomlTable table, const std::shared_ptr<const ParsedFile>& parsed) {
   UserThreshold one;
   one.place = table.place();
@@ -76,6 +88,8 @@ UserThreshold read_threshold(TomlTable table, const std::shared_ptr<const Parsed
   if (one.holds_at == one.fails_at) {
     table.refuse("fails_at", "'holds_at' and 'fails_at' must not be the same");
   }
+  refuse_value(table, "holds_at", one.vary, one.holds_at);
+  refuse_value(table, "fails_at", one.vary, one.fails_at);
   one.within = table.number_in(unit, "within");
   if (!(one.within > 0.0)) table.refuse("within", "'within' must be positive");
   one.claim.quantity = "threshold of " + one.vary.what;
@@ -99,6 +113,7 @@ UserSweep read_sweep(TomlTable table, const std::shared_ptr<const ParsedFile>& p
   UserSweep sweep{read_variation(table, parsed), {}};
   sweep.values = table.numbers_in(sweep.vary.unit, "values");
   if (sweep.values.empty()) table.refuse("values", "'values' needs at least one number");
+  for (const double value : sweep.values) refuse_value(table, "values", sweep.vary, value);
   table.finish();
   return sweep;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -41,10 +42,6 @@ void refuse_times(const UserProblem& user, double time_step) {
                     "[engine] or take other times",
                     one.place, fault, time_step));
   }
-}
-
-Sample sampled(const UserProblem& user, const Simulation& simulation, const UserWatch& watch) {
-  return sample_of(simulation.engine(), user.problem, simulation.time(), watch);
 }
 
 double measured(const UserWatch& watch, const Sample& from, const Sample& at) {
@@ -86,17 +83,20 @@ class Looks {
     return false;
   }
 
-  void look(const Simulation& simulation, std::uint64_t step) {
-    const auto sample = [&](const UserWatch& watch) { return sampled(user_, simulation, watch); };
+  void look(Moment& moment, std::uint64_t step) {
     for (std::size_t k = 0; k < looked_.size(); ++k) {
       const UserCheck& one = user_.checks[k];
       Looked& looked = looked_[k];
       if (one.extreme != Extreme::kNone) {
-        if (looked.from <= step && step <= looked.at) widen(one, looked, sample(one.watch));
+        // Before the first step no contact has been looked for.
+        const bool begun = step > 0 || !one.watch.contacts;
+        if (begun && looked.from <= step && step <= looked.at) {
+          widen(one, looked, moment.sample(one.watch));
+        }
         continue;
       }
-      if (step == looked.from) looked.first = sample(one.watch);
-      if (step == looked.at) looked.last = sample(one.watch);
+      if (step == looked.from) looked.first = moment.sample(one.watch);
+      if (step == looked.at) looked.last = moment.sample(one.watch);
     }
   }
 
@@ -104,8 +104,13 @@ class Looks {
     std::vector<double> values;
     for (std::size_t k = 0; k < looked_.size(); ++k) {
       const Looked& looked = looked_[k];
-      values.push_back(looked.extreme ? *looked.extreme
-                                      : measured(user_.checks[k].watch, looked.first, looked.last));
+      const UserCheck& one = user_.checks[k];
+      const double value = one.extreme == Extreme::kNone
+                               ? measured(one.watch, looked.first, looked.last)
+                               : looked.extreme.value_or(std::numeric_limits<double>::quiet_NaN());
+      const double period = one.watch.observable->period;
+      const double expected = one.claim.expected;
+      values.push_back(period > 0.0 ? expected + std::remainder(value - expected, period) : value);
     }
     return values;
   }
@@ -113,6 +118,7 @@ class Looks {
  private:
   // A value that is no number stays: no check holds with it.
   static void widen(const UserCheck& one, Looked& looked, const Sample& now) {
+    if (one.watch.observable->needs_contact && now.contacts.empty()) return;
     const double value = measured(one.watch, now, now);
     const double sign = one.extreme == Extreme::kLargest ? 1.0 : -1.0;
     if (!looked.extreme || std::isnan(value) || sign * value > sign * *looked.extreme) {
@@ -145,16 +151,18 @@ Observed observe(CaseRun& run, const UserProblem& user, const Settings& over) {
     if (looks.each_step_until(target)) {
       while (engine.steps_done() + 1 < target) {
         simulation->advance(1);
-        looks.look(*simulation, engine.steps_done());
+        Moment moment(engine, user.problem, simulation->time());
+        looks.look(moment, engine.steps_done());
       }
     }
     simulation->advance_to(time);
-    looks.look(*simulation, target);
+    Moment moment(engine, user.problem, simulation->time());
+    looks.look(moment, target);
     for (Series& one : seen.series) one.x.push_back(simulation->time());
     seen.series[0].y.push_back(engine.energies().kinetic);
     if (contacts) seen.series[1].y.push_back(fastest_slip(engine));
     for (std::size_t k = 0; k < user.series.size(); ++k) {
-      const Sample now = sampled(user, *simulation, user.series[k].watch);
+      const Sample now = moment.sample(user.series[k].watch);
       seen.series[own + k].y.push_back(measured(user.series[k].watch, now, now));
     }
   }
@@ -178,7 +186,12 @@ std::string value_text(const UserVariation& vary, double value) {
 void run_once(CaseRun& run, const UserProblem& user) {
   Observed seen = observe(run, user, {});
   for (std::size_t k = 0; k < seen.values.size(); ++k) {
-    run.check(user.checks[k].claim, seen.values[k]);
+    const UserCheck& one = user.checks[k];
+    if (one.watch.observable->needs_contact && std::isnan(seen.values[k])) {
+      run.note(fmt::format("{}: there was no contact, so there is no {}", one.claim.quantity,
+                           one.watch.observable->name));
+    }
+    run.check(one.claim, seen.values[k]);
   }
   for (Series& one : seen.series) run.add(std::move(one));
 }
@@ -202,7 +215,7 @@ void run_sweep(CaseRun& run, const UserSweep& sweep) {
 
 // Of the checks at one value: the worst error over its tolerance.
 struct Worst {
-  double share = 0.0;
+  double share = -1.0;
   std::string words{};
   bool holds = true;
 };
@@ -243,6 +256,12 @@ void run_threshold(CaseRun& run, const UserThreshold& one) {
   for (int k = 0; k < kMostBisections && std::abs(fails - holds) > one.within; ++k) {
     const double middle = 0.5 * (holds + fails);
     (holds_at(middle, true, false) ? holds : fails) = middle;
+  }
+  if (!(std::abs(fails - holds) <= one.within)) {
+    throw InputError(fmt::format(
+        "{}: after {} bisections the threshold is only known to lie between "
+        "{} and {}: bring 'holds_at' and 'fails_at' together",
+        one.place, kMostBisections, value_text(one.vary, holds), value_text(one.vary, fails)));
   }
   run.check(one.claim, 0.5 * (holds + fails));
   run.note(fmt::format("holds at {}, fails at {}", value_text(one.vary, holds),

@@ -47,10 +47,10 @@ toml::table* only_in(toml::table& root, const char* list, const char* key,
 
 // Of an obstacle, a body, or the load on a body.
 std::optional<Place> place_of(toml::table& root, const std::string& name, const std::string& key) {
-  if (auto* const obstacle = only_in(root, "obstacle", "name", name)) {
-    return known_place(obstacle, problem_keys::obstacle(), key);
-  }
+  auto* const obstacle = only_in(root, "obstacle", "name", name);
   auto* const body = only_in(root, "body", "name", name);
+  if (obstacle != nullptr && body != nullptr) return std::nullopt;  // which of them?
+  if (obstacle != nullptr) return known_place(obstacle, problem_keys::obstacle(), key);
   if (key != "force" && key != "couple") return known_place(body, problem_keys::body(), key);
   auto* const load = body != nullptr ? only_in(root, "load", "body", name) : nullptr;
   return known_place(load, problem_keys::load(), key);
@@ -99,12 +99,12 @@ std::optional<Eigen::Vector3d> vector_in(const toml::node& node, const std::stri
 }
 
 // A vector, or those of keyframes; empty where no length of them can vary: places have none, nor
-// have edges.
+// have edges, nor times.
 Vectors vectors_in(const toml::node& node, const Place& place) {
-  const bool has_length = place.unit != "m" || place.key == "amplitude";
-  if (!has_length || !node.is_array()) return {};
+  if (!node.is_array() || place.unit == "s") return {};
   Vectors all;
   if (const auto one = vector_in(node, place.unit)) {
+    if (place.unit == "m" && place.key != "amplitude") return {};
     all = {*one};
   } else {
     for (const toml::node& inner : *node.as_array()) {
@@ -123,6 +123,13 @@ bool varies(const Place& place) {
   const toml::node* const now = place.table->get(place.key);
   return now != nullptr &&
          (now->is_number() || now->is_string() || !vectors_in(*now, place).empty());
+}
+
+// Of a key that there is, for people.
+std::string why_not(const Place& place) {
+  if (place.table->get(place.key) == nullptr) return ": the file does not give it";
+  if (place.table->get(place.key)->is_table()) return ": it is a table, whose keys can";
+  return ": it is no number, and no vector with a length";
 }
 
 void set(const Place& place, double value) {
@@ -159,13 +166,22 @@ UserVariation read_variation(TomlTable& table, const std::shared_ptr<const Parse
   // Settings of an engine have values of their own.
   const bool setting = place && what.starts_with("engine.") && !place->table->contains(place->key);
   if (!setting && !(place && varies(*place))) {
-    table.refuse("vary",
-                 fmt::format("'{}' cannot vary; it is to be {}", what, problem_keys::kVaries));
+    table.refuse("vary", fmt::format("'{}' cannot vary{}; it is to be {}", what,
+                                     place ? why_not(*place) : "", problem_keys::kVaries));
   }
-  return {what, place->unit, [parsed, what](double value) {
+  const std::string unit = place->unit;
+  return {what, unit, [parsed, what, unit](double value) {
             toml::table root = parsed->root;
             set_value(root, what, value);
-            return read_parsed(parsed->file, root);
+            try {
+              return read_parsed(parsed->file, root);
+            } catch (const NotMeshed&) {
+              throw;
+            } catch (const InputError& error) {
+              throw InputError(fmt::format("at {} = {:g}{}{}: {}", what, value,
+                                           unit.empty() || unit == "1" ? "" : " ",
+                                           unit == "1" ? "" : unit, error.what()));
+            }
           }};
 }
 
