@@ -34,13 +34,15 @@ char sign_of(const PointResult& result) {
       return '!';
     case Verdict::kNotApplicable:
       return ' ';
+    case Verdict::kForInformation:  // of a configuration that runs for contrast
+      return 'o';
     default:
       return '.';
   }
 }
 
 struct Counts {
-  std::size_t hold = 0, fail = 0, broke = 0, lacking = 0, missing = 0;
+  std::size_t hold = 0, fail = 0, unjudged = 0, broke = 0, lacking = 0, missing = 0;
   double cpu_seconds = 0.0;
 };
 
@@ -56,6 +58,9 @@ Counts counted(const Results& results, std::size_t first, std::size_t count) {
         break;
       case '!':
         ++counts.broke;
+        break;
+      case 'o':
+        ++counts.unjudged;
         break;
       case ' ':
         ++counts.lacking;
@@ -150,6 +155,7 @@ std::string results_screen(const Study& study, const Results& results, const Scr
   const std::vector<std::pair<std::string, std::size_t Counts::*>> columns = [&] {
     std::vector<std::pair<std::string, std::size_t Counts::*>> out = {{"hold", &Counts::hold},
                                                                       {"fail", &Counts::fail}};
+    if (all.unjudged > 0) out.emplace_back("not judged", &Counts::unjudged);
     if (all.broke > 0) out.emplace_back("broke off", &Counts::broke);
     if (all.lacking > 0) out.emplace_back("not applicable", &Counts::lacking);
     if (all.missing > 0) out.emplace_back("missing", &Counts::missing);
@@ -176,7 +182,8 @@ std::string results_screen(const Study& study, const Results& results, const Scr
   std::string text = plain_table(rows, {0}, screen.width);
   if (diagrams.empty()) return text;
   return text + diagrams +
-         "\n  # holds   . fails   ! broke off   ? missing   (blank: not applicable)\n";
+         "\n  # holds   . fails   o not judged   ! broke off   ? missing   (blank: not "
+         "applicable)\n";
 }
 
 }  // namespace stiction

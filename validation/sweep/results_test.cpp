@@ -54,6 +54,13 @@ TEST_F(SweepResults, CountsThatAreAllZeroHaveNoColumn) {
   EXPECT_THAT(results_screen(study_, results_, {.width = 80}), HasSubstr("missing  CPU"));
 }
 
+TEST_F(SweepResults, WhatNobodyJudgesIsNoFailure) {
+  results_[1].verdict = Verdict::kForInformation;
+  const std::string text = results_screen(study_, results_, {.width = 80});
+  EXPECT_THAT(text, HasSubstr("  20 o! \n  10 ###\n"));
+  EXPECT_THAT(text, HasSubstr("not judged"));
+}
+
 TEST_F(SweepResults, ATerminalThatIsTooNarrowHasNoDiagram) {
   EXPECT_THAT(results_screen(study_, results_, {.width = 8}), Not(HasSubstr("across")));
 }
