@@ -108,8 +108,8 @@ struct Record {
   std::string state_hash{};  ///< 16 hex digits; empty when the engine has none
   Environment environment{};
   Verdict verdict = Verdict::kFail;
-  std::string error{};   ///< what went wrong when verdict is kError
-  std::string point{};   ///< of a sweep: 16 hex digits, a hash of what was run; else empty
+  std::string error{};            ///< what went wrong when verdict is kError
+  std::string point{};            ///< of a sweep: 16 hex digits, a hash of what was run; else empty
   std::vector<AxisValue> axes{};  ///< of a sweep
   std::string frames{};  ///< file in the run's folder with a Recording (frames.h); may be empty
 };
