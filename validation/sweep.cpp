@@ -75,9 +75,10 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--dry-run", arguments.dry_run,
                "Say which points there are and about how long they take, and end")
       ->group("What runs");
-  // For ./stiction, which builds those that are programs.
-  app.add_flag("--list-engines", arguments.list_engines, "The names of the study's engines")
-      ->group("");
+  // ./stiction asks for it, to build those that are programs.
+  app.add_flag("--list-engines", arguments.list_engines,
+               "Show the names of the study's engines and end")
+      ->group("What runs");
   app.add_option("--shard", arguments.shard,
                  "Only the I-th of N parts [by GTEST_SHARD_INDEX or SLURM_ARRAY_TASK_ID, else all]")
       ->type_name("I/N")

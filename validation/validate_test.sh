@@ -117,7 +117,7 @@ refuses "a negative mass" "body 'box': mass must be positive and finite, not -1 
   "$validate" negative_mass.toml
 problem negative_friction 's/friction = 0.5/friction = -0.5/'
 refuses "a negative μ" \
-  "obstacle 'ramp': the friction coefficient must be non-negative and finite, not -0.5" \
+  "'friction' must not be negative" \
   "$validate" negative_friction.toml
 problem long_step 's/dt = 2e-4/dt = 1e-2/'
 refuses "a problem's time step above the limit" "is above the stability limit" \
