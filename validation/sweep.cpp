@@ -8,6 +8,7 @@
 #include <chrono>
 #include <limits>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "reference/process/interruption.h"
@@ -136,15 +137,15 @@ int sweep(const Arguments& arguments) {
     return kHolds;
   }
   const Shard shard = shard_from(arguments.shard);
+  const std::filesystem::path folder = std::filesystem::path(arguments.out) / study.name;
+  std::set<std::filesystem::path> earlier;
+  if (!arguments.fresh) earlier = record_files(folder, arguments.share);
 
-  RecordStore store = RecordStore::create(std::filesystem::path(arguments.out) / study.name);
+  RecordStore store = RecordStore::create(folder);
   const reference::LastWords words([&store] { return store.last_words(); });
   store.wait_for_disk_every(1.0);
   Results results(points.size());
-  std::vector<std::filesystem::path> folders = {store.folder().parent_path()};
-  folders.insert(folders.end(), arguments.share.begin(), arguments.share.end());
-  const std::size_t found =
-      arguments.fresh ? 0 : take_over(folders, store, points, arguments.retry, results);
+  const std::size_t found = take_over(earlier, store, points, arguments.retry, results);
 
   // All points are alike to the shards, so that neighbours, which cost alike, go to different ones.
   std::vector<std::size_t> own = jobs_of(shard, std::vector<double>(points.size(), 1.0));

@@ -120,6 +120,21 @@ TEST(RecordJson, EveryFieldArrives) {
   }
 }
 
+TEST(RecordJson, APointOfASweepArrivesWithItsAxes) {
+  Record in = test::passing_record();
+  EXPECT_EQ(to_json_line(in).find("\"axes\""), std::string::npos) << "of no sweep";
+  in.point = "0123456789abcdef";
+  in.axes = {{"ramp.slope_deg", "deg", 20.5}, {"ramp.friction", "1", 0.1}};
+  const Record out = from_json_line(to_json_line(in), "here");
+  EXPECT_EQ(out.point, in.point);
+  ASSERT_EQ(out.axes.size(), 2u);
+  EXPECT_EQ(out.axes[0].name, "ramp.slope_deg");
+  EXPECT_EQ(out.axes[0].unit, "deg");
+  EXPECT_EQ(out.axes[0].value, 20.5);
+  EXPECT_EQ(out.axes[1].name, "ramp.friction");
+  EXPECT_EQ(out.axes[1].value, 0.1);
+}
+
 TEST(RecordJson, DoublesAreExact) {
   std::mt19937_64 bits(42);
   Record record;

@@ -8,16 +8,12 @@
 #include <utility>
 
 #include "validation/engine/protocol/problem_json.h"
+#include "validation/engine/settings.h"
 #include "validation/judge/verdict.h"
 
 namespace stiction {
 
 namespace {
-
-Settings merged(Settings base, const Settings& over) {
-  for (const auto& [name, value] : over) base[name] = value;
-  return base;
-}
 
 // The first few of what may be hundreds.
 std::string joined(const std::vector<std::string>& sentences) {

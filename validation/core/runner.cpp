@@ -18,11 +18,11 @@
 
 namespace stiction {
 
-namespace {
-
 bool matches(const std::string& glob, const std::string& name) {
   return fnmatch(glob.c_str(), name.c_str(), 0) == 0;
 }
+
+namespace {
 
 bool chosen(const Case& one, const Selection& selection) {
   if (selection.globs.empty()) return one.suite == selection.suite && one.set <= selection.set;

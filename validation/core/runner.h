@@ -22,10 +22,12 @@ struct Job {
   double cpu_limit = std::numeric_limits<double>::infinity();
 };
 
+/// * and ? as in a shell, * also across '/'.
+bool matches(const std::string& glob, const std::string& name);
+
 /// Which cases to run, and how.
 struct Selection {
-  std::vector<std::string>
-      globs{};  ///< case names, * and ? as in a shell, * also across '/'; empty: all
+  std::vector<std::string> globs{};  ///< of case names (matches); empty: all
   CaseSet set = CaseSet::kDefault;
   std::string suite{};  ///< as in Case; a glob chooses from all
   std::string engine = "stiction";

@@ -9,6 +9,11 @@
 
 namespace stiction {
 
+Settings merged(Settings base, const Settings& over) {
+  for (const auto& [name, value] : over) base[name] = value;
+  return base;
+}
+
 namespace {
 
 double parse_number(const std::string& name, const std::string& word) {

@@ -7,6 +7,9 @@
 
 namespace stiction {
 
+/// `base` with `over` laid over it.
+Settings merged(Settings base, const Settings& over);
+
 /// Reads settings one by one and remembers which were asked for, so that an unknown name is refused
 /// with the list of known ones.
 class SettingsReader {

@@ -13,31 +13,26 @@
 
 namespace stiction {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-// Of every run in these folders but one's own; the newest last, links and the like not followed.
-std::set<fs::path> record_files(const std::vector<fs::path>& folders, const fs::path& own) {
+std::set<fs::path> record_files(const fs::path& own, const std::vector<std::string>& others) {
+  std::vector<fs::path> folders;
+  if (fs::is_directory(own)) folders.push_back(own);
+  for (const std::string& other : others) {
+    if (!fs::is_directory(other)) throw InputError("there is no folder '" + one_line(other) + "'");
+    folders.emplace_back(other);
+  }
   std::set<fs::path> files;
   for (const fs::path& folder : folders) {
-    if (!fs::is_directory(folder)) {
-      throw InputError("there is no folder '" + one_line(folder.string()) + "'");
-    }
     for (const fs::directory_entry& one : fs::recursive_directory_iterator(folder)) {
-      if (one.path().filename() == "records.jsonl" && fs::canonical(one.path()) != own) {
-        files.insert(fs::canonical(one.path()));
-      }
+      if (one.path().filename() == "records.jsonl") files.insert(fs::canonical(one.path()));
     }
   }
   return files;
 }
 
-}  // namespace
-
-std::size_t take_over(const std::vector<fs::path>& folders, RecordStore& store,
-                      const Points& points, bool retry, Results& results) {
-  const std::set<fs::path> files = record_files(folders, fs::canonical(store.records_file()));
+std::size_t take_over(const std::set<fs::path>& files, RecordStore& store, const Points& points,
+                      bool retry, Results& results) {
   if (files.empty()) return 0;
   std::unordered_map<std::string, std::size_t> wanted;
   for (std::size_t point = 0; point < points.size(); ++point) wanted[points.hash(point)] = point;

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "reports/record/record_store.h"
@@ -10,11 +12,16 @@
 
 namespace stiction {
 
-/// Takes the study's points that are finished in some run of these folders, of whatever study or
-/// shard, into the store and the results, and says how many they are. With `retry` not those that
-/// broke off. A line that a kill has cut off is no point. Throws std::runtime_error for a file that
-/// cannot be read, or holds what is no record.
-std::size_t take_over(const std::vector<std::filesystem::path>& folders, RecordStore& store,
+/// The records of every run in a study's own folder, which may not be there yet, and in others. Throws
+/// InputError for another that is not there.
+std::set<std::filesystem::path> record_files(const std::filesystem::path& own,
+                                             const std::vector<std::string>& others);
+
+/// Takes the study's points that are finished in these files, of whatever study or shard, into the
+/// store and the results, and says how many they are. With `retry` not those that broke off. A line
+/// that a kill has cut off is no point. Throws std::runtime_error for a file that holds what is no
+/// record.
+std::size_t take_over(const std::set<std::filesystem::path>& files, RecordStore& store,
                       const Points& points, bool retry, Results& results);
 
 }  // namespace stiction

@@ -13,6 +13,7 @@
 #include "reports/record/environment.h"
 #include "solver/demand.h"
 #include "solver/hash.h"
+#include "validation/engine/settings.h"
 #include "validation/user/user_run.h"
 
 namespace stiction {
@@ -74,11 +75,6 @@ std::string settings_words(const Settings& settings) {
   std::string words;
   for (const auto& [name, value] : settings) words += name + "=" + value + "\n";
   return words;
-}
-
-Settings merged(Settings base, const Settings& over) {
-  for (const auto& [name, value] : over) base[name] = value;
-  return base;
 }
 
 }  // namespace

@@ -10,8 +10,9 @@
 
 namespace stiction {
 
-/// The points of a study, each made when it is asked for, so that a million take no room: engine by
-/// engine, in each case by case, and in each the designs with the last axis running fastest.
+/// The points of a study: engine by engine, in each case by case, and in each the designs with the last
+/// axis running fastest. Each is made when it is asked for, so that a million take no room, but for
+/// the numbers of those that are sampled.
 class Points {
  public:
   /// `study` must outlive it. Reads the files that its problem names.

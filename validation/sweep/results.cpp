@@ -16,10 +16,6 @@ namespace stiction {
 
 namespace {
 
-std::string engine_words(const StudyEngine& one) {
-  return one.configuration.empty() ? one.kind.name : one.kind.name + ", " + one.configuration;
-}
-
 std::string axis_words(const Axis& axis) {
   return axis.unit == "1" ? axis.vary : fmt::format("{} [{}]", axis.vary, shown_unit(axis.unit));
 }
@@ -169,7 +165,7 @@ std::string results_screen(const Study& study, const Results& results, const Scr
     for (std::size_t c = 0; c < cases; ++c) {
       const std::size_t first = (e * cases + c) * designs;
       const Counts counts = counted(results, first, designs);
-      std::string words = engine_words(study.engines[e]);
+      std::string words = name_of(study.engines[e]);
       if (!study.cases.empty()) words += ": " + study.cases[c].name;
       std::vector<std::string> row = {words, std::to_string(designs)};
       for (const auto& [name, count] : columns) row.push_back(std::to_string(counts.*count));

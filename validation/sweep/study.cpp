@@ -2,7 +2,6 @@
 #include "validation/sweep/study.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 
 #include "reports/text/text.h"
 #include "solver/demand.h"
+#include "validation/core/runner.h"
 #include "validation/user/problem_keys.h"
 #include "validation/user/quantity.h"
 
@@ -140,7 +140,7 @@ Axis read_axis(TomlTable& table, const std::shared_ptr<const ParsedFile>& proble
   return axis;
 }
 
-Samples read_samples(TomlTable table, std::size_t dimensions) {
+Samples read_samples(TomlTable table, std::size_t dimensions, std::size_t room) {
   Samples samples;
   const std::string method = table.text("method", "sobol");
   if (method == "sobol") {
@@ -152,7 +152,7 @@ Samples read_samples(TomlTable table, std::size_t dimensions) {
   } else {
     table.refuse("method", "'method' is \"sobol\", \"halton\" or \"random\"");
   }
-  samples.count = read_count(table, "count", kMostPoints);
+  samples.count = read_count(table, "count", room);
   if (table.has("seed")) samples.seed = read_count(table, "seed", 1'000'000);
   try {
     reference::unit_samples(samples.method, dimensions, 1, 0);
@@ -231,7 +231,7 @@ void read_cases(TomlTable& top, Study& study) {
   for (const std::string& glob : top.texts("cases")) {
     const std::size_t before = study.cases.size();
     for (const Case& one : catalog) {
-      if (fnmatch(glob.c_str(), one.name.c_str(), 0) == 0) study.cases.push_back(one);
+      if (matches(glob, one.name)) study.cases.push_back(one);
     }
     if (study.cases.size() == before) {
       top.refuse("cases", "no case matches '" + glob + "'; ./stiction validate --list shows them");
@@ -245,7 +245,7 @@ std::shared_ptr<const ParsedFile> read_problem_of(TomlTable& top) {
   if (!stream || fs::is_directory(file)) {
     top.refuse("problem", "cannot read '" + file.string() + "'");
   }
-  const auto parsed = parse_problem(stream, file);
+  const auto parsed = parse_toml(stream, file);
   for (const char* const own : {"sweep", "threshold"}) {
     if (!parsed->root.contains(own)) continue;
     top.refuse("problem", fmt::format("'{}' has a [{}] of its own; of a study's problem the study "
@@ -260,6 +260,11 @@ std::shared_ptr<const ParsedFile> read_problem_of(TomlTable& top) {
 std::shared_ptr<const ParsedFile> no_problem() { return std::make_shared<ParsedFile>(); }
 
 }  // namespace
+
+std::string name_of(const StudyEngine& engine) {
+  return engine.configuration.empty() ? engine.kind.name
+                                      : engine.kind.name + ", " + engine.configuration;
+}
 
 double at_share(const Axis& axis, double share) {
   if (!axis.log) return axis.from + share * (axis.to - axis.from);
@@ -282,7 +287,7 @@ Study read_study(const fs::path& file) {
   if (!stream || fs::is_directory(file)) {
     throw InputError("cannot read '" + one_line(file.string()) + "'");
   }
-  const auto parsed = parse_problem(stream, file);
+  const auto parsed = parse_toml(stream, file);
   TomlTable top(parsed->file, parsed->root, study_keys());
   Study study;
   study.name = one_line(file.stem().string());
@@ -315,7 +320,8 @@ Study read_study(const fs::path& file) {
     if (room == 0) refuse_more_points(table);
   }
   if (study.axes.empty()) top.refuse("axis", "a study needs an [[axis]]");
-  if (samples) study.samples = read_samples(top.table("sample", sample_keys()), study.axes.size());
+  if (samples)
+    study.samples = read_samples(top.table("sample", sample_keys()), study.axes.size(), room);
   study.keeps_series = top.flag("keep_series", false);
   top.finish();
   return study;
@@ -325,7 +331,7 @@ std::vector<std::string> engines_named(const fs::path& file) {
   std::ifstream stream(file);
   std::shared_ptr<const ParsedFile> parsed = no_problem();
   try {
-    parsed = parse_problem(stream, file);
+    parsed = parse_toml(stream, file);
   } catch (const InputError&) {
     return {};
   }

@@ -40,6 +40,9 @@ struct StudyEngine {
   std::string configuration{};  ///< its name; empty: what the engine does by default
 };
 
+/// "stiction, quiet"; the engine's name alone where it runs as it does by default.
+std::string name_of(const StudyEngine& engine);
+
 /// What a study runs, over what.
 struct Study {
   std::string title{};

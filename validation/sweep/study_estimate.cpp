@@ -48,12 +48,6 @@ std::optional<double> cpu_seconds(const Points& points, std::size_t first, std::
   return sum / known * static_cast<double>(count);
 }
 
-std::string duration_text(double seconds) {
-  if (seconds < 120.0) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.3g} h", seconds / 3600.0);
-}
-
 }  // namespace
 
 std::string dry_run_screen(const Study& study, const Points& points, int jobs,
@@ -66,13 +60,10 @@ std::string dry_run_screen(const Study& study, const Points& points, int jobs,
   const std::size_t each = points.size() / study.engines.size();
   double total = 0.0;
   for (std::size_t k = 0; k < study.engines.size(); ++k) {
-    const StudyEngine& one = study.engines[k];
-    const std::string name =
-        one.configuration.empty() ? one.kind.name : one.kind.name + ", " + one.configuration;
-    std::string words = fmt::format("engine {}: {} points", name, each);
+    std::string words = fmt::format("engine {}: {} points", name_of(study.engines[k]), each);
     if (study.problem) {
       const std::optional<double> seconds = cpu_seconds(points, k * each, each);
-      words += seconds ? fmt::format(", about {} of CPU time", duration_text(*seconds))
+      words += seconds ? fmt::format(", about {} of CPU time", time_text(*seconds))
                        : ", none of those tried can run";
       total += seconds.value_or(0.0);
     }
@@ -80,7 +71,7 @@ std::string dry_run_screen(const Study& study, const Points& points, int jobs,
   }
   text += fmt::format("{} points", points.size());
   if (study.problem) {
-    text += fmt::format(": about {} with {} at a time", duration_text(total / jobs), jobs);
+    text += fmt::format(": about {} with {} at a time", time_text(total / jobs), jobs);
   }
   text += '\n';
   for (std::size_t k = 0; k < std::min(kTold, points.size()); ++k) {

@@ -148,6 +148,8 @@ def main():
         hold("0 computed" in run("broke").stdout, "and stay as they are")
         retried = run("broke", "--retry")
         hold(" 42 computed" in retried.stdout, f"unless they are retried: {retried.stdout.splitlines()[0]}")
+        lost = run("lost", "--share", "nowhere")
+        hold(lost.returncode == 2 and not (folder / "lost").exists(), "a folder to share that is not there is refused before a run")
         hold(run("x", "--shard", "3/2").returncode == 2, "a shard that is none is refused")
         few = run("few", "--shard", "5000/9000")
         hold(few.returncode == 0 and " 0 computed" in few.stdout, "an empty shard is fine")

@@ -23,13 +23,6 @@ std::string text(const Vector3d& v) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", told.x(), told.y(), told.z());
 }
 
-std::string time_text(double seconds) {
-  if (seconds < 100.0) return fmt::format("{:.2g} s", std::max(seconds, 0.01));
-  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  if (seconds < 360000.0) return fmt::format("{:.0f} h", seconds / 3600.0);
-  return fmt::format("{:.3g} days", seconds / 86400.0);
-}
-
 struct ShapeText {
   std::string operator()(const BoxShape& box) const {
     return fmt::format("a box of {:g} × {:g} × {:g} m", box.size.x(), box.size.y(), box.size.z());
@@ -149,6 +142,13 @@ std::string variation_text(const UserProblem& user) {
 }
 
 }  // namespace
+
+std::string time_text(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.2g} s", std::max(seconds, 0.01));
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  if (seconds < 360000.0) return fmt::format("{:.0f} h", seconds / 3600.0);
+  return fmt::format("{:.3g} days", seconds / 86400.0);
+}
 
 UserEstimate estimate(const UserProblem& user, const EngineKind& kind, const Settings& settings) {
   constexpr double kTried = 0.1;  // s of CPU

@@ -19,6 +19,9 @@ struct UserEstimate {
   std::uint64_t tetrahedra = 0;
 };
 
+/// "0.57 s", "5 min", "3 h", "2.5 days": of an estimate.
+std::string time_text(double seconds);
+
 /// Loads the problem and takes its first steps. Throws what the engine says when it refuses it, and
 /// InputError as steps_of does.
 UserEstimate estimate(const UserProblem& user, const EngineKind& engine, const Settings& settings);

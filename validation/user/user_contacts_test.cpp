@@ -94,7 +94,7 @@ TEST_F(UserContacts, FrictionBetweenBodiesActsOnBothOppositely) {
   EXPECT_NEAR(seen[1], seen[2] + seen[3], 1e-12);
 }
 
-// Ten steps of 10 ms; the point slides as the ramp's 20° and gravity have it, from the start.
+// A point that a force swings to and fro.
 TEST_F(UserContacts, AnExtremeIsOfAllStepsOfItsWindow) {
   const std::string swings =
       edited("rests_on = \"ramp\"",
@@ -109,7 +109,7 @@ TEST_F(UserContacts, AnExtremeIsOfAllStepsOfItsWindow) {
   ASSERT_EQ(seen.size(), 4u);
   // v = F/(m ω) (1 − cos ωt): back at zero after two whole periods, and twice the mean between.
   const double omega = 2.0 * std::numbers::pi * 20.0, mean = 40.0 / 2.0 / omega;
-  const double first_order = 20.0 * 1e-3;
+  const double first_order = 20.0 * 1e-3;  // F Δt / m: what a step adds at most
   EXPECT_NEAR(seen[0], 0.0, first_order);
   EXPECT_NEAR(seen[1], 2.0 * mean, first_order);
   EXPECT_NEAR(seen[2], 0.0, first_order);
@@ -135,7 +135,8 @@ TEST_F(UserContacts, MotionCanBeToldOverAnotherThing) {
           check("observable = \"velocity\"\ndirection = [1, 0, 0]");
   const std::vector<double> seen = values(text);
   ASSERT_EQ(seen.size(), 5u);
-  // Friction of μ g = 5 m/s² takes the point along: it slips by v²/(2 μ g).
+  // Friction of μ g = 5 m/s² takes the point along: it slips by v²/(2 μ g), but for a step's v Δt, and
+  // sinks in by less than a millimetre.
   EXPECT_NEAR(seen[0], 0.0, 1e-9);
   EXPECT_NEAR(seen[1], 0.0, 1e-9);
   EXPECT_NEAR(seen[2], -0.025, 5e-4);
@@ -218,7 +219,7 @@ TEST_F(UserContacts, TheLengthOfALoadAndOfAMotionCanVary) {
   grows = replaced(grows, "point.force", "point.force.value");
   const std::vector<double> grown = values(grows);
   ASSERT_EQ(grown.size(), 2u);
-  // Half of it on the mean until 0.05 s.
+  // Half of it on the mean until 0.05 s; off by F Δt / 2 m at most.
   EXPECT_NEAR(grown[0], -40.0 / 2.0 * 0.075, 0.02);
   EXPECT_NEAR(grown[1], -20.0 / 2.0 * 0.075, 0.01);
 
@@ -249,8 +250,8 @@ TEST_F(UserContacts, WithoutContactsThereIsNoSlip) {
 TEST_F(UserContacts, TheStartHasNoContactsYetAndNoExtremeTakesItIn) {
   const std::vector<double> seen = values(
       edited("observable = \"speed\"", "observable = \"normal-force\"\nextreme = \"smallest\""));
-  // 2 kg · 10 m/s² · cos 20°
-  EXPECT_NEAR(seen.at(0), 18.79, 0.02);
+  // 2 kg · 10 m/s² · cos 20°, to the digits that stand here.
+  EXPECT_NEAR(seen.at(0), 18.794, 5e-4);
 }
 
 // A cube that spins freely by 200° and a little more in a second.

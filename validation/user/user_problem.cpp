@@ -120,6 +120,10 @@ UserSweep read_sweep(TomlTable table, const std::shared_ptr<const ParsedFile>& p
 
 }  // namespace
 
+std::string value_text(const std::string& what, const std::string& unit, double value) {
+  return fmt::format("{} = {:g}{}", what, value, unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
 std::string extreme_word(Extreme extreme) {
   if (extreme == Extreme::kNone) return "";
   return extreme == Extreme::kLargest ? "largest " : "smallest ";
@@ -155,8 +159,8 @@ UserProblem read_parsed(const std::string& file, const toml::table& root) {
   return std::move(reading.user);
 }
 
-std::shared_ptr<const ParsedFile> parse_problem(std::istream& text,
-                                                const std::filesystem::path& file) {
+std::shared_ptr<const ParsedFile> parse_toml(std::istream& text,
+                                             const std::filesystem::path& file) {
   const std::string source{std::istreambuf_iterator<char>(text), {}};
   refuse_deep_keys(source, file.string());
   const auto parsed = std::make_shared<ParsedFile>();
@@ -171,7 +175,7 @@ std::shared_ptr<const ParsedFile> parse_problem(std::istream& text,
 }
 
 UserProblem user_problem(std::istream& text, const std::filesystem::path& file) {
-  const std::shared_ptr<const ParsedFile> parsed = parse_problem(text, file);
+  const std::shared_ptr<const ParsedFile> parsed = parse_toml(text, file);
   UserProblem user = read_parsed(parsed->file, parsed->root);
   TomlTable top(parsed->file, parsed->root, problem_keys::file());
   if (top.has("threshold")) {

@@ -96,6 +96,9 @@ struct UserProblem {
 /// " against ramp", " relative to table", or nothing.
 std::string partner_words(const Watched& watched, const Problem& problem);
 
+/// "ramp.slope_deg = 20 deg".
+std::string value_text(const std::string& what, const std::string& unit, double value);
+
 /// "largest ", "smallest ", or nothing.
 std::string extreme_word(Extreme extreme);
 

@@ -178,11 +178,6 @@ Settings varied_settings(const UserVariation& vary, const UserProblem& there) {
   return {{name, there.settings.at(name)}};
 }
 
-std::string value_text(const UserVariation& vary, double value) {
-  const std::string unit = vary.unit.empty() || vary.unit == "1" ? "" : " " + vary.unit;
-  return fmt::format("{} = {:g}{}", vary.what, value, unit);
-}
-
 void run_once(CaseRun& run, const UserProblem& user) {
   Observed seen = observe(run, user, {});
   for (std::size_t k = 0; k < seen.values.size(); ++k) {
@@ -199,7 +194,7 @@ void run_once(CaseRun& run, const UserProblem& user) {
 void run_sweep(CaseRun& run, const UserSweep& sweep) {
   for (const double value : sweep.values) {
     const UserProblem there = sweep.vary.with(value);
-    const std::string where = " at " + value_text(sweep.vary, value);
+    const std::string where = " at " + value_text(sweep.vary.what, sweep.vary.unit, value);
     Observed seen = observe(run, there, varied_settings(sweep.vary, there));
     for (std::size_t k = 0; k < seen.values.size(); ++k) {
       Claim claim = there.checks[k].claim;
@@ -244,9 +239,9 @@ void run_threshold(CaseRun& run, const UserThreshold& one) {
     const Worst worst = worst_at(run, one.vary, value);
     points.emplace_back(value, worst.share);
     if (known && worst.holds != expected) {
-      throw InputError(fmt::format("{}: at {} {}: {}", one.place, value_text(one.vary, value),
-                                   expected ? "a check fails already" : "every check still holds",
-                                   worst.words));
+      throw InputError(fmt::format(
+          "{}: at {} {}: {}", one.place, value_text(one.vary.what, one.vary.unit, value),
+          expected ? "a check fails already" : "every check still holds", worst.words));
     }
     return worst.holds;
   };
@@ -258,14 +253,15 @@ void run_threshold(CaseRun& run, const UserThreshold& one) {
     (holds_at(middle, true, false) ? holds : fails) = middle;
   }
   if (!(std::abs(fails - holds) <= one.within)) {
-    throw InputError(fmt::format(
-        "{}: after {} bisections the threshold is only known to lie between "
-        "{} and {}: bring 'holds_at' and 'fails_at' together",
-        one.place, kMostBisections, value_text(one.vary, holds), value_text(one.vary, fails)));
+    throw InputError(
+        fmt::format("{}: after {} bisections the threshold is only known to lie between "
+                    "{} and {}: bring 'holds_at' and 'fails_at' together",
+                    one.place, kMostBisections, value_text(one.vary.what, one.vary.unit, holds),
+                    value_text(one.vary.what, one.vary.unit, fails)));
   }
   run.check(one.claim, 0.5 * (holds + fails));
-  run.note(fmt::format("holds at {}, fails at {}", value_text(one.vary, holds),
-                       value_text(one.vary, fails)));
+  run.note(fmt::format("holds at {}, fails at {}", value_text(one.vary.what, one.vary.unit, holds),
+                       value_text(one.vary.what, one.vary.unit, fails)));
   std::sort(points.begin(), points.end());
   Series series{"worst error over its tolerance", "1", one.vary.what, one.claim.unit, {}, {}};
   for (const auto& [value, share] : points) {

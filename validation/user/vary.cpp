@@ -178,9 +178,7 @@ UserVariation read_variation(TomlTable& table, const std::shared_ptr<const Parse
             } catch (const NotMeshed&) {
               throw;
             } catch (const InputError& error) {
-              throw InputError(fmt::format("at {} = {:g}{}{}: {}", what, value,
-                                           unit.empty() || unit == "1" ? "" : " ",
-                                           unit == "1" ? "" : unit, error.what()));
+              throw InputError("at " + value_text(what, unit, value) + ": " + error.what());
             }
           }};
 }

@@ -20,8 +20,7 @@ struct ParsedFile {
 UserProblem read_parsed(const std::string& file, const toml::table& root);
 
 /// A file's text as tables. Throws InputError with file and line for what is not TOML.
-std::shared_ptr<const ParsedFile> parse_problem(std::istream& text,
-                                                const std::filesystem::path& file);
+std::shared_ptr<const ParsedFile> parse_toml(std::istream& text, const std::filesystem::path& file);
 
 /// The file's tables with this value, in its unit, where `what` says: what read_variation took.
 void set_value(toml::table& root, const std::string& what, double value);
