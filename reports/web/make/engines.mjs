@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run of `./stiction compare engines` in short, for the summary: engine × question, and what it costs.
 import { builds_beside } from "../model/build_pairs.js";
-import { cheapest_ways, points_of } from "../model/cheapest_way.js";
+import { cheapest_by_machine } from "../model/cheapest_way.js";
 import { case_of_command, command_of, compared_variants, question_of } from "../model/engine.js";
 import { is_answer, is_engine_case, is_of_engines, OURS } from "../model/engine.js";
 import { answer_of } from "../model/engine_answer.js";
 import { whole_questions } from "../model/engine_question.js";
 import { group_by } from "../model/family.js";
 import { figure_of, WORK } from "../model/figure.js";
+import { machine_letters } from "../model/machine.js";
 
 /** The records with questions in whole sentences as titles. */
 export function with_whole_questions(records) {
@@ -87,6 +88,7 @@ export function engines_of(entries, runs) {
     own.map(({ record }) => record),
     (i) => (several ? runs[own[i].run].short : ""),
   );
+  const letters = machine_letters(own.map(({ record }) => record));
   const told = own.map(({ record }, i) => ({ record, name: variants[i].name }));
   const by_case = [...group_by(told, ({ record }) => record.case)];
   const questions = by_case.map(([name, group]) => question(name, group));
@@ -97,6 +99,7 @@ export function engines_of(entries, runs) {
       name,
       engine: group[0].record.engine,
       seconds: priced && seconds_of(of.get(priced[0])),
+      machine: priced && of.has(priced[0]) ? letters([of.get(priced[0])]) : "",
       cells: questions.map((one) => (of.has(one.case) ? cell_of(of.get(one.case)) : null)),
     };
   });
@@ -106,7 +109,9 @@ export function engines_of(entries, runs) {
     rows,
     cheapest: by_case
       .filter((_, i) => questions[i].has_curve)
-      .map(([name, group]) => ({ case: name, ways: cheapest_ways(points_of(group)) })),
+      .flatMap(([name, group]) =>
+        cheapest_by_machine(group).map((ways) => ({ case: name, ...ways })),
+      ),
     builds: builds_beside(told),
     judged: judged(entries.map(({ record }) => record).filter(is_answer)),
     others: entries.some(({ record }) => !is_of_engines(record)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { margin } from "../model/check_text.js";
 import { configuration_of } from "../model/configuration.js";
+import { fingerprint_of } from "../model/machine.js";
 import { to_number } from "../model/number.js";
 import { fewest_digits, worst_check } from "../model/verdict.js";
 import { variant_key } from "../model/variant.js";
@@ -74,5 +75,6 @@ export function row_of(texts, { record, run, part, label }) {
     label ? text(label) : 0,
     text(configuration_of(record)),
     text(quantities_of(record)),
+    text(fingerprint_of(record)),
   ];
 }

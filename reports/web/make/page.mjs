@@ -4,6 +4,7 @@
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { is_map } from "../model/map_kind.js";
 import { asset_element, json_asset } from "./assets.mjs";
 
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -75,9 +76,14 @@ export function html_page({ data, bundles, recordings, limit_bytes }) {
     json_asset("licences", bundles.licences),
   ];
   const records = data.parts.map((part, i) => json_asset(`records/${i}`, part.records()));
-  const families = data.families.map(({ plots }, i) =>
-    plots.length > 0 ? json_asset(`family/${i}`, plots) : "",
-  );
+  const asset_of = (name, plots) => (plots.length > 0 ? json_asset(name, plots) : "");
+  const families = data.families.flatMap(({ plots }, i) => [
+    asset_of(
+      `family/${i}`,
+      plots.filter((plot) => !is_map(plot)),
+    ),
+    asset_of(`family/${i}/maps`, plots.filter(is_map)),
+  ]);
   const comparison = data.comparison ? [json_asset("comparison", data.comparison)] : [];
   const stability = data.stability ? [json_asset("stability", data.stability)] : [];
   const optional = [

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs → what the page holds: an index that is read at once, and parts that are read when needed.
-import { compare, noise_of, same_reason } from "../model/compare.js";
+import { compare, noises_of, same_reason } from "../model/compare.js";
 import { column_names } from "../model/column_name.js";
 import { configuration_of, ordered_configurations } from "../model/configuration.js";
 import {
@@ -13,6 +13,7 @@ import {
 import { family_name, group_by } from "../model/family.js";
 import { is_comparison } from "../model/figure.js";
 import { is_findings } from "../model/finding.js";
+import { fingerprints_of, know_machines, machine_letters } from "../model/machine.js";
 import { natural_sort } from "../model/natural.js";
 import { to_number } from "../model/number.js";
 import { VERDICTS } from "../model/verdict.js";
@@ -21,6 +22,7 @@ import { comparison_plots } from "../plots/comparison_plot.js";
 import { know_configurations, know_engines } from "../plots/configuration_style.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { compared_of } from "./compared.mjs";
+import { environments_of } from "./environments.mjs";
 import { engines_of, with_whole_questions } from "./engines.mjs";
 import { row_of, short_number, Texts } from "./index_row.mjs";
 import { run_heads } from "./run_heads.mjs";
@@ -82,6 +84,8 @@ export function page_data({ runs, against, title, warnings }) {
 
   const configurations = ordered_configurations(names_of(entries.map(({ record }) => record)));
   know_configurations(configurations);
+  const machines = fingerprints_of(entries.map(({ record }) => record));
+  know_machines(machines);
   know_engines(
     entries
       .filter(({ record }) => is_of_engines(record) && is_of_others(record))
@@ -149,6 +153,8 @@ export function page_data({ runs, against, title, warnings }) {
       summary,
       stability: stability && stability_counts(stability),
       configurations,
+      machines,
+      environments: environments_of(all, heads),
       families: families.map(({ name, plots }) => ({
         name,
         plots: plots.map(({ id, kind, title: plot_title }) => ({ id, kind, title: plot_title })),
@@ -172,7 +178,7 @@ export function page_data({ runs, against, title, warnings }) {
         [...group_by(changes, (change) => change.class)].map(([name, list]) => [name, list.length]),
       ),
       unchanged: unchanged_of(changes),
-      noise: noise_of(changes),
+      noises: told_noises(changes),
       changes: thin_changes(changes.slice(0, MOST_CHANGES)),
       plots: comparison_plots(
         changes
@@ -190,9 +196,23 @@ function without_series(record) {
   return rest;
 }
 
+function told_noises(changes) {
+  const noises = noises_of(changes);
+  const letters = machine_letters(both_of(changes));
+  return noises.map(({ before, after, across, ...noise }) => ({
+    ...noise,
+    machines: noises.length > 1 || across ? [letters([before]), letters([after])] : null,
+  }));
+}
+
+const both_of = (changes) =>
+  changes.flatMap(({ before, after }) => [before, after]).filter(Boolean);
+
 function thin_changes(changes) {
+  const letters = machine_letters(both_of(changes));
   const thin = (record) =>
     record && {
+      machine: letters([record]),
       verdict: record.verdict,
       seconds: short_number(to_number(record.cost.cpu_seconds)),
     };
@@ -221,7 +241,8 @@ function unchanged_of(changes) {
     by_reason: Object.fromEntries(
       [...group_by(same, same_reason)].map(([reason, list]) => [reason, list.length]),
     ),
-    untimed: same.filter(({ timed }) => !timed).length,
+    untimed: same.filter(({ timed, across }) => !timed && !across).length,
+    moved: same.filter(({ timed, across }) => !timed && across).length,
   };
 }
 

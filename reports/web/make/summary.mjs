@@ -5,6 +5,7 @@ import { margin } from "../model/check_text.js";
 import { column_names } from "../model/column_name.js";
 import { ordered_configurations } from "../model/configuration.js";
 import { family_name, group_by } from "../model/family.js";
+import { machine_letters } from "../model/machine.js";
 import { to_number } from "../model/number.js";
 import { is_decided, is_expected, VERDICTS, worst_check } from "../model/verdict.js";
 import { shared_cases_of, work_points } from "../model/work.js";
@@ -103,6 +104,7 @@ export function summary_of(records) {
   const name_of = column_names(judged);
   const by_configuration = group_by(judged, name_of);
   const names = ordered_configurations(by_configuration.keys());
+  const letters = machine_letters(judged);
   const families = [...group_by(judged, (record) => family_name(record.case))].map(
     ([name, own]) => {
       const cells = group_by(own, name_of);
@@ -126,6 +128,7 @@ export function summary_of(records) {
         name,
         ...cell_of(own),
         seconds: short_number(sum_of(own)),
+        machines: letters(own),
         creep: creep_of(own),
         broke: broken.get(name)?.length ?? 0,
         shared: shared.configurations.includes(name)

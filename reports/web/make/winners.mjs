@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who wins in each scene of a comparison, question by question: the least of a figure, with the runner-up.
 import { chief_quantity, failure_of, figure_of, WORK } from "../model/figure.js";
+import { machine_names } from "../model/machine.js";
 import { group_by } from "../model/family.js";
 
 // What is asked, by the figure that answers it; less is better in each.
@@ -14,10 +15,13 @@ const QUESTIONS = [
 const NO_AMOUNT = /^(best|contacts|diagonal dominance|slip at first|memory|predicted)\b/;
 
 function answer(group, { quantity, unit }) {
+  // Of CPU times who wins may only have the faster machine.
+  const named =
+    quantity === WORK ? machine_names(group.map(({ record }) => record)) : (name) => name;
   const held = group
     .filter(({ record }) => failure_of(record) === "")
     .map(({ record, variant }) => ({
-      label: [variant.name, variant.contacts].filter(Boolean).join(" · "),
+      label: named([variant.name, variant.contacts].filter(Boolean).join(" · "), record),
       value: figure_of(record, quantity),
     }))
     .filter(({ value }) => !Number.isNaN(value))

@@ -4,6 +4,7 @@
 import { build_of } from "./engine.js";
 import { answer_of, failed_efforts } from "./engine_answer.js";
 import { figure_of, WORK } from "./figure.js";
+import { fingerprint_of } from "./machine.js";
 import { to_number } from "./number.js";
 
 // {kind, error, seconds} of each effort with which it was asked, by its number.
@@ -36,13 +37,14 @@ const sendable = ({ kind, error, seconds }) => ({
 
 function pairs_of(own, build) {
   if (answer_of(own).kind === "lacks" || answer_of(build).kind === "lacks") return [];
+  const same_machine = fingerprint_of(own) === fingerprint_of(build);
   const [left, right] = [answers_of(own), answers_of(build)];
   return [...left.keys()]
     .filter((effort) => right.has(effort))
     .sort((a, b) => a - b)
     .map((effort) => {
       const pair = { own: sendable(left.get(effort)), build: sendable(right.get(effort)) };
-      const both = pair.own.seconds > 0 && pair.build.seconds > 0;
+      const both = same_machine && pair.own.seconds > 0 && pair.build.seconds > 0;
       const speed = both ? pair.own.seconds / pair.build.seconds : null;
       return { case: own.case, effort, ...pair, speed };
     });
@@ -51,7 +53,7 @@ function pairs_of(own, build) {
 /**
  * `told`: [{name, record}] of records engines/…. [{own, build, answers}] with the names of both rows, of each
  * row that is another build; `answers`: [{case, effort, own, build, speed}], where `speed` is the CPU time of the
- * engine over that of the build.
+ * engine over that of the build, null where they ran on different machines.
  */
 export function builds_beside(told) {
   const same = (a, b) =>

@@ -3,6 +3,7 @@
 // validation/comparison/engines/engine_matrix.h: of the other engines, and of ours. Other builds of ours
 // are neither.
 import { is_of_others, OURS } from "./engine.js";
+import { machines_of } from "./machine.js";
 import { to_number } from "./number.js";
 
 export const BOUNDS = [1e-2, 1e-4, 1e-6];
@@ -54,5 +55,17 @@ export function cheapest_ways(points) {
     theirs: short(row.theirs),
     ours: short(row.ours),
     ratio: row.theirs && row.ours ? row.ours.seconds / row.theirs.seconds : null,
+  }));
+}
+
+/**
+ * The cheapest ways of `told`, [{name, record}], one a machine: timings of two don't compare. [{machine, ways}];
+ * `machine` is its letter, "" where there is one.
+ */
+export function cheapest_by_machine(told) {
+  const machines = machines_of(told.map(({ record }) => record));
+  return machines.map(({ letter, records }) => ({
+    machine: machines.length > 1 ? letter : "",
+    ways: cheapest_ways(points_of(told.filter(({ record }) => records.includes(record)))),
   }));
 }

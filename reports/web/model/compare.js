@@ -4,6 +4,7 @@ import { is_decided, rank } from "./verdict.js";
 import { to_number } from "./number.js";
 import { group_by } from "./family.js";
 import { natural_sort } from "./natural.js";
+import { fingerprint_of } from "./machine.js";
 import { variant_key } from "./variant.js";
 
 /** A change of fewer digits than this is noise. */
@@ -116,9 +117,17 @@ export const SAME_WORDS = {
 const is_timed = (before, after) =>
   [before, after].every((record) => to_number(record.cost.cpu_seconds) >= LEAST_SECONDS);
 
+// Whether the two of a pair ran on different machines, whose timings don't compare.
+const is_across = ({ before, after }) =>
+  Boolean(before && after) && fingerprint_of(before) !== fingerprint_of(after);
+
+const machines_key = ({ before, after }) =>
+  before && after ? `${fingerprint_of(before)}\n${fingerprint_of(after)}` : "";
+
 /**
  * Pairs records by case, engine and settings. Gives [{case, class, before, after, digits_change,
- * quantity, cost_ratio, timed, hash_equal}], worst first; `before` and `after` are records or null.
+ * quantity, cost_ratio, timed, across, hash_equal}], worst first; `before` and `after` are records or null. `across`:
+ * on different machines; then CPU times count only beside those of enough other pairs of the same two.
  */
 export function compare(before_records, after_records) {
   const key = (record) => `${record.case}\n${variant_key(record)}`;
@@ -146,10 +155,32 @@ export function compare(before_records, after_records) {
         paired && old_one.state_hash !== "" ? old_one.state_hash === new_one.state_hash : null,
     };
   });
-  const noise = noise_of(pairs);
-  const changes = pairs.map((pair) => ({ class: class_of(pair, noise), ...pair }));
+  const noises = new Map(
+    [...group_by(pairs, machines_key)].map(([machines, group]) => [machines, noise_of(group)]),
+  );
+  const changes = pairs.map((pair) => {
+    const across = is_across(pair);
+    const noise = noises.get(machines_key(pair));
+    const timed = pair.timed && (!across || noise.pairs >= FEWEST_PAIRS);
+    const judged = { ...pair, across, timed };
+    return { class: class_of(judged, noise), ...judged };
+  });
   return changes.sort((a, b) => CHANGE_CLASSES.indexOf(a.class) - CHANGE_CLASSES.indexOf(b.class));
 }
+
+/** The noise of each two machines on which pairs as compare() gives them ran: [{before, after, across, …noise}]. */
+export const noises_of = (changes) =>
+  [
+    ...group_by(
+      changes.filter(({ timed }) => timed),
+      machines_key,
+    ).values(),
+  ].map((group) => ({
+    before: group[0].before,
+    after: group[0].after,
+    across: group[0].across,
+    ...noise_of(group),
+  }));
 
 /** The noise of the CPU times of pairs as compare() gives them. */
 export const noise_of = (pairs) =>

@@ -12,6 +12,7 @@ import { start_keys } from "./widgets/keys.js";
 import { draw_all } from "./widgets/plot_figure.js";
 import { show_plots } from "./views/plots_view.js";
 import { hash_of, parse_hash } from "./route.js";
+import { know_machines } from "../model/machine.js";
 import { know_configurations } from "../plots/configuration_style.js";
 import { rows_of } from "./rows.js";
 import { show_stability } from "./views/stability_view.js";
@@ -28,6 +29,7 @@ async function start(app) {
     ? await json_of("comparison")
     : null;
   know_configurations(index.configurations);
+  know_machines(index.machines);
   const data = { index, rows: rows_of(index), comparison };
   const views = [
     ["summary", "Summary"],

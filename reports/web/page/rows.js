@@ -2,6 +2,7 @@
 // The index's rows (make/page_data.mjs writes them) as objects.
 import { margin } from "../model/check_text.js";
 import { family_name, group_by } from "../model/family.js";
+import { letter_of } from "../model/machine.js";
 import { to_number } from "../model/number.js";
 import { rules_on_contacts } from "../model/rule.js";
 import { variant_labels } from "../model/variant.js";
@@ -65,7 +66,9 @@ function labels_of(rows, texts, compared) {
 }
 
 /** One object a record, in natural order of the case names. */
-export function rows_of({ rows, texts, compared, summary }) {
+export function rows_of({ rows, texts, runs, compared, summary }) {
+  const is_shown = ([run]) => runs[run].role === "shown";
+  const several = new Set(rows.filter(is_shown).map((row) => row.at(-1))).size > 1;
   const columns = new Set(summary?.configurations.map(({ name }) => name));
   const column_of = (engine, configuration) => {
     const long = `${engine} · ${configuration}`;
@@ -98,6 +101,7 @@ export function rows_of({ rows, texts, compared, summary }) {
       label,
       configuration,
       quantities,
+      fingerprint,
     ] = row;
     return {
       index,
@@ -123,6 +127,8 @@ export function rows_of({ rows, texts, compared, summary }) {
       configuration: texts[configuration],
       column: column_of(texts[engine], texts[configuration]),
       quantities: texts[quantities],
+      // Where all that is shown ran on one, there is nothing to tell apart.
+      machine: several ? letter_of(texts[fingerprint]) : "",
     };
   });
 }

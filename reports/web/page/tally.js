@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a set of rows comes to.
+import { joined_letters } from "../model/machine.js";
 import { is_bad, is_expected } from "../model/verdict.js";
 
 export function tally_of(rows) {
@@ -13,6 +14,7 @@ export function tally_of(rows) {
     "not-applicable": 0,
     records: rows.length,
     seconds: 0,
+    machines: joined_letters(rows.map((row) => row.machine)),
     steps: 0,
     updates: 0,
     closest: null,

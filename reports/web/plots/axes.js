@@ -4,7 +4,7 @@ import { name_with_unit } from "../model/number.js";
 
 /** Powers of ten are labelled as such; other numbers in short. */
 const IS_DECADE = "abs(log(datum.value) / LN10 - round(log(datum.value) / LN10)) < 1e-9";
-const LOG_LABELS =
+export const LOG_LABELS =
   `${IS_DECADE} ? ` +
   "(datum.value >= 0.01 && datum.value <= 1000 ? format(datum.value, '~g') : " +
   "'1e' + format(round(log(datum.value) / LN10), 'd')) : ''";

@@ -4,6 +4,7 @@
 import { parse, View, Warn } from "vega";
 import { expressionInterpreter } from "vega-interpreter";
 import { compile } from "vega-lite";
+import { is_of_panels, parts_of, sized_panels } from "./panel_size.js";
 import { painted, PALETTES } from "./palette.js";
 
 const FONT = "system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif";
@@ -11,10 +12,10 @@ const FONT = "system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, san
 // As many of a legend's entries stand in a row as there is room for; names are the literals of the
 // labels' expressions.
 function legend_columns(spec, width) {
-  const channels = [spec, ...(spec.layer ?? [])].flatMap(({ encoding }) =>
-    Object.values(encoding ?? {}),
+  const channels = parts_of(spec).flatMap(({ encoding }) => Object.values(encoding ?? {}));
+  const names = channels.flatMap(
+    ({ legend }) => legend?.labelExpr?.match(/"[^"]*"/g) ?? legend?.values ?? [],
   );
-  const names = channels.flatMap(({ legend }) => legend?.labelExpr?.match(/"[^"]*"/g) ?? []);
   const letters = names.reduce(
     (most, name) => Math.max(most, name.replace(/\\u.{4}/g, "x").length - 2),
     0,
@@ -56,6 +57,7 @@ function config_of(colours, width, columns) {
       labelLimit: Math.min(320, 0.8 * width),
       symbolStrokeWidth: 2,
     },
+    header: { ...text, labelColor: colours.$ink, labelFontSize: 11.5 },
     title: {
       aria: false,
       color: colours.$ink,
@@ -98,11 +100,10 @@ const quiet = {
 /** A Vega view of a specification, `width` pixels in all. */
 export function view_of(spec, theme, width, options = {}) {
   const colours = PALETTES[theme];
-  const sized = {
-    ...painted(spec, colours),
-    width,
-    autosize: { type: "fit-x", contains: "padding" },
-  };
+  const plain = painted(spec, colours);
+  const sized = is_of_panels(spec)
+    ? sized_panels(plain, width)
+    : { ...plain, width, autosize: { type: "fit-x", contains: "padding" } };
   const { spec: vega } = compile(sized, {
     config: config_of(colours, width, legend_columns(spec, width)),
     logger: quiet,

@@ -5,7 +5,7 @@ import { failed_efforts } from "../model/engine_answer.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { pixel } from "./end_labels.js";
 import { failed_lines, looks_of, points_of } from "./engine_work_points.js";
-import { pareto_front } from "./fit.js";
+import { BY_MACHINE, fronts_by_machine } from "./machine_marks.js";
 import { numbered, tip, tip_number } from "./names.js";
 
 const HEIGHT = 380; // px
@@ -41,7 +41,7 @@ export function engine_work_plot(all) {
     ),
     error: Number.isNaN(point.error) ? "never" : point.error,
   });
-  const front = pareto_front(
+  const front = fronts_by_machine(
     points.filter(({ error }) => Number.isFinite(error)),
     ({ seconds }) => seconds,
     ({ error }) => error,
@@ -100,7 +100,7 @@ export function engine_work_plot(all) {
             strokeWidth: 1.5,
             interpolate: "step-after",
           },
-          encoding,
+          encoding: { ...encoding, detail: BY_MACHINE },
         },
         {
           data: { values: points.map(place) },

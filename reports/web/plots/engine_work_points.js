@@ -2,6 +2,7 @@
 // What stands in the picture of engines' work and precision: points, failures, and how each engine looks.
 import { build_of, OURS } from "../model/engine.js";
 import { failed_efforts } from "../model/engine_answer.js";
+import { machine_letter } from "../model/machine.js";
 import { to_number } from "../model/number.js";
 import { place_of_engine } from "./configuration_style.js";
 import { SERIES_COLOURS, SERIES_SHAPES } from "./palette.js";
@@ -45,6 +46,7 @@ export function points_of({ variant, record }, key) {
     return {
       who: variant.name,
       who_key: key,
+      machine: machine_letter(record),
       effort,
       ours: is_ours({ variant, record }),
       build: build_of(record) !== "",

@@ -8,13 +8,14 @@ import { is_comparison } from "../model/figure.js";
 import { engine_work_plot } from "./engine_work_plot.js";
 import { ladder_plots } from "./ladder_plot.js";
 import { history_plots, is_history } from "./history_plot.js";
+import { is_timing, plot_by_machine, variants_by_machine, with_timings } from "./machine_marks.js";
 import { parameter_plot } from "./parameter_plot.js";
-import { phase_diagrams } from "./phase_diagram.js";
 import { phase_plot } from "./phase_plot.js";
 import { is_rule_work, rule_work_plots } from "./rule_work_plot.js";
 import { run_plot } from "./run_plot.js";
 import { score_plots } from "./score_plot.js";
 import { series_plot } from "./series_plot.js";
+import { sweep_pictures } from "./sweep_pictures.js";
 import { sweep_plots } from "./sweep_plot.js";
 import { prediction_plot, threshold_plot } from "./threshold_plot.js";
 import { trend_plots } from "./trend_plot.js";
@@ -84,15 +85,19 @@ export function case_plots(case_name, entries, runs) {
     .flatMap((entry) => entry.record.series.map((series) => ({ ...entry, series })))
     .filter(({ series }) => series.x.length > 0);
   const same_axes = group_by(curves, ({ series }) => axes_key(series));
-  const series_plots = [...same_axes.values()].map((group) =>
+  const plot_of = (group) =>
     is_over_time(group[0].series)
       ? { kind: "series", ...series_plot(group) }
       : is_over_runs(group[0].series)
         ? run_plot(group)
-        : parameter_plot(group),
+        : parameter_plot(group);
+  const series_plots = [...same_axes.values()].map((group) =>
+    is_timing(group[0].series) ? plot_by_machine(group, plot_of) : plot_of(group),
   );
   // Phases of different engines are not the same.
-  const phases = entries.every(({ record }) => is_answer(record)) ? null : phase_plot(labelled);
+  const phases = entries.every(({ record }) => is_answer(record))
+    ? null
+    : plot_by_machine(labelled, phase_plot);
   return with_id([...series_plots, phases && { kind: "phases", ...phases }], case_name);
 }
 
@@ -109,7 +114,10 @@ function run_plots(described) {
       label: `${label}  ${series.name.slice("digits: ".length)}`,
       series: { ...series, name: "digits" },
     }));
-  return [times, digits].filter((group) => group.length > 0).map(run_plot);
+  return [
+    times.length > 0 && plot_by_machine(times, run_plot),
+    digits.length > 0 && run_plot(digits),
+  ].filter(Boolean);
 }
 
 /**
@@ -127,14 +135,23 @@ export function family_plots(
   if (is_engine_case(family)) {
     const variants = variants_of(current, runs);
     return with_id(
-      [engine_work_plot(records.map((record, i) => ({ record, variant: variants[i] })))],
+      [
+        with_timings(
+          engine_work_plot(
+            variants_by_machine(records.map((record, i) => ({ record, variant: variants[i] }))),
+          ),
+          records,
+        ),
+      ],
       family,
     );
   }
   if (is_comparison(records)) {
     const variants = variants_of(current, runs);
     const work = is_rule_work(records)
-      ? rule_work_plots(records.map((record, i) => ({ record, variant: variants[i] })))
+      ? rule_work_plots(
+          variants_by_machine(records.map((record, i) => ({ record, variant: variants[i] }))),
+        ).map((plot) => with_timings(plot, records))
       : [];
     return with_id(
       [...work.map((plot) => ({ kind: "work-precision", ...plot })), ...trend_plots(entries, runs)],
@@ -160,7 +177,7 @@ export function family_plots(
   const work = records.some(is_answer) ? null : work_precision_plot(records);
   return with_id(
     [
-      ...phase_diagrams(records, name_of),
+      ...sweep_pictures(current, name_of, series_of),
       ...ladder_plots(current, name_of, series_of),
       threshold && { kind: "threshold", ...threshold },
       prediction && { kind: "prediction", ...prediction },

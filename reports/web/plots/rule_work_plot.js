@@ -4,11 +4,13 @@
 // failed stands at the upper edge.
 import { compared_quantities, failure_of, figure_of, WORK } from "../model/figure.js";
 import { group_by, short_name } from "../model/family.js";
+import { machine_letter } from "../model/machine.js";
 import { format_seconds, to_number } from "../model/number.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { end_labels, height_for, name_places, pixel } from "./end_labels.js";
-import { pareto_front } from "./fit.js";
+import { BY_MACHINE, fronts_by_machine } from "./machine_marks.js";
 import { tip, tip_number } from "./names.js";
+import { SERIES_SHAPES } from "./palette.js";
 import { rule_channels } from "./rule_channels.js";
 
 const HEIGHT = 340; // px
@@ -39,7 +41,16 @@ function points_of(entries, precision) {
     const seconds = Number.isFinite(work) ? work : to_number(record.cost.cpu_seconds);
     const error = figure_of(record, precision);
     const failure = failure_of(record) || (Number.isFinite(error) ? "" : "did not get there");
-    return { variant, case: record.case, ...place_in_family(record.case), seconds, error, failure };
+    const machine = machine_letter(record);
+    return {
+      variant,
+      machine,
+      case: record.case,
+      ...place_in_family(record.case),
+      seconds,
+      error,
+      failure,
+    };
   });
 }
 
@@ -61,6 +72,7 @@ const words_of = ({ variant }) => [variant.name, variant.contacts].filter(Boolea
 function rows_of(points, channels, { range, y_domain }) {
   return points.map((point) => ({
     who: words_of(point),
+    machine: point.machine,
     ...channels.keys_of(point.variant),
     line_key: `${words_of(point)} ${point.line}`,
     case: point.case,
@@ -80,6 +92,13 @@ function layers(rows, encoding, channels, unit, overall_view) {
   ];
   const held = rows.filter(({ failure }) => !failure);
   const failed = rows.filter(({ failure }) => failure);
+  const machines = [...new Set(rows.map(({ machine }) => machine))].sort();
+  const shape = {
+    ...BY_MACHINE,
+    type: "nominal",
+    scale: { domain: machines, range: SERIES_SHAPES },
+    legend: machines.length > 1 ? { symbolFillColor: "$ink", symbolStrokeColor: "$ink" } : null,
+  };
   const filled = {
     field: "contacts_key",
     type: "ordinal",
@@ -113,6 +132,7 @@ function layers(rows, encoding, channels, unit, overall_view) {
         ...encoding,
         stroke: channels.color,
         fill: channels.color,
+        shape,
         fillOpacity: filled,
         tooltip,
       },
@@ -141,13 +161,14 @@ const marks_words = (contacts, failed) =>
 // All points, with the front and the names of those on it.
 function overall(rows, channels, axes, precision, at) {
   const candidates = rows.filter(({ failure }) => !failure);
-  const front = pareto_front(
+  const front = fronts_by_machine(
     candidates,
     ({ x }) => x,
     ({ y }) => y,
   );
+  const starts = (i) => i === 0 || front[i - 1].machine !== front[i].machine;
   const named = front.filter(
-    ({ y }, i) => i === 0 || y * TELLING <= front[i - 1].y || i === front.length - 1,
+    ({ y }, i) => starts(i) || y * TELLING <= front[i - 1].y || i === front.length - 1,
   );
   const height = HEIGHT + 60;
   const moved = name_places(
@@ -182,7 +203,7 @@ function overall(rows, channels, axes, precision, at) {
         {
           data: { values: front },
           mark: { type: "line", color: "$ink", strokeWidth: 1.6, interpolate: "step-after" },
-          encoding,
+          encoding: { ...encoding, detail: BY_MACHINE },
         },
         {
           data: { values: front },

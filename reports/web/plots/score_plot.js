@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A comparison at a glance: a row a rule, a column a case, the figure as number and colour, one picture
 // for each kind of contacts. Rules are ordered by how they do over all cases.
-import { compared_quantities, failure_of, figure_of, figure_text } from "../model/figure.js";
+import { compared_quantities, failure_of, figure_of, figure_text, WORK } from "../model/figure.js";
 import { group_by } from "../model/family.js";
 import { name_with_unit } from "../model/number.js";
 import { rounded } from "./axes.js";
 import { name_axis, numbered, tip } from "./names.js";
+import { variants_by_machine, with_timings } from "./machine_marks.js";
 import { is_rule_work } from "./rule_work_plot.js";
 import { on_contacts } from "./rule_channels.js";
 
@@ -194,7 +195,13 @@ export function score_plots(entries) {
         ...quantities.filter(({ unit }) => unit === "1"),
       ];
       if (is_rule_work(own.map(({ record }) => record))) return { folder, plots: [] };
-      const plots = first.flatMap((quantity) => plots_of(quantity, own));
+      const records = own.map(({ record }) => record);
+      const by_machine = variants_by_machine(own);
+      const plots = first.flatMap((quantity) =>
+        quantity.quantity === WORK
+          ? plots_of(quantity, by_machine).map((plot) => with_timings(plot, records))
+          : plots_of(quantity, own),
+      );
       return {
         folder,
         plots: plots.map((plot, i) => ({ ...plot, id: `${folder}/scores-${i + 1}` })),

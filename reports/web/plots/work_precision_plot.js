@@ -2,9 +2,10 @@
 // What precision costs: error ÷ tolerance of each record's worst check over its CPU time. A line at 1 is the
 // tolerance; what broke off stands in a strip of its own; a line joins the efforts of a configuration in a
 // case; large marks are configurations over the cases that all of them ran.
-import { ordered_configurations } from "../model/configuration.js";
+import { configuration_of, ordered_configurations } from "../model/configuration.js";
 import { format_count, to_number } from "../model/number.js";
-import { configuration_styles } from "./configuration_style.js";
+import { machine_names, timings_sentence } from "../model/machine.js";
+import { variant_styles } from "./configuration_style.js";
 import { log_domain, quantity_axis, rounded } from "./axes.js";
 import { numbered, tip, tip_number } from "./names.js";
 import { effort_groups, shared_cases_of, shared_sums, work_points } from "../model/work.js";
@@ -75,14 +76,28 @@ function is_spread(points) {
  * The plot of some records. Null when nothing was both timed and measured, or, but for `always`, when all lies
  * on one spot. `name_of(record)` is what a record's configuration is called.
  */
-export function work_precision_plot(records, { name_of, height = 260, always = false } = {}) {
-  const all = work_points(records, name_of);
+export function work_precision_plot(
+  records,
+  { name_of = configuration_of, height = 260, always = false } = {},
+) {
+  const is_timed = ({ cost }) => to_number(cost.cpu_seconds) > 0;
+  const with_machine = machine_names(records.filter(is_timed));
+  const series_of = (record) => with_machine(name_of(record), record);
+  const all = work_points(records, series_of);
   const points = all.filter(({ seconds }) => seconds > 0);
   if (points.length === 0 || (!always && !is_spread(points))) return null;
-  const names = ordered_configurations(points.map(({ configuration }) => configuration));
-  const styles = configuration_styles(names);
+  const configurations = new Map(
+    points.map(({ configuration, record }) => [configuration, name_of(record)]),
+  );
+  const order = ordered_configurations(configurations.values());
+  const names = [...configurations.keys()].sort(
+    (a, b) =>
+      order.indexOf(configurations.get(a)) - order.indexOf(configurations.get(b)) ||
+      (a < b ? -1 : 1),
+  );
+  const styles = variant_styles(names.map((name) => configurations.get(name)));
   const keys = numbered(names);
-  const shared = shared_sums(points, shared_cases_of(records, name_of));
+  const shared = shared_sums(points, shared_cases_of(records, series_of));
   const shown = (point) => ({
     case: point.case,
     configuration: point.configuration,
@@ -106,7 +121,7 @@ export function work_precision_plot(records, { name_of, height = 260, always = f
     legend,
   });
   const legend = names.length > 1 ? { labelExpr: keys.labels } : null;
-  const look = (field) => names.map((name) => styles.get(name)[field]);
+  const look = (field) => styles.map((style) => style[field]);
   const encoding = {
     x: quantity_axis("seconds", "CPU time", "s", {
       log: true,
@@ -138,14 +153,19 @@ export function work_precision_plot(records, { name_of, height = 260, always = f
   const point = { type: "point", size: SMALL, strokeWidth: 1.4, cursor: "pointer" };
   return {
     title: "Precision and what it costs",
-    caption: words(
-      points,
-      shared,
-      unjudged,
-      all.length - points.length,
-      lines.length,
-      marks.some(({ records: count }) => count > 1),
-    ),
+    caption: [
+      words(
+        points,
+        shared,
+        unjudged,
+        all.length - points.length,
+        lines.length,
+        marks.some(({ records: count }) => count > 1),
+      ),
+      timings_sentence(points.map(({ record }) => record)),
+    ]
+      .filter(Boolean)
+      .join(" "),
     description: `Error ÷ tolerance over CPU time of ${points.length} records; ${points.filter(({ broke }) => broke).length} broke off.`,
     spec: {
       height,

@@ -29,7 +29,11 @@ const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
 function turn_late(ms) {
   const listen = window.addEventListener.bind(window);
   window.addEventListener = (type, told, ...rest) =>
-    listen(type, type === "hashchange" ? (event) => setTimeout(() => told(event), ms) : told, ...rest);
+    listen(
+      type,
+      type === "hashchange" ? (event) => setTimeout(() => told(event), ms) : told,
+      ...rest,
+    );
 }
 
 /** CPU time that the page's process has taken, ms: unlike the clock's it doesn't grow with what else runs. */
@@ -123,7 +127,7 @@ export async function turn_to(page, hash) {
 export async function draw_plots(page) {
   for (const plot of await page.locator(".plot-canvas").all()) {
     await plot.scrollIntoViewIfNeeded();
-    await plot.locator("svg").waitFor({ timeout: 10_000 });
+    await plot.locator("svg, canvas").waitFor({ timeout: 10_000 });
   }
   return page
     .locator(".plot-canvas")

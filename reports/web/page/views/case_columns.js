@@ -2,6 +2,7 @@
 import { expected_text, value_text } from "../../model/check_text.js";
 import { format_digits, format_seconds_short, format_value } from "../../model/number.js";
 import { h } from "../dom.js";
+import { machine_mark } from "../widgets/machine_mark.js";
 import { style_mark } from "../widgets/style_mark.js";
 import { margin_bar } from "../widgets/margin_bar.js";
 import { verdict_mark } from "../widgets/glyph.js";
@@ -75,7 +76,7 @@ export function case_columns(runs) {
       unit: "s",
       class: "c-seconds number",
       sortable: true,
-      cell: (row) => format_seconds_short(row.seconds),
+      cell: (row) => [format_seconds_short(row.seconds), machine_mark(row.machine)],
     },
     {
       key: "ns",
@@ -83,7 +84,8 @@ export function case_columns(runs) {
       unit: "ns",
       class: "c-ns number",
       sortable: true,
-      cell: (row) => (row.ns > 0 ? format_value(Number(row.ns.toPrecision(3))) : "–"),
+      cell: (row) =>
+        row.ns > 0 ? [format_value(Number(row.ns.toPrecision(3))), machine_mark(row.machine)] : "–",
     },
   ];
 }

@@ -8,6 +8,7 @@ import { h, replace } from "../dom.js";
 import { filtered, sorted } from "../widgets/filter.js";
 import { glyph } from "../widgets/glyph.js";
 import { case_hash, hash_of } from "../route.js";
+import { machines_note } from "../widgets/machine_mark.js";
 import { big_table } from "../widgets/table.js";
 
 const SORTS = {
@@ -119,6 +120,7 @@ export function cases_view({ index, rows }) {
       reset,
     ),
     count,
+    machines_note(current.map((row) => row.machine)),
     table.element,
   );
 

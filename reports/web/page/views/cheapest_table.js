@@ -3,6 +3,7 @@
 import { format_bound, format_value, general } from "../../model/number.js";
 import { h } from "../dom.js";
 import { hash_of } from "../route.js";
+import { machine_mark } from "../widgets/machine_mark.js";
 
 const ms = (way) => (way ? general(1e3 * way.seconds, 3) : "–");
 
@@ -61,13 +62,14 @@ export function cheapest_table({ cheapest, questions }) {
             heading("Ours ÷ theirs", true),
           ),
         ),
-        cheapest.map(({ case: name, ways }) => {
+        cheapest.map(({ case: name, machine, ways }) => {
           const question = of.get(name);
           const first = h(
             "th",
             { scope: "rowgroup", rowspan: ways.length },
             h("a", { href: hash_of("case", name), title: question.words }, question.id),
             question.unit && h("span", { class: "unit" }, ` ${question.unit}`),
+            machine_mark(machine),
           );
           return h(
             "tbody",

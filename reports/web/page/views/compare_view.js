@@ -4,6 +4,7 @@ import { CHANGE_CLASSES, CHANGE_WORDS, LEAST_SECONDS, SAME_WORDS } from "../../m
 import { format_count, format_error, format_seconds } from "../../model/number.js";
 import { breakable, h, replace } from "../dom.js";
 import { glyph, verdict_mark } from "../widgets/glyph.js";
+import { machine_mark, machines_note } from "../widgets/machine_mark.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { case_hash, hash_of } from "../route.js";
 
@@ -15,6 +16,9 @@ const verdicts = ({ before, after }) =>
     : verdict_mark((after ?? before).verdict, 14);
 
 const signed = (value) => (value === 0 ? "0" : `${value > 0 ? "+" : ""}${value.toFixed(1)}`);
+
+const seconds_cell = (one) =>
+  one ? [format_seconds(Number(one.seconds)), machine_mark(one.machine)] : "–";
 
 function change_row(change) {
   const { digits_change: digits, cost_ratio: ratio } = change;
@@ -34,12 +38,8 @@ function change_row(change) {
       { class: "number" },
       change.before && change.after ? h("span", { title: change.quantity }, signed(digits)) : "–",
     ),
-    h(
-      "td",
-      { class: "number" },
-      change.before ? format_seconds(Number(change.before.seconds)) : "–",
-    ),
-    h("td", { class: "number" }, change.after ? format_seconds(Number(change.after.seconds)) : "–"),
+    h("td", { class: "number" }, seconds_cell(change.before)),
+    h("td", { class: "number" }, seconds_cell(change.after)),
     h("td", { class: "number" }, ratio === null ? "–" : `× ${format_error(ratio)}`),
     h("td", {}, change.hash_equal === null ? "–" : change.hash_equal ? "same" : "differs"),
   );
@@ -80,19 +80,32 @@ const changes_table = (changes, label) => [
 const percent = (factor) => `${Math.round(100 * (factor - 1))} %`;
 
 // What counts as noise, in words, with how many pairs that leaves out.
-function left_out({ unchanged, noise, counts, changes }) {
+function noise_words({ machines, pairs, factor, median }) {
+  const where = !machines
+    ? ""
+    : machines[0] === machines[1]
+      ? `On machine ${machines[0]} `
+      : `From machine ${machines[0]} to ${machines[1]} `;
+  return (
+    `${where}CPU time counts beyond ± ${percent(factor)}` +
+    `${median === 1 ? "" : ` of the median pair, × ${format_error(median)}`} ` +
+    `(the spread of ${format_count(pairs)} pairs, at least 15 %)`
+  );
+}
+
+function left_out({ unchanged, noises, counts, changes }) {
   const same = counts.same ?? 0;
   if (same === 0) return null;
   const reasons = Object.entries(unchanged.by_reason).map(([reason, count]) =>
     h("li", {}, `${format_count(count)}: ${SAME_WORDS[reason]}`),
   );
-  const cost =
-    noise.pairs > 0
-      ? `CPU time counts beyond ± ${percent(noise.factor)}${noise.median === 1 ? "" : ` of the median pair, × ${format_error(noise.median)}`} (the spread of ${format_count(noise.pairs)} pairs, at least 15 %)`
-      : "";
   const short =
     unchanged.untimed > 0
       ? `${format_count(unchanged.untimed)} took less than ${LEAST_SECONDS} s, too short to compare`
+      : "";
+  const moved =
+    unchanged.moved > 0
+      ? `${format_count(unchanged.moved)} ran on another machine than before, too few to compare`
       : "";
   const body = h("div");
   const details = h(
@@ -121,7 +134,9 @@ function left_out({ unchanged, noise, counts, changes }) {
       "ul",
       {},
       reasons,
-      [cost, short].filter(Boolean).map((text) => h("li", {}, `${text}.`)),
+      [...noises.map(noise_words), short, moved]
+        .filter(Boolean)
+        .map((text) => h("li", {}, `${text}.`)),
     ),
   );
 }
@@ -168,7 +183,10 @@ export function show_compare(element, chosen, { index, comparison }) {
   const classes = present.includes(chosen) ? [chosen] : present;
   const shown = changes.filter((change) => classes.includes(change.class));
   const worse = counts.worse ?? 0;
-  const ratio = seconds.before > 0 ? seconds.after / seconds.before : NaN;
+  const moved = changes.some(
+    ({ before, after }) => before && after && before.machine !== after.machine,
+  );
+  const ratio = !moved && seconds.before > 0 ? seconds.after / seconds.before : NaN;
   replace(
     element,
     h(
@@ -183,6 +201,9 @@ export function show_compare(element, chosen, { index, comparison }) {
           "p",
           { class: "subline" },
           `${format_count(total)} records paired by case, engine and settings; CPU time of the pairs ${format_seconds(seconds.before)} s → ${format_seconds(seconds.after)} s${Number.isFinite(ratio) ? ` (× ${format_error(ratio)})` : ""}.`,
+        ),
+        machines_note(
+          changes.flatMap(({ before, after }) => [before, after]).map((one) => one?.machine ?? ""),
         ),
         h("ul", { class: "run-lines" }, run_line("against", "earlier"), run_line("shown", "this")),
       ),

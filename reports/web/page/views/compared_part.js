@@ -5,6 +5,7 @@ import { format_count, format_seconds_short, name_with_unit } from "../../model/
 import { breakable, h } from "../dom.js";
 import { findings_parts } from "./findings.js";
 import { winners_part } from "./winners_part.js";
+import { machine_mark } from "../widgets/machine_mark.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { plots_of_family } from "../records.js";
 import { case_hash, hash_of } from "../route.js";
@@ -84,7 +85,7 @@ function case_row(line) {
       { class: line.failed + line.in_part > 0 ? "number failed-count" : "number" },
       failed_words(line),
     ),
-    h("td", { class: "number" }, format_seconds_short(line.seconds)),
+    h("td", { class: "number" }, format_seconds_short(line.seconds), machine_mark(line.machines)),
   );
 }
 

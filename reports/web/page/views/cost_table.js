@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each variant of a case cost, with what and where.
 import { format_count, format_seconds, format_value, to_number } from "../../model/number.js";
+import { machine_letters } from "../../model/machine.js";
 import { h } from "../dom.js";
+import { machine_mark, machines_note } from "../widgets/machine_mark.js";
 import { configuration_name } from "./results_table.js";
 import { verdict_mark } from "../widgets/glyph.js";
 
@@ -33,7 +35,9 @@ export function cost_table(entries, { with_settings = true } = {}) {
       name,
       unit && h("span", { class: "unit" }, ` ${unit}`),
     );
-  return h(
+  const letters = machine_letters(entries.map(({ record }) => record));
+  const machine = (record) => machine_mark(letters([record]));
+  const table = h(
     "div",
     { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Cost" },
     h(
@@ -74,7 +78,12 @@ export function cost_table(entries, { with_settings = true } = {}) {
                   ]
                 : configuration_name({ record, label }),
             ),
-            h("td", { class: "number" }, format_seconds(to_number(record.cost.cpu_seconds))),
+            h(
+              "td",
+              { class: "number" },
+              format_seconds(to_number(record.cost.cpu_seconds)),
+              machine(record),
+            ),
             h("td", { class: "number" }, rate_text(record.cost)),
             h("td", { class: "number" }, format_count(record.cost.steps)),
             h("td", { class: "number" }, format_count(record.cost.contact_updates)),
@@ -86,4 +95,5 @@ export function cost_table(entries, { with_settings = true } = {}) {
       ),
     ),
   );
+  return [machines_note(entries.map(({ record }) => letters([record]))), table];
 }

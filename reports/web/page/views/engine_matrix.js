@@ -4,6 +4,7 @@ import { short_error } from "../../model/engine_answer.js";
 import { format_bound, general, to_number } from "../../model/number.js";
 import { h } from "../dom.js";
 import { hash_of } from "../route.js";
+import { machine_mark } from "../widgets/machine_mark.js";
 import { with_grid_keys } from "../widgets/grid_keys.js";
 
 const LEVELS = [1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1]; // |error| below which a colour is paler
@@ -104,7 +105,11 @@ export function engine_matrix({ questions, rows, priced }) {
           {},
           h("th", { scope: "row", class: "matrix-name" }, row.name),
           row.cells.map((cell, i) => cell_of(row, questions[i], cell)),
-          h("td", { class: "cpu" }, row.seconds === null ? "–" : general(1e3 * row.seconds, 3)),
+          h(
+            "td",
+            { class: "cpu" },
+            row.seconds === null ? "–" : [general(1e3 * row.seconds, 3), machine_mark(row.machine)],
+          ),
         ),
       ),
     ),

@@ -52,11 +52,19 @@ export function facts(tally, index) {
       Number.isFinite(tally.fewest) ? format_digits(tally.fewest) : "–",
       "of the deciding checks",
     ),
-    fact("CPU time", `${format_seconds(tally.seconds)} s`, `${format_short(tally.steps)} steps`),
+    fact(
+      "CPU time",
+      `${format_seconds(tally.seconds)} s`,
+      [`${format_short(tally.steps)} steps`, tally.machines && `on ${tally.machines}`]
+        .filter(Boolean)
+        .join("; "),
+    ),
     fact(
       "Contact update",
       tally.median_ns > 0 ? `${format_value(Number(tally.median_ns.toPrecision(3)))} ns` : "–",
-      `median; ${format_short(tally.updates)} updates`,
+      [`median; ${format_short(tally.updates)} updates`, tally.machines && `on ${tally.machines}`]
+        .filter(Boolean)
+        .join("; "),
     ),
   );
 }

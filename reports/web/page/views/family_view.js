@@ -3,11 +3,13 @@
 import { h, replace } from "../dom.js";
 import { glyph, verdict_mark } from "../widgets/glyph.js";
 import { style_mark } from "../widgets/style_mark.js";
+import { machine_mark, machines_note } from "../widgets/machine_mark.js";
 import { margin_bar } from "../widgets/margin_bar.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { plots_of_family } from "../records.js";
 import { case_hash, hash_of } from "../route.js";
 import { group_by, short_name } from "../../model/family.js";
+import { joined_letters } from "../../model/machine.js";
 import { format_seconds } from "../../model/number.js";
 import { ordered_configurations } from "../../model/configuration.js";
 import { rank, VERDICT_WORDS } from "../../model/verdict.js";
@@ -56,7 +58,12 @@ export async function show_family(element, name, { index, rows }) {
       h("td", {}, margin_bar(closest, true, worst.check?.verdict)),
       h("td", {}, by_configuration(list)),
       h("td", { class: "number" }, String(list.length)),
-      h("td", { class: "number" }, format_seconds(list.reduce((sum, row) => sum + row.seconds, 0))),
+      h(
+        "td",
+        { class: "number" },
+        format_seconds(list.reduce((sum, row) => sum + row.seconds, 0)),
+        machine_mark(joined_letters(list.map((row) => row.machine))),
+      ),
     );
   };
   const plots = await plots_of_family(name, index);
@@ -77,6 +84,7 @@ export async function show_family(element, name, { index, rows }) {
         plots.map((plot) => plot_figure(plot, { heading: "h2" })),
       ),
     h("h2", {}, "Cases"),
+    machines_note(current.map((row) => row.machine)),
     h(
       "div",
       { class: "data-scroll", tabindex: "0", role: "region", "aria-label": "Cases of the family" },

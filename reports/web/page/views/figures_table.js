@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A comparison as one table: a row a rule on contacts or an engine, a column a figure, the least of each marked, and
 // a bar for how much more the others have. Best first; a heading sorts by its column.
-import { compared_quantities, failure_of, figure_of, figure_text } from "../../model/figure.js";
+import {
+  compared_quantities,
+  failure_of,
+  figure_of,
+  figure_text,
+  WORK,
+} from "../../model/figure.js";
+import { machine_letters } from "../../model/machine.js";
 import { h, replace } from "../dom.js";
+import { machine_mark } from "../widgets/machine_mark.js";
 import { is_engine_case } from "../../model/engine.js";
 import { answer_of } from "../../model/engine_answer.js";
 
@@ -91,13 +99,19 @@ function ordered(rows, place, places) {
 export function figures_table(entries, { heading = "Rule", chosen = "" } = {}) {
   const columns = columns_of(entries.map(({ record }) => record));
   const with_contacts = entries.some(({ variant }) => variant.contacts !== "");
+  const with_work = columns.some(({ name }) => name === WORK);
+  const letters = with_work ? machine_letters(entries.map(({ record }) => record)) : () => "";
   const rows = entries.map(({ record, variant }) => {
     const values = columns.map(({ of }) => of(record));
     const sizes = values.map((value, place) => size_of(value, columns[place].name));
-    return { variant, failure: failure_of(record), values, sizes };
+    return { variant, machine: letters([record]), failure: failure_of(record), values, sizes };
   });
   const places = columns.map((_, i) => i);
-  const ranges = columns.map(({ name }, place) => range_of(rows, place, name));
+  // The least CPU time of several machines tells of these.
+  const on_several = rows.some(({ machine }) => machine !== "");
+  const ranges = columns.map(({ name }, place) =>
+    name === WORK && on_several ? null : range_of(rows, place, name),
+  );
   const body = h("tbody");
   const heads = columns.map(({ name, unit, meaning }, place) =>
     h(
@@ -111,7 +125,7 @@ export function figures_table(entries, { heading = "Rule", chosen = "" } = {}) {
       ),
     ),
   );
-  const row = ({ variant, failure, values, sizes }) =>
+  const row = ({ variant, machine, failure, values, sizes }) =>
     h(
       "tr",
       {
@@ -123,6 +137,7 @@ export function figures_table(entries, { heading = "Rule", chosen = "" } = {}) {
         "th",
         { scope: "row" },
         variant.words,
+        machine_mark(machine),
         failure && [" ", h("span", { class: "failed-why" }, `✕ ${failure}`)],
       ),
       with_contacts && h("td", {}, variant.contacts),

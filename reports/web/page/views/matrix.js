@@ -6,6 +6,7 @@ import { format_count, format_seconds_short, general, to_number } from "../../mo
 import { is_bad, VERDICT_WORDS } from "../../model/verdict.js";
 import { h } from "../dom.js";
 import { glyph } from "../widgets/glyph.js";
+import { machine_mark } from "../widgets/machine_mark.js";
 import { style_mark } from "../widgets/style_mark.js";
 import { term } from "../widgets/term.js";
 import { case_hash, hash_of } from "../route.js";
@@ -214,6 +215,7 @@ function shared_cell({ shared }) {
 
 const cost_cell = (column) => [
   `${format_seconds_short(to_number(column.seconds))} s`,
+  machine_mark(column.machines),
   column.broke > 0 && h("span", { class: "cell-note" }, `${column.broke} broke off early`),
 ];
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plots of all families, by what they show.
+import { MAP_KINDS } from "../../model/map_kind.js";
 import { h, replace } from "../dom.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { plots_of_family } from "../records.js";
@@ -7,6 +8,8 @@ import { hash_of } from "../route.js";
 
 const KINDS = {
   "phase-diagram": "Sweeps",
+  "heat-map": "Measured over sweeps",
+  "sweep-cost": "Cost of sweeps",
   scores: "Rules by case",
   "work-precision": "Work and precision",
   ladder: "Ladders",
@@ -41,7 +44,9 @@ export async function show_plots(element, kind, { index }) {
   const families = index.families.filter(({ plots }) => plots.some((plot) => plot.kind === chosen));
   const sections = await Promise.all(
     families.slice(0, MOST_FAMILIES).map(async ({ name }) => {
-      const plots = (await plots_of_family(name, index)).filter((plot) => plot.kind === chosen);
+      const plots = (
+        await plots_of_family(name, index, { maps: MAP_KINDS.includes(chosen) })
+      ).filter((plot) => plot.kind === chosen);
       const title = (plot) => (plots.length > 1 ? plot.title : ""); // the tab says it already
       return plots.map((plot) =>
         h(

@@ -10,6 +10,7 @@ import { facts } from "./facts.js";
 import { failures_list } from "./failures.js";
 import { matrix } from "./matrix.js";
 import { glyph } from "../widgets/glyph.js";
+import { machines_note } from "../widgets/machine_mark.js";
 import { style_mark } from "../widgets/style_mark.js";
 import { plot_figure } from "../widgets/plot_figure.js";
 import { stability_sentences } from "./stability_words.js";
@@ -27,7 +28,8 @@ function headline(tally, index) {
   if (tally["not-applicable"] === tally.records && has_history(index))
     return ["for-information", "Measured over runs, and judged by nobody."];
   const expected = tally["expected-shortfall"] + tally.refuted;
-  if (tally.bad === 0 && tally.pass === 0 && expected === 0) return ["for-information", "Nothing was decided."];
+  if (tally.bad === 0 && tally.pass === 0 && expected === 0)
+    return ["for-information", "Nothing was decided."];
   if (tally.bad === 0 && tally["expected-shortfall"] + tally.refuted > 0) {
     const parts = [
       `${format_count(tally.pass)} hold${tally.pass === 1 ? "s" : ""}`,
@@ -174,10 +176,15 @@ function sweep_part(index) {
   if (families.length === 0) return null;
   const place = h("div", { class: "plot-pairs" });
   for (const { name } of families)
-    plots_of_family(name, index).then((plots) =>
+    plots_of_family(name, index, { maps: false }).then((plots) =>
       place.append(...plots.filter(is_diagram).map((plot) => plot_figure(plot))),
     );
-  return h("section", { "aria-labelledby": "sweep-title" }, h("h2", { id: "sweep-title" }, "Where it holds"), place);
+  return h(
+    "section",
+    { "aria-labelledby": "sweep-title" },
+    h("h2", { id: "sweep-title" }, "Where it holds"),
+    place,
+  );
 }
 
 const stability_line = ({ stability }) =>
@@ -243,13 +250,19 @@ export function summary_view({ index, rows, comparison }) {
         h("p", { class: "provenance" }, provenance(index.runs)),
         (only_engines || index.compared) && play_line(shown, index),
         change_line(comparison),
+        machines_note(shown.map((row) => row.machine)),
       ),
     ),
     only_engines
       ? null
       : index.compared
         ? [failures_list(current), compared_parts(index, current)]
-        : [sweep_part(index), failures_list(current), overview_part(index), more_part(shown, tally, index)],
+        : [
+            sweep_part(index),
+            failures_list(current),
+            overview_part(index),
+            more_part(shown, tally, index),
+          ],
     index.engines && engines_parts(index.engines, index.runs),
   );
 }

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data of a specification as a plain table.
 import { format_value } from "../../model/number.js";
+import { parts_of } from "../../plots/panel_size.js";
 import { h } from "../dom.js";
 
 const MOST_ROWS = 200;
 
 // The largest data set of a specification: the measured points, beside helper lines.
 function values_of(spec) {
-  const sets = [spec, ...(spec.layer ?? [])].map((part) => part.data?.values).filter(Boolean);
+  const sets = parts_of(spec)
+    .map((part) => part.data?.values)
+    .filter(Boolean);
   return sets.reduce((a, b) => (b.length > a.length ? b : a), []);
 }
 
-// Column names as the axes give them, with units.
+// Column names as the axes give them, with units, or the marks' tooltips.
 function heading_of(spec, field) {
-  for (const part of [spec, ...(spec.layer ?? [])].reverse()) {
-    for (const channel of Object.values(part.encoding ?? {})) {
-      if (channel?.field === field && channel.axis?.title) return channel.axis.title.trim();
+  for (const part of parts_of(spec).reverse()) {
+    const channels = Object.values(part.encoding ?? {});
+    for (const channel of [...channels, ...(part.encoding?.tooltip ?? [])]) {
+      const title = channel?.axis?.title ?? (channel?.type && channel.title);
+      if (channel?.field === field && title) return title.trim().replace(/:$/, "");
     }
   }
   return field;
@@ -29,7 +34,7 @@ export function data_table(spec) {
     ...new Set(values.slice(0, MOST_ROWS).flatMap((value) => Object.keys(value))),
   ].filter(
     (field) =>
-      !/_key$|^place$/.test(field) &&
+      !/_key$|^place$|^edge_|^colour$/.test(field) &&
       values.some((value) => value[field] !== "" && value[field] !== null),
   );
   return h(

@@ -6,7 +6,10 @@ import { case_hash } from "../route.js";
 import { data_table } from "./data_table.js";
 import { h, replace } from "../dom.js";
 import { current_theme, on_theme } from "./theme.js";
+import { mark_count } from "../../plots/panel_size.js";
 import { hide_tip, show_tip } from "./tip.js";
+
+const MOST_ELEMENTS = 3000; // of an SVG; beyond that a canvas is drawn faster
 
 const live = new Set();
 
@@ -54,7 +57,8 @@ export function plot_figure(plot, { heading = "h3", on_click } = {}) {
       if (width < 40) return;
       canvas.stiction_view?.finalize();
       canvas.stiction_width = width;
-      const view = view_of(plot.spec, current_theme(), width, { renderer: "svg", hover: true });
+      const renderer = mark_count(plot.spec) > MOST_ELEMENTS ? "canvas" : "svg";
+      const view = view_of(plot.spec, current_theme(), width, { renderer, hover: true });
       view.tooltip((handler, event, item, value) => (value ? show_tip(event, value) : hide_tip()));
       view.addEventListener("click", (event, item) => {
         const datum = item?.datum;
@@ -65,7 +69,7 @@ export function plot_figure(plot, { heading = "h3", on_click } = {}) {
       const place = h("div");
       view.initialize(place);
       await view.runAsync();
-      place.querySelector("svg")?.setAttribute("aria-hidden", "true");
+      place.querySelector("svg, canvas")?.setAttribute("aria-hidden", "true");
       replace(canvas, place);
       canvas.stiction_view = view;
       live.add(canvas);
