@@ -35,6 +35,9 @@
 #include "validation/core/program.h"
 #include "validation/core/runner.h"
 #include "validation/engines/stiction/stiction_method.h"
+#include "validation/shards/job_list.h"
+#include "validation/shards/portion.h"
+#include "validation/shards/shard_options.h"
 
 namespace stiction {
 
@@ -44,7 +47,10 @@ struct Arguments {
   Selection selection;
   std::vector<std::string> rules;
   std::vector<std::string> contacts;
+  PortionWords portion;
   bool list = false;
+  bool json = false;
+  bool lines = false;
   bool quick = false;
   bool no_page = false;
   bool verbose = false;
@@ -80,6 +86,7 @@ void define_engines(CLI::App& app, EngineComparison& asked) {
       ->group(which);
   app.add_flag("--quick", asked.quick, "Under three minutes: the chief questions")->group(which);
   app.add_flag("--list", asked.list, "Show the questions and end")->group(which);
+  add_portion(app, asked.portion);
   app.add_option("--jobs", asked.jobs, "Questions to ask at a time; more than one disturbs times")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
@@ -155,6 +162,9 @@ void define(CLI::App& app, Arguments& arguments) {
                "Under 20 seconds: three scenes, every rule, and one load")
       ->group(which);
   app.add_flag("--list", arguments.list, "Show the names of the comparisons and end")->group(which);
+  add_list_json(app, arguments.json);
+  add_portion(app, arguments.portion);
+  add_lines(app, arguments.lines);
   app.add_option("--jobs", arguments.jobs, "Rules to run at a time")
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
@@ -305,10 +315,11 @@ double seconds_since(std::chrono::steady_clock::time_point began) {
 int compare(Arguments& arguments) {
   Selection& selection = arguments.selection;
   if (arguments.quick) selection.set = CaseSet::kQuick;
-  std::vector<Job> jobs = chosen(select_jobs(comparison_catalog(), selection), arguments);
-  if (arguments.list) {
+  std::vector<Job> all = chosen(select_jobs(comparison_catalog(), selection), arguments);
+  if (arguments.json && !arguments.list) throw InputError("--json goes with --list");
+  if (arguments.list && !arguments.json) {
     std::string last;
-    for (const Job& job : jobs) {
+    for (const Job& job : all) {
       if (job.which.name != last)
         show_line(fmt::format("{:<34} {}", job.which.name, job.which.title));
       last = job.which.name;
@@ -316,17 +327,32 @@ int compare(Arguments& arguments) {
     return kHolds;
   }
   const auto began = std::chrono::steady_clock::now();
-  jobs = with_builds(std::move(jobs));
+  // Which builds there are is no matter of the list.
+  if (!arguments.json) all = with_builds(std::move(all));
+  const Portion portion("compare", all, Together::kNothing, arguments.portion);
+  const std::vector<Job>& jobs = portion.jobs();
+  if (arguments.list) {
+    show(job_list_json(portion));
+    return kHolds;
+  }
   RecordStore store = RecordStore::create(arguments.out);
   const reference::LastWords words([&store] { return store.last_words(); });
   std::vector<Record> records(jobs.size());
   Tables tables(jobs, records, arguments.verbose);
-  run_jobs(jobs, arguments.jobs, 1.0, [&](std::size_t index, Record record) {
+  portion.run(store, arguments.jobs, 1.0, [&](std::size_t index, Record record) {
     if (record.verdict == Verdict::kError) tables.complain(record);
     store.append(record);
+    if (arguments.lines) {
+      show(result_line(record));
+      std::fflush(stdout);
+    }
     records[index] = std::move(record);
     tables.finished(index);
   });
+  if (!portion.is_whole()) {
+    portion.finish_part(store);
+    return exit_code(records);
+  }
   const Record found = findings(records);
   if (!found.notes.empty() || !found.checks.empty()) store.append(found);
   std::string text = "\n## Findings\n\n";
@@ -337,6 +363,10 @@ int compare(Arguments& arguments) {
   store.write_file("report.md", markdown_report(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
+  if (arguments.lines) {
+    if (!arguments.no_page) store.tell_caller();
+    return exit_code(records);
+  }
   const Screen screen = screen_of(STDOUT_FILENO);
   show(bullet(
       fmt::format("stiction compare · {} runs of {} · {}", records.size(),
@@ -363,6 +393,7 @@ int main(int argc, char** argv) {
   stiction::Arguments arguments;
   stiction::define(app, arguments);
   stiction::EngineComparison engines;
+  arguments.portion.command = engines.portion.command = stiction::words_of(argc, argv);
   CLI::App* const of_engines = app.add_subcommand(
       "engines", "Sets engines side by side: who holds, who creeps, at which cost");
   stiction::define_engines(*of_engines, engines);

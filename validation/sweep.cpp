@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -20,23 +21,33 @@
 #include "solver/demand.h"
 #include "solver/environment.h"
 #include "validation/core/engine_options.h"
+#include "validation/core/program.h"
+#include "validation/shards/job_list.h"
+#include "validation/shards/run_plan.h"
+#include "validation/shards/shard.h"
+#include "validation/shards/shard_options.h"
+#include "validation/sweep/boundary.h"
 #include "validation/sweep/earlier_points.h"
 #include "validation/sweep/points.h"
 #include "validation/sweep/results.h"
-#include "validation/sweep/shard.h"
 #include "validation/sweep/study_estimate.h"
 
 namespace stiction {
 
 namespace {
 
+constexpr std::size_t kMostTold = 10;  // points that broke off; thousands may
+
 struct Arguments {
   std::string study;
   std::string out = "sweep-report";
   std::vector<std::string> share;
   std::string shard;
+  std::vector<std::string> command;
   bool help_study = false;
   bool dry_run = false;
+  bool json = false;
+  bool lines = false;
   bool list_engines = false;
   bool retry = false;
   bool fresh = false;
@@ -57,6 +68,7 @@ HelpPage help_page() {
           "finished one is never computed again: type the command once more and an interrupted "
           "sweep goes on, or the shards of several machines come together.",
       .exit_codes = {{"0", "every point has a result, whether its checks hold or not"},
+                     {"1", "an outcome lies too far beyond the study's [boundary]"},
                      {"2", "could not run: bad input, a point that broke off, a full disk"}},
       .files = {{"sweep-report/STUDY/latest/records.jsonl", "every point, as soon as it is known"},
                 {"sweep-report/STUDY/latest/points.csv", "a line a point: axes, verdict, values"}},
@@ -76,14 +88,13 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--dry-run", arguments.dry_run,
                "Say which points there are and about how long they take, and end")
       ->group("What runs");
+  app.add_flag("--json", arguments.json, "With --dry-run: what a scheduler asks for, as JSON")
+      ->group("What runs");
   // ./stiction asks for it, to build those that are programs.
   app.add_flag("--list-engines", arguments.list_engines,
                "Show the names of the study's engines and end")
       ->group("What runs");
-  app.add_option("--shard", arguments.shard,
-                 "Only the I-th of N parts [by GTEST_SHARD_INDEX or SLURM_ARRAY_TASK_ID, else all]")
-      ->type_name("I/N")
-      ->group("What runs");
+  add_shard(app, arguments.shard);
   app.add_flag("--retry", arguments.retry, "Points that broke off are computed again")
       ->group("What runs");
   app.add_flag(
@@ -112,6 +123,7 @@ void define(CLI::App& app, Arguments& arguments) {
                  "Take finished points from runs in this folder too; repeatable")
       ->type_name("DIR")
       ->group("What runs");
+  add_lines(app, arguments.lines);
   app.add_flag("--no-page", arguments.no_page,
                "Leave out report.html, which ./stiction makes from the records with node")
       ->group("What is written");
@@ -132,8 +144,10 @@ int sweep(const Arguments& arguments) {
   }
   const Study study = read_study(arguments.study);
   const Points points(study);
+  if (arguments.json && !arguments.dry_run) throw InputError("--json goes with --dry-run");
   if (arguments.dry_run) {
-    show(dry_run_screen(study, points, arguments.jobs, screen));
+    show(arguments.json ? dry_run_json(study, points)
+                        : dry_run_screen(study, points, arguments.jobs, screen));
     return kHolds;
   }
   const Shard shard = shard_from(arguments.shard);
@@ -142,19 +156,20 @@ int sweep(const Arguments& arguments) {
   if (!arguments.fresh) earlier = record_files(folder, arguments.share);
 
   RecordStore store = RecordStore::create(folder);
+  write_plan(store, {"sweep", arguments.command, points.plan(), points.size(), shard});
   const reference::LastWords words([&store] { return store.last_words(); });
   store.wait_for_disk_every(1.0);
   Results results(points.size());
-  const std::size_t found = take_over(earlier, store, points, arguments.retry, results);
-
   // All points are alike to the shards, so that neighbours, which cost alike, go to different ones.
   std::vector<std::size_t> own = jobs_of(shard, std::vector<double>(points.size(), 1.0));
+  const std::vector<std::size_t> told = own;
+  const std::size_t found = take_over(earlier, store, points, own, arguments.retry, results);
   std::erase_if(own, [&](std::size_t point) { return results[point].known; });
   if (found > 0) tell(fmt::format("{} points are known already, {} to go", found, own.size()));
   const auto began = std::chrono::steady_clock::now();
   ProgressLine progress(own.size());
   std::mutex one_at_a_time;
-  std::size_t done = 0;
+  std::size_t done = 0, broke = 0;
   run_numbered(own.size(), arguments.jobs, [&](std::size_t k) {
     const std::size_t point = own[k];
     Job job = points.job(point);
@@ -163,25 +178,37 @@ int sweep(const Arguments& arguments) {
     const std::lock_guard<std::mutex> lock(one_at_a_time);
     store.append(record);
     results[point] = result_of(record);
-    if (!record.error.empty()) {
+    if (arguments.lines) {
+      show(result_line(record));
+      std::fflush(stdout);
+    }
+    if (!record.error.empty() && ++broke <= kMostTold) {
       progress.clear();
       tell(record.case_name + ": " + record.error);
     }
     progress.show(++done, record.case_name);
   });
   progress.clear();
+  if (broke > kMostTold) {
+    tell(fmt::format("{} more points broke off; their records say why", broke - kMostTold));
+  }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  store.write_file("points.csv", points_csv(study, points, results));
+  const std::vector<Record> boundaries = boundary_records(study, points, results);
+  for (const Record& one : boundaries) store.append(one);
+  store.write_file("points.csv", points_csv(study, points, told, results));
   store.finish();
-  show_line(fmt::format("{}: {} points, {} computed in {:.3g} s", study.title, points.size(),
-                        own.size(), took.count()));
-  show(results_screen(study, results, screen));
-  show_line("Points: " + (store.folder() / "points.csv").string());
+  if (!arguments.lines) {
+    show_line(fmt::format("{}: {} points, {} computed in {:.3g} s", study.title, points.size(),
+                          own.size(), took.count()));
+    show(results_screen(study, results, screen));
+    show(boundary_screen(boundaries, screen));
+    show_line("Points: " + (store.folder() / "points.csv").string());
+  }
   if (!arguments.no_page) store.tell_caller();
-  const bool broke = std::any_of(results.begin(), results.end(), [](const PointResult& one) {
+  const bool some_broke = std::any_of(results.begin(), results.end(), [](const PointResult& one) {
     return one.known && one.verdict == Verdict::kError;
   });
-  return broke ? kCouldNotRun : kHolds;
+  return some_broke ? kCouldNotRun : exit_code(boundaries);
 }
 
 }  // namespace
@@ -192,6 +219,7 @@ int main(int argc, char** argv) {
   stiction::reference::end_in_order("stiction sweep");
   CLI::App app("Runs the points of a study.", "stiction sweep");
   stiction::Arguments arguments;
+  arguments.command = stiction::words_of(argc, argv);
   stiction::define(app, arguments);
   return stiction::run_program(app, argc, argv, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything runs

@@ -39,6 +39,9 @@
 #include "validation/engine/conformance/conformance.h"
 #include "validation/heap_counter.h"
 #include "validation/judge/show_expectations.h"
+#include "validation/shards/job_list.h"
+#include "validation/shards/portion.h"
+#include "validation/shards/shard_options.h"
 #include "validation/user/problem_keys.h"
 #include "validation/user/user_case.h"
 #include "validation/user/user_screen.h"
@@ -51,7 +54,10 @@ struct Arguments {
   std::vector<std::string> problems;
   Selection selection;
   std::vector<std::string> settings;
+  PortionWords portion;
   bool list = false;
+  bool json = false;
+  bool lines = false;
   bool quick = false;
   bool full = false;
   bool vtk = false;
@@ -138,6 +144,8 @@ void define(CLI::App& app, Arguments& arguments) {
                "them, and end")
       ->group("What runs");
   app.add_flag("--list", arguments.list, "Show the names of the cases and end")->group("What runs");
+  add_list_json(app, arguments.json);
+  add_portion(app, arguments.portion);
   app.add_flag("--quick", arguments.quick, "A few seconds: one case of each kind")
       ->group("What runs");
   app.add_flag("--full", arguments.full, "The long cases as well")->group("What runs");
@@ -174,6 +182,7 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--no-page", arguments.no_page,
                "Leave out report.html, which ./stiction makes from the records with node")
       ->group("What is written");
+  add_lines(app, arguments.lines);
   app.add_flag("--verbose", arguments.verbose,
                "Print every check of every record, as report.md has it")
       ->group("What is written");
@@ -290,15 +299,27 @@ int validate(Arguments& arguments) {
   std::vector<Case> cases;
   for (const UserCase& one : problems) cases.push_back(one.which);
   if (cases.empty()) cases = cases_for(find_engine(selection.engine));
-  if (arguments.list) {
+  if (arguments.list && !arguments.json) {
     if (!arguments.quick) selection.set = CaseSet::kFull;
     list_cases(cases, selection);
     return kHolds;
   }
-  std::vector<Job> jobs = select_jobs(cases, selection);
-  for (Job& job : jobs) job.cpu_limit = arguments.max_seconds;
-  refuse_settings(jobs);
-  demand_conformance(find_engine(selection.engine), selection.settings);
+  if (arguments.json && !arguments.list) throw InputError("--json goes with --list");
+  std::vector<Job> all = select_jobs(cases, selection);
+  for (Job& job : all) job.cpu_limit = arguments.max_seconds;
+  refuse_settings(all);
+  // What is put together was computed by an engine that spoke right.
+  if (arguments.portion.parts.empty()) {
+    demand_conformance(find_engine(selection.engine), selection.settings);
+  }
+  std::string depends = fmt::format("{}\n", arguments.tolerance_scale);
+  for (const std::string& file : arguments.problems) depends += hash_of_file(file) + "\n";
+  const Portion portion("validate", all, Together::kCases, arguments.portion, depends);
+  const std::vector<Job>& jobs = portion.jobs();
+  if (arguments.list) {
+    show(job_list_json(portion));
+    return kHolds;
+  }
   if (arguments.check_only) {
     if (problems.empty()) throw InputError("--check-only needs a problem's file");
     const reference::LastWords words([] {
@@ -308,6 +329,7 @@ int validate(Arguments& arguments) {
     show_problems(problems, jobs, arguments.out);
     return kHolds;
   }
+  if (!portion.is_whole()) tell(portion.text());
   tell_long_runs(problems, jobs);
 
   RecordStore store = RecordStore::create(arguments.out);
@@ -316,26 +338,35 @@ int validate(Arguments& arguments) {
   std::vector<Record> records(jobs.size());
   Console console(jobs, screen,
                   {.verbose = arguments.verbose,
+                   .quiet = arguments.lines,
                    .earlier = earlier_records(arguments.out),
                    .rerun = [&](const Record& record) { return rerun(record, arguments); }});
   const auto start = std::chrono::steady_clock::now();
   const auto finished = [&](std::size_t index, Record record) {
     store.append(record);
     console.finished(index, record);
+    if (arguments.lines) {
+      show(result_line(record));
+      std::fflush(stdout);
+    }
     records[index] = std::move(record);
   };
   const auto keep = [&](std::size_t index, const Recording& recording) {
-    const std::string stem = file_stem(jobs[index].which.name, index);
+    const std::string stem = file_stem(jobs[index].which.name, portion.number(index));
     write_frames(store.folder() / "frames" / (stem + ".bin"), recording);
     if (arguments.vtk) write_vtk(store.folder() / "vtk", stem, recording);
     return "frames/" + stem + ".bin";
   };
-  run_jobs(jobs, arguments.jobs, arguments.tolerance_scale, finished, keep);
+  portion.run(store, arguments.jobs, arguments.tolerance_scale, finished, keep);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   store.write_file("report.md", markdown_report(records));
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
+  if (arguments.lines) {
+    if (!arguments.no_page) store.tell_caller();
+    return exit_code(records);
+  }
   show(fmt::format("{}{}", arguments.verbose ? "\n" : "",
                    summary_screen(records, screen, took.count())));
   if (!arguments.verbose) show("All checks: --verbose, or report.md\n");
@@ -352,6 +383,7 @@ int main(int argc, char** argv) {
   stiction::reference::end_in_order("stiction validate");
   CLI::App app("Runs the validation cases and writes a report.", "stiction validate");
   stiction::Arguments arguments;
+  arguments.portion.command = stiction::words_of(argc, argv);
   stiction::define(app, arguments);
   return stiction::run_program(app, argc, argv, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything runs

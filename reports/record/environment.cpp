@@ -3,6 +3,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <ctime>
 #include <fstream>
@@ -24,15 +25,22 @@ std::string processor() {
   return "unknown processor";
 }
 
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
 }  // namespace
 
 Environment current_environment() {
   static const std::string machine =
       fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency());
+  static const std::string host = host_name();
   Environment environment;
   environment.revision = kRevision;
   environment.toolchain = fmt::format("GCC {}, {}", __VERSION__, kBuildFlags);
   environment.machine = machine;
+  environment.host = host;
   environment.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   return environment;
 }

@@ -78,6 +78,7 @@ struct Environment {
   std::string toolchain{};  ///< compiler, version, build type, flags that matter
   std::string machine{};    ///< processor name and core count
   std::string date{};       ///< UTC, ISO 8601
+  std::string host{};       ///< the machine's name in its network; empty: not told
 };
 
 /// Among a record's settings, how the case was perturbed, which is none of its engine: "turned/1"
@@ -108,7 +109,8 @@ struct Record {
   std::string state_hash{};  ///< 16 hex digits; empty when the engine has none
   Environment environment{};
   Verdict verdict = Verdict::kFail;
-  std::string error{};            ///< what went wrong when verdict is kError
+  std::string error{};                 ///< what went wrong when verdict is kError
+  std::optional<std::uint64_t> job{};  ///< its place in the whole run, from 0; of a part's too
   std::string point{};            ///< of a sweep: 16 hex digits, a hash of what was run; else empty
   std::vector<AxisValue> axes{};  ///< of a sweep
   std::string frames{};  ///< file in the run's folder with a Recording (frames.h); may be empty

@@ -122,10 +122,12 @@ OrderedJson cost_json(const Cost& cost) {
 }
 
 OrderedJson environment_json(const Environment& environment) {
-  return {{"revision", environment.revision},
-          {"toolchain", environment.toolchain},
-          {"machine", environment.machine},
-          {"date", environment.date}};
+  OrderedJson json = {{"revision", environment.revision},
+                      {"toolchain", environment.toolchain},
+                      {"machine", environment.machine},
+                      {"date", environment.date}};
+  if (!environment.host.empty()) json["host"] = environment.host;
+  return json;
 }
 
 template <typename Element, typename ToJson>
@@ -237,7 +239,7 @@ Cost read_cost(const JsonField& field) {
 
 Environment read_environment(const JsonField& field) {
   return {field["revision"].text(), field["toolchain"].text(), field["machine"].text(),
-          field["date"].text()};
+          field["date"].text(), field.optional_text("host")};
 }
 
 Record read_record(const JsonField& field) {
@@ -270,6 +272,7 @@ Record read_record(const JsonField& field) {
   record.state_hash = field.optional_text("state_hash");
   record.environment = read_environment(field["environment"]);
   if (field.has("series")) record.series = field["series"].list(read_series);
+  if (field.has("job")) record.job = field["job"].count();
   record.point = field.optional_text("point");
   if (field.has("axes")) record.axes = field["axes"].list(read_axis);
   record.frames = field.optional_text("frames");
@@ -300,6 +303,7 @@ std::string to_json_line(const Record& record) {
                       {"environment", environment_json(record.environment)},
                       {"series", array_of(record.series, series_json)},
                       {"frames", record.frames}};
+  if (record.job) json["job"] = *record.job;
   if (!record.point.empty()) {
     json["point"] = record.point;
     json["axes"] = array_of(record.axes, axis_json);

@@ -38,7 +38,9 @@ TEST(RecordJson, RoundTrip) {
 
 // The round trip above compares writer with writer; here each field is looked at itself.
 TEST(RecordJson, EveryFieldArrives) {
-  const Record in = test::compared_record();
+  Record in = test::compared_record();
+  in.job = 7;
+  in.environment.host = "node7";
   const Record out = from_json_line(to_json_line(in), "here");
   EXPECT_EQ(out.case_name, in.case_name);
   EXPECT_EQ(out.title, in.title);
@@ -67,6 +69,8 @@ TEST(RecordJson, EveryFieldArrives) {
   EXPECT_EQ(out.environment.toolchain, in.environment.toolchain);
   EXPECT_EQ(out.environment.machine, in.environment.machine);
   EXPECT_EQ(out.environment.date, in.environment.date);
+  EXPECT_EQ(out.environment.host, in.environment.host);
+  EXPECT_EQ(out.job, in.job);
   ASSERT_EQ(out.series.size(), 1u);
   EXPECT_EQ(out.series[0].name, in.series[0].name);
   EXPECT_EQ(out.series[0].unit, in.series[0].unit);

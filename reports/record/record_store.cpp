@@ -147,6 +147,7 @@ void RecordStore::write_file(const std::string& name, std::string_view content) 
   }
   const std::lock_guard lock(mutex_);  // two writers of one name would share the temporary
   write_whole(file, content);
+  files_.insert(file);
 }
 
 void RecordStore::finish() {
@@ -171,6 +172,7 @@ std::string RecordStore::last_words() {
   end_writing();
   if (complete_records_ == 0) {
     unlink(records_file_.c_str());
+    for (const fs::path& file : files_) unlink(file.c_str());
     rmdir(folder_.c_str());  // stays when something else is in it
     return " before anything was finished";
   }

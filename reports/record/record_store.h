@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -78,6 +79,7 @@ class RecordStore {
   std::mutex mutex_;                  // guards what follows and the writes
   std::uint64_t complete_bytes_ = 0;  // of records.jsonl, up to the last complete line
   std::uint64_t complete_records_ = 0;
+  std::set<std::filesystem::path> files_{};         // that write_file wrote
   double wait_every_ = 0.0;                         // s
   std::chrono::steady_clock::time_point waited_{};  // for the disk, last
   bool torn_ = false;  // bytes behind complete_bytes_ could not be cut yet

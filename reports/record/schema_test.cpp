@@ -57,6 +57,8 @@ Record banded_and_compared() {
   Record record = test::compared_record();
   record.checks = test::shortfall_record().checks;
   record.checks.front().claim.scale = 0.3;
+  record.job = 7;
+  record.environment.host = "node7";
   return record;
 }
 

@@ -178,7 +178,7 @@ inline Record hostile_record() {
   record.series = {{text, text, text, text, {kNan}, {-kInf}}};
   record.cost.cpu_seconds = kNan;
   record.cost.phase_seconds = {{text, kInf}};
-  record.environment = {text, text, text, text};
+  record.environment = {text, text, text, text, text};
   return record;
 }
 

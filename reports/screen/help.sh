@@ -24,6 +24,7 @@ DESCRIPTION
          compare engines       engines side by side: who holds, who creeps
          sweep study.toml      thousands of points: parameters and engines; goes on
                                where it was, in parts on several machines
+         merge DIR...          parts of a run (--shard 1/8 ...) as the whole
 
        Engines
          engine list | show | check
@@ -145,7 +146,7 @@ help_on() {
     '' | help | -h | --help) show usage ;;
     test) page "$root/stiction" test ;;
     report) page "$root/stiction" report ;;
-    validate | compare | sweep | engine | bench | track | readme)
+    validate | compare | sweep | merge | engine | bench | track | readme)
       program_with_page "$1"
       page "$build/$1" "${@:2}"
       ;;

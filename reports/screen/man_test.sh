@@ -49,7 +49,7 @@ for page in "$man"/*.1; do
 done
 printf 'ok    %s pages have their sections\n' "$(find "$man" -name '*.1' | wc -l)"
 
-for program in validate compare sweep bench track engine readme; do
+for program in validate compare sweep merge bench track engine readme; do
   COLUMNS=80 "$build/$program" --help >"$work/help" || failed "$program --help"
   [ "$(awk '{ if (length($0) > 80) print }' "$work/help" | grep -cvE '^ +(\./stiction|[a-z-]+/)')" -eq 0 ] ||
     failed "$program --help is wider than 80 columns: $(awk 'length($0) > 80' "$work/help" | head -n 1)"

@@ -77,7 +77,7 @@ void Console::finished(std::size_t index, const Record& record) {
   waiting_[index] = options_.verbose && record.verdict != Verdict::kNotApplicable
                         ? table_rows(record, screen_)
                         : std::string();
-  *waiting_[index] += failure_block(record, screen_, options_.rerun(record));
+  if (!options_.quiet) *waiting_[index] += failure_block(record, screen_, options_.rerun(record));
   while (next_ < waiting_.size() && waiting_[next_]) show(*waiting_[next_++]);
   std::fflush(stdout);
   show_progress();

@@ -18,6 +18,7 @@ namespace stiction {
 /// What a console is told by.
 struct ConsoleOptions {
   bool verbose = false;  ///< all records, not only what fails
+  bool quiet = false;    ///< nothing but errors and the line of progress
   std::filesystem::path
       earlier{};  ///< records of an earlier run, for the time to go; may be missing
   std::function<std::string(const Record&)>

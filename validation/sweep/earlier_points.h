@@ -17,11 +17,13 @@ namespace stiction {
 std::set<std::filesystem::path> record_files(const std::filesystem::path& own,
                                              const std::vector<std::string>& others);
 
-/// Takes the study's points that are finished in these files, of whatever study or shard, into the
-/// store and the results, and says how many they are. With `retry` not those that broke off. A line
-/// that a kill has cut off is no point. Throws std::runtime_error for a file that holds what is no
-/// record.
+/// Takes those of the study's points `own` that are finished in these files, of whatever study or shard,
+/// into the store and the results, in their order, and says how many they are. With `retry` not those
+/// that broke off. Of a point that was computed more than once a result goes before one that broke
+/// off, and then the newest. A line that a kill has cut off is no point. Throws std::runtime_error for a file
+/// that holds what is no record.
 std::size_t take_over(const std::set<std::filesystem::path>& files, RecordStore& store,
-                      const Points& points, bool retry, Results& results);
+                      const Points& points, const std::vector<std::size_t>& own, bool retry,
+                      Results& results);
 
 }  // namespace stiction

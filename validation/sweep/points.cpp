@@ -4,16 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <sstream>
 #include <utility>
 
-#include "reports/record/environment.h"
 #include "solver/demand.h"
-#include "solver/hash.h"
 #include "validation/engine/settings.h"
+#include "validation/shards/run_plan.h"
 #include "validation/user/user_run.h"
 
 namespace stiction {
@@ -21,28 +18,6 @@ namespace stiction {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string hash_of(const std::string& text) {
-  Fnv1a hash;
-  hash.add(text.data(), text.size());
-  return fmt::format("{:016x}", hash.value());
-}
-
-std::string hash_of_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  Fnv1a hash;
-  for (char block[1 << 16]; stream.read(block, sizeof block), stream.gcount() > 0;) {
-    hash.add(block, static_cast<std::size_t>(stream.gcount()));
-  }
-  return fmt::format("{:016x}", hash.value());
-}
-
-// A changed tree has the revision of what it was changed from: then the program is what counts.
-std::string revision() {
-  std::string words = current_environment().revision;
-  if (words.ends_with('+')) words += hash_of_file("/proc/self/exe");
-  return words;
-}
 
 // The files that a problem's surfaces are read from, and what is in them.
 std::string files_of(const ParsedFile& problem) {
@@ -58,19 +33,6 @@ std::string files_of(const ParsedFile& problem) {
   return words;
 }
 
-// An engine that is a program is what its command's files hold, as far as the command names them.
-std::string program_words(const std::string& command) {
-  std::istringstream words(command);
-  std::string told;
-  for (std::string word; words >> word;) {
-    std::error_code none;
-    told += word;
-    if (fs::is_regular_file(word, none)) told += " " + hash_of_file(word);
-    told += '\n';
-  }
-  return told;
-}
-
 std::string settings_words(const Settings& settings) {
   std::string words;
   for (const auto& [name, value] : settings) words += name + "=" + value + "\n";
@@ -79,11 +41,10 @@ std::string settings_words(const Settings& settings) {
 
 }  // namespace
 
-Points::Points(const Study& study) : study_(study), alike_("point 1\n" + revision() + "\n") {
+Points::Points(const Study& study) : study_(study), alike_("point 1\n" + revision_words() + "\n") {
   if (study.problem) alike_ += files_of(*study.problem);
   for (const StudyEngine& one : study.engines) {
-    engines_.push_back(one.kind.name + "\n" + one.kind.description + "\n" +
-                       program_words(one.kind.program) + settings_words(one.settings));
+    engines_.push_back(engine_words(one.kind) + settings_words(one.settings));
   }
   if (!study.samples) return;
   const Samples& how = *study.samples;
@@ -137,7 +98,14 @@ std::string Points::hash(std::size_t point) const {
   words << alike_ << engines_[place(point).engine];
   if (!study_.problem) words << study_.cases[place(point).which].name << '\n';
   words << toml::toml_formatter(root(point));
-  return hash_of(words.str());
+  return hash_of_words(words.str());
+}
+
+std::string Points::plan() const {
+  std::string words = alike_ + hash_of_file(study_.file);
+  for (const std::string& engine : engines_) words += engine;
+  if (study_.problem) words += hash_of_file(study_.problem->file);
+  return hash_of_words(words);
 }
 
 UserProblem Points::problem(std::size_t point) const {
@@ -174,6 +142,7 @@ Job Points::job(std::size_t point) const {
 
 Record Points::finished(std::size_t point, Record record) const {
   record.case_name = name(point);
+  record.job = point;
   record.point = hash(point);
   record.axes.clear();
   const std::vector<double> all = values(point);

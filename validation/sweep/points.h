@@ -29,6 +29,8 @@ class Points {
   /// the engine with the files that its command names and its settings, the suite's revision (of a
   /// changed tree the program itself). The same point has the same in every study.
   std::string hash(std::size_t point) const;
+  /// 16 hex digits, a hash of the whole study: of its file, its problem, its engines, the revision.
+  std::string plan() const;
   /// For run_job. A value that the problem refuses is the error of its record.
   Job job(std::size_t point) const;
   /// With point and axes, and no more than the study keeps.

@@ -31,7 +31,7 @@ char sign_of(const PointResult& result) {
     case Verdict::kNotApplicable:
       return ' ';
     case Verdict::kForInformation:  // of a configuration that runs for contrast
-      return 'o';
+      return result.holds ? 'o' : '-';
     default:
       return '.';
   }
@@ -56,6 +56,7 @@ Counts counted(const Results& results, std::size_t first, std::size_t count) {
         ++counts.broke;
         break;
       case 'o':
+      case '-':
         ++counts.unjudged;
         break;
       case ' ':
@@ -114,12 +115,16 @@ std::string diagram(const Study& study, const Results& results, std::size_t firs
 }  // namespace
 
 PointResult result_of(const Record& record) {
-  PointResult result{true, record.verdict, record.cost.cpu_seconds, {}};
-  for (const Judgement& check : record.checks) result.values.push_back(check.value);
+  PointResult result{true, record.verdict, !record.checks.empty(), record.cost.cpu_seconds, {}};
+  for (const Judgement& check : record.checks) {
+    result.values.push_back(check.value);
+    result.holds = result.holds && check.of_tolerance <= 1.0;
+  }
   return result;
 }
 
-std::string points_csv(const Study& study, const Points& points, const Results& results) {
+std::string points_csv(const Study& study, const Points& points,
+                       const std::vector<std::size_t>& told, const Results& results) {
   std::size_t checks = 0;
   for (const PointResult& one : results) checks = std::max(checks, one.values.size());
   std::vector<std::string> head = {"point", "case", "engine", "configuration"};
@@ -127,7 +132,7 @@ std::string points_csv(const Study& study, const Points& points, const Results& 
   head.insert(head.end(), {"verdict", "cpu_seconds"});
   for (std::size_t k = 1; k <= checks; ++k) head.push_back(fmt::format("check {}", k));
   std::string text = csv_row(head);
-  for (std::size_t point = 0; point < results.size(); ++point) {
+  for (const std::size_t point : told) {
     const PointResult& one = results[point];
     std::vector<std::string> cells = {points.hash(point), csv_words(points.name(point)),
                                       csv_words(points.engine(point).kind.name),
@@ -178,8 +183,8 @@ std::string results_screen(const Study& study, const Results& results, const Scr
   std::string text = plain_table(rows, {0}, screen.width);
   if (diagrams.empty()) return text;
   return text + diagrams +
-         "\n  # holds   . fails   o not judged   ! broke off   ? missing   (blank: not "
-         "applicable)\n";
+         "\n  # holds   . fails   o, - the same, not judged   ! broke off   ? missing   (blank: "
+         "not applicable)\n";
 }
 
 }  // namespace stiction

@@ -31,7 +31,7 @@ values = [10, 20]
     // Column by column, upwards.
     for (const Verdict verdict : {Verdict::kPass, Verdict::kFail, Verdict::kPass, Verdict::kError,
                                   Verdict::kPass, Verdict::kNotApplicable}) {
-      results_.push_back({true, verdict, 0.5, {-1.5}});
+      results_.push_back({true, verdict, verdict == Verdict::kPass, 0.5, {-1.5}});
     }
   }
 
@@ -57,8 +57,10 @@ TEST_F(SweepResults, CountsThatAreAllZeroHaveNoColumn) {
 TEST_F(SweepResults, WhatNobodyJudgesIsNoFailure) {
   results_[1].verdict = Verdict::kForInformation;
   const std::string text = results_screen(study_, results_, {.width = 80});
-  EXPECT_THAT(text, HasSubstr("  20 o! \n  10 ###\n"));
+  EXPECT_THAT(text, HasSubstr("  20 -! \n  10 ###\n"));
   EXPECT_THAT(text, HasSubstr("not judged"));
+  results_[1].holds = true;
+  EXPECT_THAT(results_screen(study_, results_, {.width = 80}), HasSubstr("  20 o! \n  10 ###\n"));
 }
 
 TEST_F(SweepResults, ATerminalThatIsTooNarrowHasNoDiagram) {
@@ -69,13 +71,14 @@ TEST_F(SweepResults, TheTableHasALineAPointAndEmptyCellsOfUnknownOnes) {
   results_[1].known = false;
   results_[1].values.clear();
   const Points points(study_);
-  const std::string table = points_csv(study_, points, results_);
+  const std::string table = points_csv(study_, points, {0, 1}, results_);
   EXPECT_THAT(table, HasSubstr("point,case,engine,configuration,ramp.friction,ramp.slope_deg [°],"
                                "verdict,cpu_seconds,check 1\r\n"));
   EXPECT_THAT(table, HasSubstr(points.hash(0) +
                                ",user/ramp/ramp.friction=0.25/ramp.slope_deg=10,stiction,,0.25,10,"
                                "pass,0.5,-1.5\r\n"));
   EXPECT_THAT(table, HasSubstr(",0.25,20,,,\r\n"));
+  EXPECT_THAT(table, Not(HasSubstr(",0.5,10,"))) << "another shard's";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "reports/text/names.h"
 #include "reports/text/text.h"
 #include "solver/demand.h"
 #include "validation/core/runner.h"
@@ -44,6 +45,7 @@ const TomlKeys& study_keys() {
        {"keep_series", "", "true or false", "false",
         "whether records keep curves over time, some 8 kB a point"},
        {"axis", "", "tables", kNeeded, "see [[axis]]"},
+       {"boundary", "", "a table", "none", "see [boundary]"},
        {"sample", "", "a table", "every combination of the axes' values", "see [sample]"}}};
   return keys;
 }
@@ -80,6 +82,21 @@ const TomlKeys& sample_keys() {
         "the first two fill the box more evenly (GSL)"},
        {"count", "1", "1000", kNeeded, "how many points for each engine"},
        {"seed", "1", "1", "0", "another draw; of a sequence how many points are skipped"}}};
+  return keys;
+}
+
+const TomlKeys& boundary_keys() {
+  static const TomlKeys keys = {
+      "[boundary]",
+      "Where points must turn from holding to failing. Each engine is judged by its farthest point "
+      "of the wrong outcome.",
+      {{"along", "", "\"ramp.slope_tan\"", kNeeded, "the axis on which the boundary lies"},
+       {"expected", "", "\"ramp.friction\" or 0.5", kNeeded,
+        "the axis whose value it is, or a number; what lies on it has no wrong outcome"},
+       {"holds", "", "\"below\" or \"above\"", "\"below\"", "on which side points must hold"},
+       {"tolerance", "", "0", kNeeded, "how far beyond it an outcome may be wrong"},
+       {"reason", "", "\"text\"", kNeeded, "why the tolerance is what it is"},
+       {"source", "", "\"text\"", "the study's author", "where the boundary comes from"}}};
   return keys;
 }
 
@@ -161,6 +178,52 @@ Samples read_samples(TomlTable table, std::size_t dimensions, std::size_t room) 
   }
   table.finish();
   return samples;
+}
+
+std::size_t find_axis(TomlTable& table, const std::string& key, const Study& study) {
+  const std::string name = table.text(key);
+  for (std::size_t k = 0; k < study.axes.size(); ++k) {
+    if (study.axes[k].vary == name) return k;
+  }
+  const auto name_of = [](const Axis& axis) { return axis.vary; };
+  table.refuse(key, fmt::format("no axis varies '{}'; there are: {}", name,
+                                listed_names(study.axes, name_of)));
+}
+
+Boundary read_boundary(TomlTable table, const Study& study) {
+  Boundary boundary;
+  boundary.along = find_axis(table, "along", study);
+  const Axis& along = study.axes[boundary.along];
+  std::string expected;
+  if (table.is_text("expected")) {
+    boundary.axis = find_axis(table, "expected", study);
+    const Axis& other = study.axes[*boundary.axis];
+    if (*boundary.axis == boundary.along || other.unit != along.unit) {
+      table.refuse("expected",
+                   "a boundary is expected at the value of another axis in the same unit");
+    }
+    expected = other.vary;
+  } else {
+    boundary.value = table.number_in(along.unit, "expected");
+    expected = fmt::format("{:g}", boundary.value);
+  }
+  const std::string holds = table.text("holds", "below");
+  if (holds != "below" && holds != "above") {
+    table.refuse("holds", "'holds' is \"below\" or \"above\"");
+  }
+  boundary.holds_above = holds == "above";
+  Claim& claim = boundary.claim;
+  claim.quantity = "farthest wrong outcome";
+  claim.unit = shown_unit(along.unit);
+  claim.statement =
+      fmt::format("points hold {} {} = {}, and fail beyond it", holds, along.vary, expected);
+  claim.kind = ReferenceKind::kExternal;
+  claim.tolerance = table.number_in(along.unit, "tolerance");
+  if (!(claim.tolerance >= 0.0)) table.refuse("tolerance", "'tolerance' must not be negative");
+  claim.reason = table.text("reason");
+  claim.source = table.text("source", "the study's author");
+  table.finish();
+  return boundary;
 }
 
 EngineKind find_engine_of(TomlTable& table, const std::string& key, const std::string& words) {
@@ -290,6 +353,7 @@ Study read_study(const fs::path& file) {
   const auto parsed = parse_toml(stream, file);
   TomlTable top(parsed->file, parsed->root, study_keys());
   Study study;
+  study.file = file;
   study.name = one_line(file.stem().string());
   study.title = one_line(top.text("title", study.name));
   if (top.has("problem") == top.has("cases")) {
@@ -322,6 +386,9 @@ Study read_study(const fs::path& file) {
   if (study.axes.empty()) top.refuse("axis", "a study needs an [[axis]]");
   if (samples)
     study.samples = read_samples(top.table("sample", sample_keys()), study.axes.size(), room);
+  if (top.has("boundary")) {
+    study.boundary = read_boundary(top.table("boundary", boundary_keys()), study);
+  }
   study.keeps_series = top.flag("keep_series", false);
   top.finish();
   return study;
@@ -351,7 +418,8 @@ std::vector<std::string> engines_named(const fs::path& file) {
 }
 
 std::string study_help(std::size_t width) {
-  return keys_help({&study_keys(), &engine_keys(), &axis_keys(), &sample_keys()}, width);
+  return keys_help({&study_keys(), &engine_keys(), &axis_keys(), &sample_keys(), &boundary_keys()},
+                   width);
 }
 
 }  // namespace stiction

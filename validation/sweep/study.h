@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference/statistics/samples.h"
+#include "reports/record/judgement.h"
 #include "validation/core/case.h"
 #include "validation/user/vary.h"
 
@@ -43,9 +44,19 @@ struct StudyEngine {
 /// "stiction, quiet"; the engine's name alone where it runs as it does by default.
 std::string name_of(const StudyEngine& engine);
 
+/// Where a study's points are expected to turn from holding to failing.
+struct Boundary {
+  std::size_t along = 0;              ///< the axis on which it lies
+  std::optional<std::size_t> axis{};  ///< it lies where this axis's value is …
+  double value = 0.0;                 ///< … or else at this one, in the unit of `along`
+  bool holds_above = false;           ///< else below
+  Claim claim{};                      ///< of the farthest wrong outcome
+};
+
 /// What a study runs, over what.
 struct Study {
   std::string title{};
+  std::filesystem::path file{};
   std::string name{};  ///< the file's, without its ending
   /// A person's own problem, or cases.
   std::shared_ptr<const ParsedFile> problem{};
@@ -54,6 +65,7 @@ struct Study {
   std::vector<StudyEngine> engines{};
   std::vector<Axis> axes{};
   std::optional<Samples> samples{};
+  std::optional<Boundary> boundary{};
   bool keeps_series = false;  ///< records keep curves over time
 
   /// How many combinations of the axes' values.

@@ -13,4 +13,8 @@ namespace stiction {
 std::string dry_run_screen(const Study& study, const Points& points, int jobs,
                            const Screen& screen);
 
+/// What a scheduler asks for, as a JSON object: study, points, engines, cpu_seconds (null where no
+/// point that was tried can run), memory_mib of a process that holds all points.
+std::string dry_run_json(const Study& study, const Points& points);
+
 }  // namespace stiction

@@ -155,6 +155,13 @@ def main():
         hold(few.returncode == 0 and " 0 computed" in few.stdout, "an empty shard is fine")
         dry = run("dry", "--dry-run")
         hold(dry.returncode == 0 and f"{COUNT} points" in dry.stdout and not (folder / "dry").exists(), "a dry run computes nothing")
+        # What broke off for want of time: a retry with more of it stays, and so does a result beside a later failure.
+        (folder / "study.toml").write_text(STUDY.replace("count = 20", "count = 2").replace("count = 21", "count = 2"))
+        hold(run("slow", "--max-seconds", "1e-9").returncode == 2, "points that need too long break off")
+        hold(run("slow", "--retry").returncode == 0 and "0 computed" in run("slow").stdout and run("slow").returncode == 0,
+             "one retry with more time is enough")
+        hold(run("slow", "--fresh", "--max-seconds", "1e-9").returncode == 2 and run("slow").returncode == 0,
+             "and a result is not lost to a later failure")
     return faults > 0
 
 

@@ -98,6 +98,7 @@ const TomlKeys& obstacle() {
        {"point", "m", "[x, y, z]", "[0, 0, 0]", "a point of its surface"},
        {"friction", "1", "0.5", kNeeded, "μ of every body against it"},
        {"slope_deg", "deg", "20", "0", "by how much it is tilted"},
+       {"slope_tan", "1", "0.36", "by `slope_deg`", "the tangent of that, in its place"},
        {"azimuth_deg", "deg", "30", "0",
         "where it is tilted to, from the x axis; given, it is \"downhill\" of a level one too"},
        {"normal", "", "[x, y, z]", "by the slope", "its outward normal, of any length"},
@@ -251,6 +252,9 @@ const TomlKeys& check() {
        {"extreme", "", "\"largest\" or \"smallest\"", "none",
         "of the values at all steps from `from` to `at`, of an observable at one time: \"largest\" "
         "slip 0 says that it never slipped. Of contacts from the first step on"},
+       {"settles_below", "", "1e-9", "none",
+        "in the observable's unit, of one at one time: what is observed is the settling time in s, "
+        "from `from` on until |value| stays at most this up to `at`; infinite where it does not"},
        {"expected", "", "0", kNeeded, "in the observable's unit"},
        {"tolerance", "", "1e-9", kNeeded, "in its unit; with `relative` a share"},
        {"relative", "", "true or false", "false",

@@ -102,11 +102,20 @@ std::string name_of(const UserWatch& watch, const Problem& problem,
 }
 
 Extreme read_extreme(TomlTable& table, const Observable& observable) {
-  if (observable.over_window || !table.has("extreme")) return Extreme::kNone;
+  if (observable.over_window || table.has("settles_below") || !table.has("extreme")) {
+    return Extreme::kNone;
+  }
   const std::string word = table.text("extreme");
   if (word == "largest") return Extreme::kLargest;
   if (word == "smallest") return Extreme::kSmallest;
   table.refuse("extreme", "'extreme' is \"largest\" or \"smallest\"");
+}
+
+std::optional<double> read_settles(TomlTable& table, const Observable& observable) {
+  if (observable.over_window || !table.has("settles_below")) return std::nullopt;
+  const double bound = table.number_in(observable.unit, "settles_below");
+  if (!(bound >= 0.0)) table.refuse("settles_below", "'settles_below' must not be negative");
+  return bound;
 }
 
 void read_times(TomlTable& table, const Problem& problem, UserCheck& one) {
@@ -159,12 +168,14 @@ void read_check(TomlTable table, Reading& reading) {
   UserCheck one;
   one.watch = read_watch(table, reading);
   one.extreme = read_extreme(table, *one.watch.observable);
+  one.settles_below = read_settles(table, *one.watch.observable);
   read_times(table, reading.user.problem, one);
   one.place = table.place();
+  const std::string settles = one.settles_below ? "settling time of " : "";
   one.claim.quantity =
-      table.text("quantity", name_of(one.watch, reading.user.problem, one.extreme));
-  one.claim.statement = table.text("claim", one.watch.observable->meaning);
-  read_claim(table, one.watch.observable->unit, one.claim);
+      table.text("quantity", settles + name_of(one.watch, reading.user.problem, one.extreme));
+  one.claim.statement = table.text("claim", settles + one.watch.observable->meaning);
+  read_claim(table, one.settles_below ? "s" : one.watch.observable->unit, one.claim);
   reading.user.checks.push_back(one);
   table.finish();
 }

@@ -75,6 +75,15 @@ double read_friction(TomlTable& table) {
   return friction;
 }
 
+// rad.
+double read_slope(TomlTable& table) {
+  if (!table.has("slope_tan")) return table.number("slope_deg", 0.0) * kDegree;
+  if (table.has("slope_deg")) {
+    table.refuse("slope_tan", "give 'slope_deg' or 'slope_tan', not both");
+  }
+  return std::atan(table.number("slope_tan"));
+}
+
 void read_obstacle(TomlTable table, Reading& reading) {
   Obstacle obstacle;
   obstacle.name = reading.obstacles.add(table);
@@ -83,9 +92,13 @@ void read_obstacle(TomlTable table, Reading& reading) {
   const double azimuth = table.number("azimuth_deg", 0.0) * kDegree;
   if (table.has("normal")) {
     obstacle.normal = read_direction(table, "normal");
-    if (table.has("slope_deg")) table.refuse("slope_deg", "give 'normal' or 'slope_deg', not both");
+    for (const char* const slope : {"slope_deg", "slope_tan"}) {
+      if (table.has(slope)) {
+        table.refuse(slope, fmt::format("give 'normal' or '{}', not both", slope));
+      }
+    }
   } else {
-    const double slope = table.number("slope_deg", 0.0) * kDegree;
+    const double slope = read_slope(table);
     obstacle.normal = Eigen::Vector3d(std::sin(slope) * std::cos(azimuth),
                                       std::sin(slope) * std::sin(azimuth), std::cos(slope))
                           .normalized();

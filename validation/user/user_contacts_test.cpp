@@ -126,6 +126,35 @@ TEST_F(UserContacts, AnExtremeIsOfAnObservableOfOneTime) {
                         "window begins"));
 }
 
+// A point slides down to a stop on level ground: v = v₀ − μ g t.
+TEST_F(UserContacts, ASettlingTimeIsWhenItStaysBelow) {
+  std::string text = edited("slope_deg = 20", "azimuth_deg = 0");
+  text = text.substr(0, text.find("[[check]]"));
+  text.replace(text.find("rests_on"), 0, "speed_downhill = 0.25\n");
+  const std::string speed = "observable = \"speed\"\nsettles_below = ";
+  const std::vector<double> seen =
+      values(text + check(speed + "1e-9") + check(speed + "0.1") + check(speed + "0.3") +
+             check(speed + "0.1\nfrom = 0.02") + check(speed + "0.1\nat = 0.02") +
+             check("observable = \"normal-force\"\nsettles_below = 1"));
+  ASSERT_EQ(seen.size(), 6u);
+  const double step = 1e-3;
+  EXPECT_NEAR(seen[0], 0.05, 1.5 * step);
+  EXPECT_NEAR(seen[1], 0.03, 1.5 * step);
+  EXPECT_EQ(seen[2], 0.0) << "it was never above";
+  EXPECT_NEAR(seen[3], 0.01, 1.5 * step) << "counted from the window's beginning";
+  EXPECT_TRUE(std::isinf(seen[4])) << "not yet";
+  EXPECT_TRUE(std::isinf(seen[5])) << "never";
+}
+
+TEST_F(UserContacts, ASettlingTimeIsOfAnObservableOfOneTime) {
+  EXPECT_THAT(refusal(edited("\"speed\"", "\"drift\"\nsettles_below = 1")),
+              HasSubstr("'settles_below' has no effect"));
+  EXPECT_THAT(refusal(edited("\"speed\"", "\"speed\"\nsettles_below = -1")),
+              HasSubstr("'settles_below' must not be negative"));
+  EXPECT_THAT(refusal(edited("\"speed\"", "\"speed\"\nsettles_below = 1\nextreme = \"largest\"")),
+              HasSubstr("'extreme' has no effect"));
+}
+
 TEST_F(UserContacts, MotionCanBeToldOverAnotherThing) {
   std::string text = edited("slope_deg = 20", "motion = { velocity = [0.5, 0, 0] }");
   text += "relative_to = \"ramp\"\n" +

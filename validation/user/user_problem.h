@@ -37,10 +37,15 @@ struct UserCheck {
   Claim claim{};
   UserWatch watch{};
   Extreme extreme = Extreme::kNone;
+  /// In the observable's unit: then the value is how long it takes from `from` on until |value| stays at
+  /// most this, s.
+  std::optional<double> settles_below{};
   double from = 0.0;  ///< s; of observables and extremes over a window
   double at = 0.0;    ///< s
   std::string place;  ///< "FILE:LINE", for messages
-  bool over_window() const { return watch.observable->over_window || extreme != Extreme::kNone; }
+  /// Looked at in every step of the window.
+  bool at_each_step() const { return extreme != Extreme::kNone || settles_below; }
+  bool over_window() const { return watch.observable->over_window || at_each_step(); }
 };
 
 /// A curve over time.

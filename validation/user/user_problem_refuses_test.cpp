@@ -45,7 +45,8 @@ TEST_P(UserProblemRefuses, WithFileAndLine) {
 const Mistake kMistakes[] = {
     {"AMisspeltKey", "friction = 0.5", "frction = 0.5", 8, "[[obstacle]] lacks 'friction'"},
     {"AnUnknownKey", "friction = 0.5", "friction = 0.5\ncolour = 3", 12,
-     "[[obstacle]] has no key 'colour'; there are: name, point, friction, slope_deg, azimuth_deg, "
+     "[[obstacle]] has no key 'colour'; there are: name, point, friction, slope_deg, slope_tan, "
+     "azimuth_deg, "
      "normal, motion"},
     {"AnUnknownTable", "[engine]", "[motor]", 5,
      "the file has no key 'motor'; there are: title, duration, gravity, friction, restitution, "
@@ -75,6 +76,10 @@ const Mistake kMistakes[] = {
     {"AZeroNormal", "slope_deg = 20", "normal = [0, 0, 0]", 10, "'normal' must not be zero"},
     {"NormalAndSlope", "slope_deg = 20", "slope_deg = 20\nnormal = [0, 0, 1]", 10,
      "give 'normal' or 'slope_deg', not both"},
+    {"NormalAndTangent", "slope_deg = 20", "slope_tan = 0.3\nnormal = [0, 0, 1]", 10,
+     "give 'normal' or 'slope_tan', not both"},
+    {"SlopeAndTangent", "slope_deg = 20", "slope_deg = 20\nslope_tan = 0.3", 11,
+     "give 'slope_deg' or 'slope_tan', not both"},
     {"NegativeFriction", "friction = 0.5", "friction = -0.5", 11,
      "'friction' must not be negative"},
     {"NegativeFrictionOfBodies", "duration = 0.1", "duration = 0.1\nfriction = -1", 3,

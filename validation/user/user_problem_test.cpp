@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/user/user_problem.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include "reference/meshes/box_mesh.h"
 #include "reference/meshes/filled_surface.h"
@@ -38,6 +41,14 @@ TEST_F(UserProblem, RunsLikeABuiltInCase) {
   EXPECT_EQ(record.checks[0].claim.kind, ReferenceKind::kExternal);
   EXPECT_EQ(record.series.size(), 2u);
   EXPECT_EQ(record.cost.steps, 100u);
+}
+
+TEST_F(UserProblem, ASlopeCanBeGivenByItsTangent) {
+  const auto normal = [&](const std::string& slope) {
+    std::istringstream text(edited("slope_deg = 20", slope));
+    return user_problem(text, folder_ / "ramp.toml").problem.obstacles[0].normal;
+  };
+  EXPECT_LT((normal("slope_tan = 1") - normal("slope_deg = 45")).norm(), 1e-15);
 }
 
 TEST_F(UserProblem, FailsWhenItsExpectationIsWrong) {

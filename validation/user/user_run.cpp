@@ -63,22 +63,23 @@ struct Looked {
   std::uint64_t from = 0, at = 0;  // steps
   Sample first{}, last{};
   std::optional<double> extreme{};
+  std::optional<std::uint64_t> unsettled{};  // the last step above `settles_below`
 };
 
 // What the checks see while a problem runs.
 class Looks {
  public:
-  Looks(const UserProblem& user, double time_step) : user_(user) {
+  Looks(const UserProblem& user, double time_step) : user_(user), time_step_(time_step) {
     for (const UserCheck& one : user.checks) {
-      looked_.push_back({step_at(one.from, time_step), step_at(one.at, time_step), {}, {}, {}});
+      looked_.push_back({step_at(one.from, time_step), step_at(one.at, time_step), {}, {}, {}, {}});
     }
   }
 
-  // Whether some extreme's window goes on up to this step.
+  // Whether some check looks at every step up to this one.
   bool each_step_until(std::uint64_t step) const {
     for (std::size_t k = 0; k < looked_.size(); ++k) {
       const bool within = looked_[k].from < step && step <= looked_[k].at;
-      if (within && user_.checks[k].extreme != Extreme::kNone) return true;
+      if (within && user_.checks[k].at_each_step()) return true;
     }
     return false;
   }
@@ -87,11 +88,16 @@ class Looks {
     for (std::size_t k = 0; k < looked_.size(); ++k) {
       const UserCheck& one = user_.checks[k];
       Looked& looked = looked_[k];
-      if (one.extreme != Extreme::kNone) {
+      if (one.at_each_step()) {
         // Before the first step no contact has been looked for.
         const bool begun = step > 0 || !one.watch.contacts;
         if (begun && looked.from <= step && step <= looked.at) {
-          widen(one, looked, moment.sample(one.watch));
+          const Sample now = moment.sample(one.watch);
+          if (one.settles_below) {
+            if (!settled(one, now)) looked.unsettled = step;
+          } else {
+            widen(one, looked, now);
+          }
         }
         continue;
       }
@@ -105,6 +111,10 @@ class Looks {
     for (std::size_t k = 0; k < looked_.size(); ++k) {
       const Looked& looked = looked_[k];
       const UserCheck& one = user_.checks[k];
+      if (one.settles_below) {
+        values.push_back(settling_time(looked));
+        continue;
+      }
       const double value = one.extreme == Extreme::kNone
                                ? measured(one.watch, looked.first, looked.last)
                                : looked.extreme.value_or(std::numeric_limits<double>::quiet_NaN());
@@ -116,6 +126,17 @@ class Looks {
   }
 
  private:
+  // What is no number has not settled, nor has the slip of what touches nothing.
+  static bool settled(const UserCheck& one, const Sample& now) {
+    return std::abs(measured(one.watch, now, now)) <= *one.settles_below;
+  }
+
+  double settling_time(const Looked& looked) const {
+    if (!looked.unsettled) return 0.0;
+    if (*looked.unsettled >= looked.at) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(*looked.unsettled + 1 - looked.from) * time_step_;
+  }
+
   // A value that is no number stays: no check holds with it.
   static void widen(const UserCheck& one, Looked& looked, const Sample& now) {
     if (one.watch.observable->needs_contact && now.contacts.empty()) return;
@@ -127,6 +148,7 @@ class Looks {
   }
 
   const UserProblem& user_;
+  double time_step_;
   std::vector<Looked> looked_;
 };
 

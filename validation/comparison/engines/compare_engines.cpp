@@ -117,11 +117,13 @@ ExitCode compare_engines(const EngineComparison& asked) {
     tell("stiction compare engines: left out: " + sentence);
   }
   const std::vector<Trial> trials = engine_trials(engines.asked, questions, asked.quick);
-  std::vector<Job> jobs;
+  std::vector<Job> all;
   for (const Trial& trial : trials) {
-    jobs.push_back(trial.job);
-    jobs.back().cpu_limit = asked.quick ? std::min(asked.cpu_limit, kQuickLimit) : asked.cpu_limit;
+    all.push_back(trial.job);
+    all.back().cpu_limit = asked.quick ? std::min(asked.cpu_limit, kQuickLimit) : asked.cpu_limit;
   }
+  const Portion portion("compare", all, Together::kNothing, asked.portion);
+  const std::vector<Job>& jobs = portion.jobs();
 
   RecordStore store = RecordStore::create(asked.out);
   const reference::LastWords words([&store] { return store.last_words(); });
@@ -129,16 +131,21 @@ ExitCode compare_engines(const EngineComparison& asked) {
   const auto began = std::chrono::steady_clock::now();
   std::size_t done = 0;
   ProgressLine progress(jobs.size());
-  run_jobs(jobs, asked.jobs, 1.0, [&](std::size_t index, Record record) {
-    record.settings["configuration"] = trials[index].configuration;
-    record.settings["effort"] = std::to_string(trials[index].effort);
+  portion.run(store, asked.jobs, 1.0, [&](std::size_t index, Record record) {
+    const Trial& trial = trials[portion.number(index)];
+    record.settings["configuration"] = trial.configuration;
+    record.settings["effort"] = std::to_string(trial.effort);
     store.append(record);
     records[index] = std::move(record);
     ++done;
-    const Trial& next = trials[std::min(index + 1, trials.size() - 1)];
+    const Trial& next = trials[portion.number(std::min(index + 1, jobs.size() - 1))];
     progress.show(done, row_name(next) + ", " + next.job.which.name);
   });
   progress.clear();
+  if (!portion.is_whole()) {
+    portion.finish_part(store);
+    return kHolds;
+  }
   const std::vector<Record> made = engine_records(questions, trials, records);
   for (const Record& record : made) store.append(record);
   const EngineAnswers answers(questions, made);

@@ -6,6 +6,7 @@
 
 #include "reports/text/exit_code.h"
 #include "validation/engine/protocol/program_kind.h"
+#include "validation/shards/portion.h"
 
 namespace stiction {
 
@@ -20,6 +21,7 @@ struct EngineComparison {
   int jobs = 1;
   double cpu_limit = 20.0;  ///< for an answer, s
   ProgramLimits limits{};
+  PortionWords portion{};
 };
 
 /// `./stiction compare engines`: asks every engine every question, prints the matrix, and writes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validation/sweep/shard.h"
+#include "validation/shards/shard.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/shards/portion.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "reports/screen/program.h"
+#include "solver/demand.h"
+
+namespace stiction {
+
+namespace {
+
+// The parts say what they are; what runs now must be the same.
+void demand_same(const Parts& parts, const RunPlan& plan) {
+  const RunPlan& found = parts.plan();
+  if (found.program != plan.program || found.plan != plan.plan || found.jobs != plan.jobs) {
+    throw InputError(
+        "the parts are not of this run: another command, other files, another engine, or another "
+        "revision of the suite");
+  }
+  const std::string missing = parts.missing();
+  if (!missing.empty()) throw InputError(missing);
+}
+
+}  // namespace
+
+Portion::Portion(const std::string& program, const std::vector<Job>& all, Together together,
+                 const PortionWords& words, const std::string& depends)
+    : plan_{program, words.command, plan_of(all, depends), all.size(), {}} {
+  if (words.parts.empty()) {
+    plan_.shard = shard_from(words.shard);
+  } else {
+    if (!words.shard.empty()) throw InputError("--shard and --parts exclude each other");
+    demand_same(parts_.emplace(words.parts), plan_);
+  }
+  numbers_ = jobs_of(plan_.shard, all, together);
+  for (const std::size_t number : numbers_) jobs_.push_back(all[number]);
+}
+
+std::string Portion::text() const {
+  if (is_whole()) return "";
+  return fmt::format("part {} of {}, {} of {} jobs", plan_.shard.number, plan_.shard.count,
+                     jobs_.size(), plan_.jobs);
+}
+
+void Portion::finish_part(RecordStore& store) const {
+  store.finish();
+  tell(fmt::format("{}: {} (./stiction merge puts the parts together)", text(),
+                   store.records_file().string()));
+}
+
+void Portion::run(RecordStore& store, int threads, double tolerance_scale,
+                  const std::function<void(std::size_t, Record)>& finished,
+                  const KeepRecording& keep) const {
+  write_plan(store, plan_);
+  const auto numbered = [&](std::size_t job, Record record) {
+    record.job = numbers_[job];
+    finished(job, std::move(record));
+  };
+  if (!parts_) return run_jobs(jobs_, threads, tolerance_scale, numbered, keep);
+  for (std::size_t job = 0; job < jobs_.size(); ++job) {
+    Record record = parts_->record(numbers_[job]);
+    take_recording(record, parts_->folder(numbers_[job]), store.folder());
+    numbered(job, std::move(record));
+  }
+}
+
+}  // namespace stiction

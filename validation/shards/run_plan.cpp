@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validation/shards/run_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "reports/record/environment.h"
+#include "reports/record/json_field.h"
+#include "reports/text/text.h"
+#include "solver/hash.h"
+
+namespace stiction {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kVersion = 1;
+
+bool is_flag_of_how(std::string_view word) {
+  constexpr std::string_view kFlags[] = {"--no-page", "--lines", "--verbose", "--fresh", "--retry"};
+  return std::find(std::begin(kFlags), std::end(kFlags), word) != std::end(kFlags);
+}
+
+bool is_of_how(std::string_view option) {
+  return option == "--shard" || option == "--out" || option == "--jobs" || option == "--parts";
+}
+
+Shard read_shard(const JsonField& field) {
+  const Shard shard{field["number"].count(), field["count"].count()};
+  if (shard.number < 1 || shard.number > shard.count) {
+    field.fail("number is not from 1 to count");
+  }
+  return shard;
+}
+
+}  // namespace
+
+void write_plan(RecordStore& store, const RunPlan& plan) {
+  const nlohmann::ordered_json json = {
+      {"schema_version", kVersion},
+      {"program", plan.program},
+      {"words", plan.words},
+      {"plan", plan.plan},
+      {"jobs", plan.jobs},
+      {"shard", {{"number", plan.shard.number}, {"count", plan.shard.count}}}};
+  store.write_file(
+      kRunFile, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+}
+
+RunPlan read_plan(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+  if (json.is_discarded()) throw std::runtime_error(one_line(file.string()) + ": not valid JSON");
+  const JsonField field(json, file.string(), "");
+  if (field["schema_version"].count() != kVersion) {
+    field["schema_version"].fail(fmt::format("this program reads version {} alone", kVersion));
+  }
+  RunPlan plan;
+  plan.program = field["program"].text();
+  plan.words = field["words"].list([](const JsonField& word) { return word.text(); });
+  plan.plan = field["plan"].text();
+  plan.jobs = field["jobs"].count();
+  plan.shard = read_shard(field["shard"]);
+  return plan;
+}
+
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    if (is_flag_of_how(word)) continue;
+    if (is_of_how(word)) {
+      ++k;  // and its value
+    } else if (!is_of_how(word.substr(0, word.find('=')))) {
+      words.emplace_back(word);
+    }
+  }
+  return words;
+}
+
+std::string hash_of_words(const std::string& words) {
+  Fnv1a hash;
+  hash.add(words.data(), words.size());
+  return fmt::format("{:016x}", hash.value());
+}
+
+std::string hash_of_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Fnv1a hash;
+  for (char block[1 << 16]; stream.read(block, sizeof block), stream.gcount() > 0;) {
+    hash.add(block, static_cast<std::size_t>(stream.gcount()));
+  }
+  return fmt::format("{:016x}", hash.value());
+}
+
+std::string revision_words() {
+  std::string words = current_environment().revision;
+  if (words.ends_with('+')) words += hash_of_file("/proc/self/exe");
+  return words;
+}
+
+std::string engine_words(const EngineKind& engine) {
+  std::string told = engine.name + "\n" + engine.description + "\n";
+  std::istringstream words(engine.program);
+  for (std::string word; words >> word;) {
+    std::error_code none;
+    told += word;
+    if (fs::is_regular_file(word, none)) told += " " + hash_of_file(word);
+    told += '\n';
+  }
+  return told;
+}
+
+std::string plan_of(const std::vector<Job>& jobs, const std::string& more) {
+  std::string words = "run 1\n" + revision_words() + "\n" + more + "\n", last;
+  std::string engine;  // of the last job; they are many, and their engines few
+  for (const Job& job : jobs) {
+    if (job.engine.name + job.engine.program != last || engine.empty()) {
+      last = job.engine.name + job.engine.program;
+      engine = hash_of_words(engine_words(job.engine));
+    }
+    words += job.which.name + "\n" + engine + "\n";
+    for (const auto& [name, value] : job.settings) words += name + "=" + value + "\n";
+    words += fmt::format("{}\n", job.cpu_limit);
+  }
+  return hash_of_words(words);
+}
+
+}  // namespace stiction
