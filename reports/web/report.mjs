@@ -8,6 +8,7 @@ import { parse_arguments, USAGE } from "./make/arguments.mjs";
 import { html_page, read_bundles } from "./make/page.mjs";
 import { manual_html } from "./make/manual.mjs";
 import { page_data } from "./make/page_data.mjs";
+import { is_empty_part, join_parts, parts_in } from "./make/parts.mjs";
 import { drawing_html, read_problems } from "./make/drawing.mjs";
 import { pdf_of } from "./make/pdf.mjs";
 import { read_recordings } from "./make/recordings.mjs";
@@ -22,7 +23,8 @@ import { write_svg_files } from "./make/svg_files.mjs";
 function read_all(folders, warnings) {
   const runs = [];
   const failures = [];
-  for (const folder of folders) {
+  for (const folder of folders.flatMap(parts_in)) {
+    if (is_empty_part(folder)) continue;
     try {
       const run = read_run(folder);
       warnings.push(...run.warnings);
@@ -68,8 +70,9 @@ function drawings({ folders: [folder] }) {
 
 async function manual(options) {
   const warnings = [];
-  const runs = read_all(options.folders, warnings);
-  const { recordings, warnings: recording_warnings } = read_recordings(runs);
+  const parts = read_all(options.folders, warnings);
+  const { recordings, warnings: recording_warnings } = read_recordings(parts);
+  const runs = join_parts(parts, warnings);
   const html = await manual_html({
     runs,
     heads: run_heads(runs, []),
@@ -85,10 +88,15 @@ async function manual(options) {
 
 async function report(options) {
   const warnings = [];
-  const runs = read_all(options.folders, warnings);
-  const against = read_all(options.against, warnings);
-  const { recordings, warnings: recording_warnings } = read_recordings([...runs, ...against]);
+  const parts = read_all(options.folders, warnings);
+  const parts_against = read_all(options.against, warnings);
+  const { recordings, warnings: recording_warnings } = read_recordings([
+    ...parts,
+    ...parts_against,
+  ]);
   warnings.push(...recording_warnings);
+  const runs = join_parts(parts, warnings);
+  const against = join_parts(parts_against, warnings);
 
   const data = page_data({
     runs,

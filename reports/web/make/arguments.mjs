@@ -17,7 +17,8 @@ DESCRIPTION
 ARGUMENTS
        DIR
               A run's folder, or an out-dir whose 'latest' points to one, else its
-              newest; several are merged
+              newest; several are merged, and parts of a run (--shard) are shown
+              as that run
 
 WHAT IS SHOWN
        --against DIR

@@ -3,7 +3,6 @@
 import { group_by, short_name } from "./family.js";
 import { to_number } from "./number.js";
 
-const BY_FACTORS = 50; // from the least to the largest value: the axis is logarithmic
 const SCATTERED = 0.75; // of the points have a value of their own, on each axis
 
 /** A unit as it is written. */
@@ -15,6 +14,19 @@ export function axis_value(record, name) {
   return axis ? to_number(axis.value) : NaN;
 }
 
+// How far values, in order, are from being evenly spaced: 0 to 1.
+function unevenness(values) {
+  const [low, high] = [values[0], values.at(-1)];
+  const apart = values.map((value, i) =>
+    Math.abs((value - low) / (high - low) - i / (values.length - 1)),
+  );
+  return apart.reduce((a, b) => Math.max(a, b), 0);
+}
+
+// Whether values are spaced by factors rather than by differences: then their axis is logarithmic.
+const by_factors = (values) =>
+  values.length > 2 && values[0] > 0 && unevenness(values.map(Math.log)) < unevenness(values);
+
 /** The axes of some points with more than one value: [{name, unit, values, log}], values in order. */
 export function varying_axes(records) {
   return records[0].axes
@@ -22,8 +34,7 @@ export function varying_axes(records) {
       const values = [...new Set(records.map((record) => axis_value(record, name)))]
         .filter(Number.isFinite)
         .sort((a, b) => a - b);
-      const log = values[0] > 0 && values.at(-1) / values[0] >= BY_FACTORS;
-      return { name, unit: shown_unit(unit), values, log };
+      return { name, unit: shown_unit(unit), values, log: by_factors(values) };
     })
     .filter(({ values }) => values.length > 1);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of a sweep's points.
 import assert from "node:assert/strict";
+import { varying_axes } from "../model/sweep.js";
 import { test } from "node:test";
 import { luminance_steps } from "../plots/colour_scale.js";
 import { know_machines } from "../model/machine.js";
@@ -38,7 +39,7 @@ test("a sweep over two axes is a diagram of verdicts, one a configuration", () =
   assert.equal(plots.length, 2);
   const { spec, caption } = plots[0];
   assert.equal(spec.data.values.length, 6);
-  assert.equal(spec.encoding.x.scale.type, "log", "by factors of more than fifty");
+  assert.equal(spec.encoding.x.scale.type, "log", "spaced by factors");
   assert.equal(spec.encoding.y.scale.type, "linear");
   assert.match(spec.encoding.y.axis.title, /slope_deg \(°\)/);
   assert.deepEqual(spec.encoding.color.legend.values, ["fail", "pass"]);
@@ -55,6 +56,16 @@ test("a sweep over one axis is a curve of each check", () => {
     plot.spec.data.values.map(({ x }) => x),
     [1, 2, 3],
   );
+});
+
+test("an axis is logarithmic where its values are spaced by factors, however far they reach", () => {
+  const log_of = (values) => varying_axes(values.map((mu) => point({ mu })))[0].log;
+  const evenly = Array.from({ length: 50 }, (_, i) => 0.01 + 0.02 * i);
+  assert.equal(log_of(evenly), false);
+  assert.equal(log_of([2.5e-5, 5e-5, 1e-4, 2e-4]), true);
+  assert.equal(log_of([0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1]), true);
+  assert.equal(log_of([1, 100]), false);
+  assert.equal(log_of([-1, 0, 1, 100]), false);
 });
 
 test("records of no sweep have no such diagram", () => assert.deepEqual(plots_of([record()]), []));
