@@ -86,6 +86,7 @@ void define_engines(CLI::App& app, EngineComparison& asked) {
       ->group(which);
   app.add_flag("--quick", asked.quick, "Under three minutes: the chief questions")->group(which);
   app.add_flag("--list", asked.list, "Show the questions and end")->group(which);
+  add_list_json(app, asked.json);
   add_portion(app, asked.portion);
   app.add_option("--jobs", asked.jobs, "Questions to ask at a time; more than one disturbs times")
       ->type_name("N")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program behind `./stiction merge`: the parts of a run → the run, as it is in one piece.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct Arguments {
   std::vector<std::string> folders;
   std::string out = "merged-report";
   bool no_page = false;
+  bool trust = false;
 };
 
 HelpPage help_page() {
@@ -53,6 +56,26 @@ HelpPage help_page() {
       .more = {}};
 }
 
+// The folders may come from anywhere, and an engine that is a command is started to ask what it is.
+void demand_names(const std::vector<std::string>& words) {
+  constexpr std::string_view kOption = "--engine";
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (!words[k].starts_with(kOption)) continue;
+    std::string engine;
+    if (words[k] == kOption) {
+      if (k + 1 < words.size()) engine = words[k + 1];
+    } else if (words[k][kOption.size()] == '=') {
+      engine = words[k].substr(kOption.size() + 1);
+    }
+    if (engine.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos) {
+      continue;
+    }
+    throw InputError(fmt::format(
+        "the parts are of the engine '{}', a command that merging starts: --trust allows it",
+        one_line(engine)));
+  }
+}
+
 std::vector<std::string> command_of(const Parts& parts, const Arguments& arguments) {
   const RunPlan& plan = parts.plan();
   const bool is_sweep = plan.program == "sweep";
@@ -65,13 +88,12 @@ std::vector<std::string> command_of(const Parts& parts, const Arguments& argumen
     throw InputError(missing +
                      (is_sweep ? "; the sweep without --shard computes what is missing" : ""));
   }
+  if (!arguments.trust) demand_names(plan.words);
   std::vector<std::string> words = {plan.program};
   words.insert(words.end(), plan.words.begin(), plan.words.end());
-  // A sweep takes finished points by itself.
   for (const std::string& folder : arguments.folders) {
-    words.insert(words.end(), {is_sweep ? "--share" : "--parts", folder});
+    words.insert(words.end(), {"--parts", folder});
   }
-  if (is_sweep) words.insert(words.end(), {"--shard", "1/1"});
   words.insert(words.end(), {"--out", arguments.out});
   if (arguments.no_page) words.emplace_back("--no-page");
   return words;
@@ -105,6 +127,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--no-page", arguments.no_page,
                "Leave out report.html, which ./stiction makes from the records with node");
+  app.add_flag(
+      "--trust", arguments.trust,
+      "Start the engine of the parts where it is a command, as run.json in their folders has it");
   stiction::set_help(app, stiction::help_page());
   return stiction::run_program(app, argc, argv, [&]() -> int {
     stiction::check_environment();

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -23,6 +24,7 @@
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/shards/job_list.h"
+#include "validation/shards/portion.h"
 #include "validation/shards/run_plan.h"
 #include "validation/shards/shard.h"
 #include "validation/shards/shard_options.h"
@@ -42,8 +44,7 @@ struct Arguments {
   std::string study;
   std::string out = "sweep-report";
   std::vector<std::string> share;
-  std::string shard;
-  std::vector<std::string> command;
+  PortionWords portion;
   bool help_study = false;
   bool dry_run = false;
   bool json = false;
@@ -94,7 +95,7 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--list-engines", arguments.list_engines,
                "Show the names of the study's engines and end")
       ->group("What runs");
-  add_shard(app, arguments.shard);
+  add_portion(app, arguments.portion);
   app.add_flag("--retry", arguments.retry, "Points that broke off are computed again")
       ->group("What runs");
   app.add_flag(
@@ -150,22 +151,28 @@ int sweep(const Arguments& arguments) {
                         : dry_run_screen(study, points, arguments.jobs, screen));
     return kHolds;
   }
-  const Shard shard = shard_from(arguments.shard);
+  const std::string plan = points.plan();
+  const std::optional<Parts> parts =
+      parts_of({"sweep", {}, plan, points.size(), {}}, arguments.portion);
+  const Shard shard = parts ? Shard{} : shard_from(arguments.portion.shard);
   const std::filesystem::path folder = std::filesystem::path(arguments.out) / study.name;
   std::set<std::filesystem::path> earlier;
-  if (!arguments.fresh) earlier = record_files(folder, arguments.share);
+  if (!arguments.fresh && !parts) earlier = record_files(folder, arguments.share);
 
   RecordStore store = RecordStore::create(folder);
-  write_plan(store, {"sweep", arguments.command, points.plan(), points.size(), shard});
+  write_plan(store, {"sweep", arguments.portion.command, plan, points.size(), shard});
   const reference::LastWords words([&store] { return store.last_words(); });
   store.wait_for_disk_every(1.0);
   Results results(points.size());
-  // All points are alike to the shards, so that neighbours, which cost alike, go to different ones.
-  std::vector<std::size_t> own = jobs_of(shard, std::vector<double>(points.size(), 1.0));
+  std::vector<std::size_t> own = shuffled_share(shard, points.size());
   const std::vector<std::size_t> told = own;
-  const std::size_t found = take_over(earlier, store, points, own, arguments.retry, results);
+  if (shard.count > 1) tell(part_text(shard, own.size(), points.size(), "points"));
+  const std::size_t found = parts
+                                ? take_parts(*parts, store, points, results)
+                                : take_over(earlier, store, points, own, arguments.retry, results);
   std::erase_if(own, [&](std::size_t point) { return results[point].known; });
-  if (found > 0) tell(fmt::format("{} points are known already, {} to go", found, own.size()));
+  if (found > 0 && !parts)
+    tell(fmt::format("{} points are known already, {} to go", found, own.size()));
   const auto began = std::chrono::steady_clock::now();
   ProgressLine progress(own.size());
   std::mutex one_at_a_time;
@@ -198,8 +205,10 @@ int sweep(const Arguments& arguments) {
   store.write_file("points.csv", points_csv(study, points, told, results));
   store.finish();
   if (!arguments.lines) {
-    show_line(fmt::format("{}: {} points, {} computed in {:.3g} s", study.title, points.size(),
-                          own.size(), took.count()));
+    const std::string how = parts
+                                ? fmt::format("from {} parts", parts->folders().size())
+                                : fmt::format("{} computed in {:.3g} s", own.size(), took.count());
+    show_line(fmt::format("{}: {} points, {}", study.title, points.size(), how));
     show(results_screen(study, results, screen));
     show(boundary_screen(boundaries, screen));
     show_line("Points: " + (store.folder() / "points.csv").string());
@@ -219,7 +228,7 @@ int main(int argc, char** argv) {
   stiction::reference::end_in_order("stiction sweep");
   CLI::App app("Runs the points of a study.", "stiction sweep");
   stiction::Arguments arguments;
-  arguments.command = stiction::words_of(argc, argv);
+  arguments.portion.command = stiction::words_of(argc, argv);
   stiction::define(app, arguments);
   return stiction::run_program(app, argc, argv, [&] {
     stiction::check_environment();  // what cannot be had is refused before anything runs

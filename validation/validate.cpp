@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -45,6 +46,7 @@
 #include "validation/user/problem_keys.h"
 #include "validation/user/user_case.h"
 #include "validation/user/user_screen.h"
+#include "validation/user/vary.h"
 
 namespace stiction {
 
@@ -226,25 +228,14 @@ void define(CLI::App& app, Arguments& arguments) {
   set_help(app, help_page());
 }
 
-const char* set_name(CaseSet set) {
-  switch (set) {
-    case CaseSet::kQuick:
-      return "quick";
-    case CaseSet::kDefault:
-      return "";
-    case CaseSet::kFull:
-      return "full";
-  }
-  return "";
-}
-
 void list_cases(const std::vector<Case>& cases, const Selection& selection) {
   std::string last;
   for (const Job& job : select_jobs(cases, selection)) {
     if (job.which.name == last) continue;
     last = job.which.name;
-    show_line(
-        fmt::format("{:<46} {:<6} {}", job.which.name, set_name(job.which.set), job.which.title));
+    show_line(fmt::format("{:<46} {:<6} {}", job.which.name,
+                          job.which.set == CaseSet::kDefault ? "" : name_of(job.which.set),
+                          job.which.title));
   }
 }
 
@@ -313,7 +304,10 @@ int validate(Arguments& arguments) {
     demand_conformance(find_engine(selection.engine), selection.settings);
   }
   std::string depends = fmt::format("{}\n", arguments.tolerance_scale);
-  for (const std::string& file : arguments.problems) depends += hash_of_file(file) + "\n";
+  for (const std::string& file : arguments.problems) {
+    std::ifstream text(file);
+    depends += hash_of_file(file) + "\n" + surface_words(*parse_toml(text, file));
+  }
   const Portion portion("validate", all, Together::kCases, arguments.portion, depends);
   const std::vector<Job>& jobs = portion.jobs();
   if (arguments.list) {

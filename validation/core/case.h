@@ -18,6 +18,12 @@ enum class CaseSet {
   kFull      ///< only with --full
 };
 
+/// "quick", "default" or "full".
+inline const char* name_of(CaseSet set) {
+  constexpr const char* kNames[] = {"quick", "default", "full"};
+  return kNames[static_cast<int>(set)];
+}
+
 /// One physical claim, run on any engine. A file in validation/cases/ returns its cases from a
 /// function `cases_<file>()`; the build writes the catalog.
 struct Case {

@@ -15,18 +15,6 @@ namespace stiction {
 
 namespace {
 
-const char* set_word(CaseSet set) {
-  switch (set) {
-    case CaseSet::kQuick:
-      return "quick";
-    case CaseSet::kDefault:
-      return "default";
-    case CaseSet::kFull:
-      return "full";
-  }
-  return "";
-}
-
 std::string line_of(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -46,7 +34,7 @@ std::string job_list_json(const Portion& portion) {
         {"job", portion.number(k)},
         {"name", job.which.name},
         {"title", job.which.title},
-        {"set", set_word(job.which.set)},
+        {"set", name_of(job.which.set)},
         {"engine", job.engine.name},
         {"configuration", called_configuration(job.engine, job.which.name, job.settings).name},
         {"settings", nlohmann::ordered_json(job.settings)},

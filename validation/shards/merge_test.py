@@ -6,7 +6,6 @@ What the parts of validate and compare are merged into is what one piece gives, 
 is missing, cut off or of another run is refused.
 """
 import json
-import os
 import pathlib
 import re
 import shutil
@@ -14,17 +13,13 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
+from box_study import faults, hold, plain_environment, problem, study  # noqa: E402
+
 CHOSEN = ["--case", "incline/restick/box", "--case", "oscillator/free*", "--case", "oscillator/stick-slip", "--case", "slab/rest/one", "--case", "half-space/*"]
 COMPARED = ["--scene", "falling-box/r=0.35", "--contacts", "paper"]
 COSTS = {"ns_per_contact_update", "ns_per_contact_update_quartiles", "ns_per_contact_step", "ns_per_contact_step_quartiles",
          "cpu_seconds", "phase_seconds", "told_cpu_seconds"}
-faults = 0
-
-
-def hold(true, words):
-    global faults
-    print("ok   " if true else "FAIL ", words, flush=True)
-    faults += not true
 
 
 def records_of(folder, drop_times=True):
@@ -53,7 +48,7 @@ class Folder:
     def __init__(self, name, build):
         self.path = pathlib.Path(name)
         self.build = build
-        self.plain = {key: value for key, value in os.environ.items() if not key.startswith(("GTEST_", "SLURM_"))}
+        self.plain = plain_environment()
 
     def run(self, program, *words, **environment):
         return subprocess.run([self.build / program, *words], cwd=self.path, env={**self.plain, **environment}, capture_output=True,
@@ -109,9 +104,59 @@ def what_is_missing(folder):
     (cut / parts[1].name / "run.json").write_text('{"schema_version":1,"program":"sh"}')
     refused("words: the required field is missing", cut)
     file.write_text("")
-    (cut / parts[1].name / "run.json").write_text('{"schema_version":1,"program":"/bin/sh","words":["-c","id"],"plan":"","jobs":0,"shard":{"number":1,"count":1}}')
+    (cut / parts[1].name / "run.json").write_text('{"schema_version":1,"program":"/bin/sh","words":["-c","id"],"plan":"","jobs":1,"shard":{"number":1,"count":1}}')
     refused("there is no program", cut)
     hold(folder.run("validate", *CHOSEN, "--shard", "1/2", "--parts", "parts").returncode == 2, "a shard of what is put together is none")
+
+
+def sweep_in_parts(folder):
+    (folder.path / "box.toml").write_text(problem(0.05))
+    file = folder.path / "study.toml"
+    file.write_text(study(4, 5))
+    whole = folder.run("sweep", "study.toml", "--jobs", "1", "--out", "swept", "--no-page")
+    for number in (1, 2, 3):
+        part = folder.run("sweep", "study.toml", "--shard", f"{number}/3", "--out", f"thirds/{number}", "--no-page")
+        hold(part.returncode == 0 and f"part {number} of 3, 1" in part.stderr, f"a third of a study: {part.stderr.strip()}")
+    for number in (1, 2, 3):
+        deal(folder.path / "swept/study", folder.path / f"thirds/{number}/study")
+    merged = folder.run("merge", "thirds", "--out", "swept-parts", "--no-page", GTEST_SHARD_INDEX="1", GTEST_TOTAL_SHARDS="3")
+    hold(merged.returncode == whole.returncode == 0 and "40 points, from 3 parts" in merged.stdout, f"they are merged {merged.stderr}")
+    same_bytes(folder.path / "swept-parts/study", folder.path / "swept/study", "records.jsonl", "points.csv")
+    shutil.rmtree(folder.path / "thirds")
+    hold(folder.run("merge", "swept-parts", "--out", "swept-again", "--no-page").returncode == 0, "what was merged is a run like others, when its parts have gone")
+    file.write_text(study(4, 6))
+    changed = folder.run("merge", "swept-parts", "--out", "swept-changed", "--no-page")
+    hold(changed.returncode == 2 and "an earlier version" in changed.stderr, f"the parts of a study that was changed are refused: {changed.stderr.strip()[:90]}")
+
+
+MESH = """OFF
+4 4 0
+0 0 0
+0.1 0 0
+0 0.1 0
+0 0 HEIGHT
+3 0 2 1
+3 0 1 3
+3 1 2 3
+3 0 3 2
+"""
+
+
+def files_that_changed(folder):
+    """The files that a problem names are of the run too; an engine that is a command is not started unasked."""
+    (folder.path / "mesh.toml").write_text(problem(0.01).replace('shape = "box"', 'shape = "surface"\nfile = "tet.off"').replace("size = [0.2, 0.2, 0.1]\n", ""))
+    for number, height in ((1, "0.1"), (2, "0.2")):
+        (folder.path / "tet.off").write_text(MESH.replace("HEIGHT", height))
+        folder.run("validate", "mesh.toml", "--shard", f"{number}/2", "--out", "meshes", "--no-page")
+    merged = folder.run("merge", "meshes", "--out", "merged-meshes", "--no-page")
+    hold(merged.returncode == 2 and "parts of different runs" in merged.stderr, "parts with another mesh are of another run")
+    hostile = folder.path / "hostile/2026-01-01T00-00-00Z"
+    hostile.mkdir(parents=True)
+    (hostile / "records.jsonl").write_text((folder.path / "whole/latest/records.jsonl").read_text().splitlines(keepends=True)[0])
+    (hostile / "run.json").write_text(json.dumps({"schema_version": 1, "program": "validate", "words": ["--engine", "touch started"], "plan": "",
+                                                  "jobs": 1, "shard": {"number": 1, "count": 1}}))
+    merged = folder.run("merge", "hostile", "--out", "x", "--no-page")
+    hold(merged.returncode == 2 and "--trust allows it" in merged.stderr and not (folder.path / "started").exists(), f"refused: {merged.stderr.strip()}")
 
 
 def compare_in_parts(folder):
@@ -153,8 +198,10 @@ def main():
         validate_in_parts(folder)
         what_is_missing(folder)
         compare_in_parts(folder)
+        sweep_in_parts(folder)
+        files_that_changed(folder)
         lists_and_lines(folder)
-    return faults > 0
+    return len(faults) > 0
 
 
 if __name__ == "__main__":

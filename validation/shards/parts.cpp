@@ -29,9 +29,7 @@ std::vector<fs::path> runs_in(const std::vector<std::string>& folders) {
     // 'latest' may be what is named; inside, links lead to what is found anyway.
     const fs::path real = fs::canonical(folder);
     if (fs::exists(real / kRunFile)) runs.insert(real);
-    for (const fs::directory_entry& one : fs::recursive_directory_iterator(real)) {
-      if (one.path().filename() == kRunFile) runs.insert(one.path().parent_path());
-    }
+    each_file_named(kRunFile, real, [&](const fs::path& file) { runs.insert(file.parent_path()); });
   }
   std::vector<fs::path> newest(runs.begin(), runs.end());
   // A run's folder has its time for a name.
@@ -54,11 +52,11 @@ Parts::Parts(const std::vector<std::string>& folders) : folders_(runs_in(folders
     if (plan_.plan.empty()) {
       plan_ = std::move(plan);
     } else if (plan.plan != plan_.plan || plan.jobs != plan_.jobs) {
-      throw InputError(
-          fmt::format("'{}' and '{}' are parts of different runs: another command, other files, "
-                      "another engine, "
-                      "or another revision of the suite",
-                      one_line(folders_.front().string()), one_line(folder.string())));
+      throw InputError(fmt::format(
+          "'{}' and '{}' are parts of different runs: another command, other files or an "
+          "earlier version of them, another engine, or another revision of the suite; "
+          "name the folders of the run that is meant",
+          one_line(folders_.front().string()), one_line(folder.string())));
     }
   }
   places_.resize(plan_.jobs);
@@ -73,8 +71,9 @@ void Parts::take(std::uint32_t part) {
       throw std::runtime_error(fmt::format("{}: job {} of a run of {}", one_line(file.string()),
                                            *record.job, places_.size()));
     }
+    const Place place{part, record.verdict == Verdict::kError, offset};
     std::optional<Place>& known = places_[*record.job];
-    if (!known) known = Place{part, offset};
+    if (!known || (known->broke && !place.broke)) known = place;
   });
 }
 
@@ -83,18 +82,22 @@ std::string Parts::missing() const {
       places_.begin(), places_.end(), [](const std::optional<Place>& one) { return !one; }));
   if (absent == 0) return "";
   std::string words = fmt::format("{} of {} jobs have no result", absent, places_.size());
-  std::vector<std::size_t> lost;
   const std::size_t count = shards_.front().count;
-  for (std::size_t number = 1; number <= count; ++number) {
-    if (std::none_of(shards_.begin(), shards_.end(), [&](const Shard& one) {
-          return one.count == count && one.number == number;
-        })) {
-      lost.push_back(number);
-    }
+  std::set<std::size_t> there;
+  for (const Shard& one : shards_) {
+    if (one.count == count) there.insert(one.number);
+  }
+  constexpr std::size_t kMostTold = 10;
+  std::vector<std::size_t> lost;
+  for (std::size_t number = 1; number <= count && lost.size() < kMostTold; ++number) {
+    if (there.count(number) == 0) lost.push_back(number);
   }
   if (lost.empty()) return words + ": a part was interrupted";
-  return words + fmt::format(": of {} parts {} {} missing", count, fmt::join(lost, ", "),
-                             lost.size() == 1 ? "is" : "are");
+  const std::size_t all = count - there.size();
+  return words +
+         fmt::format(": of {} parts {}{} {} missing", count, fmt::join(lost, ", "),
+                     all > lost.size() ? fmt::format(" and {} more", all - lost.size()) : "",
+                     all == 1 ? "is" : "are");
 }
 
 const Parts::Place& Parts::place(std::size_t job) const {

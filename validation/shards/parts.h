@@ -13,7 +13,8 @@
 
 namespace stiction {
 
-/// The finished records of a run's parts, by job: of a job that stands twice that of the newest part.
+/// The finished records of a run's parts, by job: of a job that stands twice one that did not break off,
+/// and then that of the newest part.
 /// They stay on disk; what is held of each is its place.
 class Parts {
  public:
@@ -35,6 +36,7 @@ class Parts {
  private:
   struct Place {
     std::uint32_t part = 0;
+    bool broke = false;
     std::uint64_t offset = 0;
   };
   void take(std::uint32_t part);

@@ -10,39 +10,38 @@
 
 namespace stiction {
 
-namespace {
-
-// The parts say what they are; what runs now must be the same.
-void demand_same(const Parts& parts, const RunPlan& plan) {
+std::optional<Parts> parts_of(const RunPlan& plan, const PortionWords& words) {
+  if (words.parts.empty()) return std::nullopt;
+  if (!words.shard.empty()) throw InputError("--shard and --parts exclude each other");
+  Parts parts(words.parts);
   const RunPlan& found = parts.plan();
   if (found.program != plan.program || found.plan != plan.plan || found.jobs != plan.jobs) {
     throw InputError(
-        "the parts are not of this run: another command, other files, another engine, or another "
-        "revision of the suite");
+        "the parts are not of this run: another command, other files or an earlier version of "
+        "them, "
+        "another engine, or another revision of the suite");
   }
   const std::string missing = parts.missing();
   if (!missing.empty()) throw InputError(missing);
+  return parts;
 }
 
-}  // namespace
+std::string part_text(const Shard& shard, std::size_t own, std::size_t all, const char* what) {
+  return fmt::format("part {} of {}, {} of {} {}", shard.number, shard.count, own, all, what);
+}
 
 Portion::Portion(const std::string& program, const std::vector<Job>& all, Together together,
                  const PortionWords& words, const std::string& depends)
     : plan_{program, words.command, plan_of(all, depends), all.size(), {}} {
-  if (words.parts.empty()) {
-    plan_.shard = shard_from(words.shard);
-  } else {
-    if (!words.shard.empty()) throw InputError("--shard and --parts exclude each other");
-    demand_same(parts_.emplace(words.parts), plan_);
-  }
+  parts_ = parts_of(plan_, words);
+  if (!parts_) plan_.shard = shard_from(words.shard);
   numbers_ = jobs_of(plan_.shard, all, together);
   for (const std::size_t number : numbers_) jobs_.push_back(all[number]);
 }
 
 std::string Portion::text() const {
   if (is_whole()) return "";
-  return fmt::format("part {} of {}, {} of {} jobs", plan_.shard.number, plan_.shard.count,
-                     jobs_.size(), plan_.jobs);
+  return part_text(plan_.shard, jobs_.size(), plan_.jobs, "jobs");
 }
 
 void Portion::finish_part(RecordStore& store) const {

@@ -22,6 +22,13 @@ struct PortionWords {
   std::vector<std::string> command{};
 };
 
+/// The parts that the words name, which must be all of the run that `plan` is of; none where they name
+/// none. Throws InputError.
+std::optional<Parts> parts_of(const RunPlan& plan, const PortionWords& words);
+
+/// "part 2 of 8, 19 of 152 jobs"; `what` are "jobs" or "points".
+std::string part_text(const Shard& shard, std::size_t own, std::size_t all, const char* what);
+
 /// The jobs of a run that one process computes: all, those of a shard, or none, where the parts of the
 /// run are put together.
 class Portion {
@@ -35,7 +42,7 @@ class Portion {
   /// The place of one of them among all.
   std::size_t number(std::size_t job) const { return numbers_[job]; }
   bool is_whole() const { return plan_.shard.count == 1; }
-  /// "part 2 of 8, 19 of 152 jobs"; empty for the whole.
+  /// part_text; empty for the whole.
   std::string text() const;
 
   /// run_jobs of these into the store, whose run.json it writes first; or what is taken from parts, with

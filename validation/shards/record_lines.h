@@ -4,10 +4,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "reports/record/record.h"
 
 namespace stiction {
+
+/// Every file of that name in a folder, as deep as it lies; links to folders are not followed. Throws
+/// std::runtime_error that names the folder, where something in it cannot be read.
+void each_file_named(const std::string& name, const std::filesystem::path& folder,
+                     const std::function<void(const std::filesystem::path&)>& use);
+
+/// Every whole line of a file with its number, from 1 on, and the byte at which it begins.
+void each_line_at(const std::filesystem::path& file,
+                  const std::function<void(const std::string&, std::size_t, std::uint64_t)>& use);
 
 /// Every record of a records.jsonl with the byte at which its line begins; a last line that a kill has cut
 /// off is none. Throws std::runtime_error with file and line for what is no record.

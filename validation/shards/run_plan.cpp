@@ -24,21 +24,32 @@ namespace {
 
 constexpr int kVersion = 1;
 
-bool is_flag_of_how(std::string_view word) {
-  constexpr std::string_view kFlags[] = {"--no-page", "--lines", "--verbose", "--fresh", "--retry"};
-  return std::find(std::begin(kFlags), std::end(kFlags), word) != std::end(kFlags);
+template <std::size_t kCount>
+bool is_one_of(std::string_view option, const std::string_view (&all)[kCount]) {
+  return std::find(std::begin(all), std::end(all), option) != std::end(all);
 }
 
+// Of how it runs, without a value and with one.
+bool is_flag_of_how(std::string_view option) {
+  return is_one_of(option, {"--no-page", "--lines", "--verbose", "--fresh", "--retry"});
+}
 bool is_of_how(std::string_view option) {
-  return option == "--shard" || option == "--out" || option == "--jobs" || option == "--parts";
+  return is_one_of(option, {"--shard", "--out", "--jobs", "--parts", "--share"});
 }
 
 Shard read_shard(const JsonField& field) {
   const Shard shard{field["number"].count(), field["count"].count()};
-  if (shard.number < 1 || shard.number > shard.count) {
-    field.fail("number is not from 1 to count");
+  if (shard.number < 1 || shard.number > shard.count || shard.count > kMostShards) {
+    field.fail(fmt::format("number is not from 1 to count, or that not to {}", kMostShards));
   }
   return shard;
+}
+
+std::size_t read_jobs(const JsonField& field) {
+  constexpr std::size_t kMost = 1'000'000'000;
+  const std::size_t jobs = field.count();
+  if (jobs < 1 || jobs > kMost) field.fail(fmt::format("not from 1 to {}", kMost));
+  return jobs;
 }
 
 }  // namespace
@@ -67,7 +78,7 @@ RunPlan read_plan(const fs::path& file) {
   plan.program = field["program"].text();
   plan.words = field["words"].list([](const JsonField& word) { return word.text(); });
   plan.plan = field["plan"].text();
-  plan.jobs = field["jobs"].count();
+  plan.jobs = read_jobs(field["jobs"]);
   plan.shard = read_shard(field["shard"]);
   return plan;
 }
@@ -76,11 +87,12 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words;
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    if (is_flag_of_how(word)) continue;
-    if (is_of_how(word)) {
-      ++k;  // and its value
-    } else if (!is_of_how(word.substr(0, word.find('=')))) {
+    const std::string_view option = word.substr(0, word.find('='));
+    if (is_flag_of_how(option)) continue;
+    if (!is_of_how(option)) {
       words.emplace_back(word);
+    } else if (option == word) {
+      ++k;  // and its value
     }
   }
   return words;
@@ -112,8 +124,9 @@ std::string engine_words(const EngineKind& engine) {
   std::istringstream words(engine.program);
   for (std::string word; words >> word;) {
     std::error_code none;
-    told += word;
-    if (fs::is_regular_file(word, none)) told += " " + hash_of_file(word);
+    // Wherever it lies: parts may be of several checkouts.
+    const bool is_file = fs::is_regular_file(word, none);
+    told += is_file ? fs::path(word).filename().string() + " " + hash_of_file(word) : word;
     told += '\n';
   }
   return told;

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <queue>
+#include <random>
 #include <string_view>
 #include <utility>
 
@@ -29,8 +30,9 @@ std::optional<std::size_t> whole(std::string_view text) {
 
 Shard checked(std::optional<std::size_t> number, std::optional<std::size_t> count,
               const std::string& words) {
-  if (!number || !count || *number < 1 || *number > *count) {
-    throw InputError("a shard is I/N with 1 ≤ I ≤ N, not '" + one_line(words) + "'");
+  if (!number || !count || *number < 1 || *number > *count || *count > kMostShards) {
+    throw InputError(
+        fmt::format("a shard is I/N with 1 ≤ I ≤ N ≤ {}, not '{}'", kMostShards, one_line(words)));
   }
   return {*number, *count};
 }
@@ -73,7 +75,9 @@ std::vector<std::size_t> jobs_of(const Shard& shard, const std::vector<double>& 
                    [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
   using Load = std::pair<double, std::size_t>;  // and the shard that has it, from 1 on
   std::priority_queue<Load, std::vector<Load>, std::greater<>> least;
-  for (std::size_t number = 1; number <= shard.count; ++number) least.emplace(0.0, number);
+  // More shards than jobs are empty.
+  const std::size_t filled = std::min(shard.count, costs.size());
+  for (std::size_t number = 1; number <= filled; ++number) least.emplace(0.0, number);
   std::vector<std::size_t> own;
   for (const std::size_t job : dearest) {
     const auto [load, number] = least.top();
@@ -81,6 +85,18 @@ std::vector<std::size_t> jobs_of(const Shard& shard, const std::vector<double>& 
     least.emplace(load + costs[job], number);
     if (number == shard.number) own.push_back(job);
   }
+  std::sort(own.begin(), own.end());
+  return own;
+}
+
+std::vector<std::size_t> shuffled_share(const Shard& shard, std::size_t jobs) {
+  std::vector<std::size_t> order(jobs);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (shard.count == 1) return order;
+  std::mt19937_64 draw(1);  // std::shuffle may differ from library to library; this may not
+  for (std::size_t k = jobs; k > 1; --k) std::swap(order[k - 1], order[draw() % k]);
+  std::vector<std::size_t> own;
+  for (std::size_t k = shard.number - 1; k < jobs; k += shard.count) own.push_back(order[k]);
   std::sort(own.begin(), own.end());
   return own;
 }

@@ -26,7 +26,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 struct Outcome {
   double along = 0.0, expected = 0.0;
   bool holds = false, must_hold = false;
-  double distance() const { return along - expected; }
+  // A grid's steps are decimal numbers: 0.4 − 0.3 is 0.1.
+  double distance() const { return std::stod(fmt::format("{:.12g}", along - expected)); }
   bool wrong() const { return holds != must_hold; }
 };
 
@@ -54,7 +55,7 @@ class Brackets {
   }
 
   std::vector<Series> series(const Study& study, const Boundary& boundary) const {
-    if (!boundary.axis || rows_.size() < 2) return {};
+    if (!boundary.axis || rows_.size() < 2 || study.samples) return {};
     const Axis& along = study.axes[boundary.along];
     const Axis& over = study.axes[*boundary.axis];
     const auto named = [&](const char* name) {
@@ -88,29 +89,47 @@ std::string where_words(const Study& study, const std::vector<double>& values) {
   return words;
 }
 
-// Of the `count` points from `first` on.
-Record record_of(const Study& study, const Points& points, const Results& results,
-                 std::size_t first, std::size_t count) {
-  const Boundary& boundary = *study.boundary;
-  std::size_t outcomes = 0, wrong = 0, broke = 0;
+// The points of an engine.
+struct Seen {
+  std::size_t inside = 0, beyond = 0;  // outcomes where it must hold, and where it must fail
+  std::size_t wrong = 0, broke = 0, lacking = 0;
   double farthest = 0.0;
   std::string where;
   bool judged = true;
   Brackets brackets;
-  for (std::size_t point = first; point < first + count; ++point) {
-    const PointResult& result = results[point];
+
+  void add(const Study& study, const std::vector<double>& values, const PointResult& result) {
     judged = judged && result.verdict != Verdict::kForInformation;
     broke += result.verdict == Verdict::kError;
-    const std::vector<double> values = points.values(point);
-    const std::optional<Outcome> one = outcome_of(boundary, values, result);
-    if (!one) continue;
-    ++outcomes;
-    brackets.add(*one, boundary.holds_above);
-    if (!one->wrong()) continue;
+    lacking += result.verdict == Verdict::kNotApplicable;
+    const std::optional<Outcome> one = outcome_of(*study.boundary, values, result);
+    if (!one) return;
+    ++(one->must_hold ? inside : beyond);
+    brackets.add(*one, study.boundary->holds_above);
+    if (!one->wrong()) return;
     ++wrong;
-    if (std::abs(one->distance()) <= std::abs(farthest)) continue;
+    if (std::abs(one->distance()) <= std::abs(farthest)) return;
     farthest = one->distance();
     where = where_words(study, values) + (one->holds ? " holds" : " fails");
+  }
+
+  // Why they show no boundary; empty where they do.
+  std::string gap() const {
+    if (broke > 0)
+      return fmt::format("{} {} off", broke, broke == 1 ? "point broke" : "points broke");
+    if (inside == 0) return "no point lies where it must hold";
+    if (beyond == 0) return "no point lies where it must fail";
+    return "";
+  }
+};
+
+// Of the `count` points from `first` on.
+Record record_of(const Study& study, const Points& points, const Results& results,
+                 std::size_t first, std::size_t count) {
+  const Boundary& boundary = *study.boundary;
+  Seen seen;
+  for (std::size_t point = first; point < first + count; ++point) {
+    seen.add(study, points.values(point), results[point]);
   }
   const StudyEngine& engine = points.engine(first);
   Record record;
@@ -120,11 +139,16 @@ Record record_of(const Study& study, const Points& points, const Results& result
   record.engine = engine.kind.name;
   record.configuration = called_configuration(engine.kind, "", engine.settings).name;
   record.settings = engine.settings;
-  const double value = outcomes > 0 ? farthest : kNan;
-  record.checks = {judged ? judge(boundary.claim, value) : for_information(boundary.claim, value)};
-  record.checks.front().worst = where;
-  record.notes = {fmt::format("{} of {} outcomes are on the wrong side", wrong, outcomes)};
-  if (broke > 0) record.notes.push_back(fmt::format("{} points broke off", broke));
+  if (seen.lacking < count) {
+    const std::string gap = seen.gap();
+    const double value = gap.empty() ? seen.farthest : kNan;
+    record.checks = {seen.judged ? judge(boundary.claim, value)
+                                 : for_information(boundary.claim, value)};
+    record.checks.front().worst = gap.empty() ? seen.where : gap;
+  }
+  record.notes = {fmt::format("{} of {} outcomes are on the wrong side", seen.wrong,
+                              seen.inside + seen.beyond)};
+  const Brackets& brackets = seen.brackets;
   record.series = brackets.series(study, boundary);
   for (std::size_t point = first; point < first + count; ++point) {
     record.cost.cpu_seconds += results[point].cpu_seconds;
@@ -154,14 +178,19 @@ std::vector<Record> boundary_records(const Study& study, const Points& points,
 
 std::string boundary_screen(const std::vector<Record>& boundaries, const Screen& screen) {
   if (boundaries.empty()) return "";
-  const Claim& claim = boundaries.front().checks.front().claim;
-  std::string text = "\n" + bullet(claim.statement, screen.width, "");
+  std::string text;
+  for (const Record& one : boundaries) {
+    if (text.empty() && !one.checks.empty()) {
+      text = "\n" + bullet(one.checks.front().claim.statement, screen.width, "");
+    }
+  }
   Cells rows = {{"", "farthest wrong outcome", "verdict", "where"}};
   for (const Record& one : boundaries) {
+    if (one.checks.empty()) continue;  // not applicable
     const Judgement& check = one.checks.front();
     rows.push_back({one.configuration.empty() ? one.engine : one.engine + ", " + one.configuration,
-                    fmt::format("{:.3g}", check.value), to_string(check.verdict),
-                    check.worst.empty() ? "–" : check.worst});
+                    std::isnan(check.value) ? "–" : fmt::format("{:.3g}", check.value),
+                    to_string(check.verdict), check.worst.empty() ? "–" : check.worst});
   }
   return text + plain_table(rows, {0, 2, 3}, screen.width);
 }

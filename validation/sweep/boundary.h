@@ -13,8 +13,8 @@ namespace stiction {
 /// What the points say of a study's boundary: a record an engine and case whose points are all known, none
 /// without [boundary]. Its check is the point of the wrong outcome that lies farthest beyond the expected
 /// boundary, as a signed distance along the axis: above 0 one that holds and must fail (for
-/// holds = "above" the other way round), 0 when no outcome is wrong. A point on the boundary
-/// itself has none, nor has one that broke off, which a note counts.
+/// holds = "above" the other way round), 0 when no outcome is wrong. A point on the boundary itself
+/// is none. No number, so that it fails, where a point broke off, or where one side has no outcome.
 std::vector<Record> boundary_records(const Study& study, const Points& points,
                                      const Results& results);
 

@@ -90,11 +90,36 @@ TEST_F(BoundaryOfAStudy, IsJudgedByTheFarthestWrongOutcome) {
   EXPECT_EQ(within.verdict, Verdict::kPass);
 }
 
-TEST_F(BoundaryOfAStudy, DoesNotCountWhatBrokeOffButSaysSo) {
-  const Record one = record(study(), "!...####");
-  EXPECT_THAT(one.notes, testing::Contains("1 points broke off"));
-  EXPECT_THAT(one.notes, testing::Contains("1 of 7 outcomes are on the wrong side"));
-  EXPECT_EQ(record(study(), "!!!!!!!!").verdict, Verdict::kFail) << "nothing shows a boundary";
+TEST_F(BoundaryOfAStudy, FailsWhereAPointBrokeOff) {
+  const Record one = record(study(), "!...###.");
+  EXPECT_EQ(one.verdict, Verdict::kFail);
+  EXPECT_TRUE(std::isnan(one.checks.front().value));
+  EXPECT_EQ(one.checks.front().worst, "1 point broke off");
+  EXPECT_EQ(record(study(), "!!!!!!!!").verdict, Verdict::kFail);
+}
+
+TEST_F(BoundaryOfAStudy, FailsWhereOneSideHasNoOutcome) {
+  const Study far = study("expected = \"ramp.friction\"", "expected = 5");
+  EXPECT_EQ(record(far, "########").checks.front().worst, "no point lies where it must fail");
+  EXPECT_EQ(record(far, "########").verdict, Verdict::kFail);
+  const Study near = study("expected = \"ramp.friction\"", "expected = 0.1");
+  EXPECT_EQ(record(near, "........").checks.front().worst, "no point lies where it must hold");
+}
+
+TEST_F(BoundaryOfAStudy, OfAnEngineThatLacksWhatItNeedsIsNotApplicable) {
+  Results lacking = results("........");
+  for (PointResult& one : lacking) one.verdict = Verdict::kNotApplicable;
+  const Study read = study();
+  const std::vector<Record> all = boundary_records(read, Points(read), lacking);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all.front().verdict, Verdict::kNotApplicable);
+  EXPECT_EQ(boundary_screen(all, {.width = 80}).find("nan"), std::string::npos);
+}
+
+TEST_F(BoundaryOfAStudy, AStepOfADecimalGridIsWithinAToleranceOfThatStep) {
+  const Study read =
+      study("expected = \"ramp.friction\"\ntolerance = 0.06", "expected = 0.3\ntolerance = 0.1");
+  EXPECT_EQ(record(read, "#.#.#.#.").verdict, Verdict::kPass) << "0.4 - 0.3 is above 0.1 in binary";
 }
 
 TEST_F(BoundaryOfAStudy, OfWhatNobodyJudgesIsForInformation) {

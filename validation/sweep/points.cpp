@@ -19,20 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The files that a problem's surfaces are read from, and what is in them.
-std::string files_of(const ParsedFile& problem) {
-  std::string words;
-  const toml::array* const bodies = problem.root["body"].as_array();
-  if (bodies == nullptr) return words;
-  for (const toml::node& one : *bodies) {
-    const toml::table* const body = one.as_table();
-    const auto file = body != nullptr ? (*body)["file"].value<std::string>() : std::nullopt;
-    if (file)
-      words += *file + " " + hash_of_file(fs::path(problem.file).parent_path() / *file) + "\n";
-  }
-  return words;
-}
-
 std::string settings_words(const Settings& settings) {
   std::string words;
   for (const auto& [name, value] : settings) words += name + "=" + value + "\n";
@@ -42,7 +28,8 @@ std::string settings_words(const Settings& settings) {
 }  // namespace
 
 Points::Points(const Study& study) : study_(study), alike_("point 1\n" + revision_words() + "\n") {
-  if (study.problem) alike_ += files_of(*study.problem);
+  if (study.problem) alike_ += surface_words(*study.problem);
+  if (study.keeps_series) alike_ += "with series\n";
   for (const StudyEngine& one : study.engines) {
     engines_.push_back(engine_words(one.kind) + settings_words(one.settings));
   }
@@ -142,6 +129,7 @@ Job Points::job(std::size_t point) const {
 
 Record Points::finished(std::size_t point, Record record) const {
   record.case_name = name(point);
+  if (study_.problem) record.title = study_.title;
   record.job = point;
   record.point = hash(point);
   record.axes.clear();

@@ -33,7 +33,7 @@ class Points {
   std::string plan() const;
   /// For run_job. A value that the problem refuses is the error of its record.
   Job job(std::size_t point) const;
-  /// With point and axes, and no more than the study keeps.
+  /// With the point's name, place and axes in this study, and no more than it keeps.
   Record finished(std::size_t point, Record record) const;
   /// The problem with the point's values; of studies of a problem alone. Throws InputError.
   UserProblem problem(std::size_t point) const;

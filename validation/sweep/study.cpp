@@ -56,8 +56,8 @@ const TomlKeys& engine_keys() {
       "An engine with settings of its own, beside `engines`.",
       {{"name", "", "\"stiction\"", kNeeded, "a name, or the command of a program"},
        {"settings", "", "{ method = \"paper\", rule = \"secant\" }", kNeeded,
-        "as `./stiction engine show NAME` lists them; those of the problem's file go before "
-        "them"}}};
+        "as `./stiction engine show NAME` lists them; where the problem's file sets the same, that "
+        "holds"}}};
   return keys;
 }
 
@@ -100,10 +100,12 @@ const TomlKeys& boundary_keys() {
   return keys;
 }
 
-std::size_t read_count(TomlTable& table, const std::string& key, std::size_t most) {
+std::size_t read_count(TomlTable& table, const std::string& key, std::size_t most,
+                       std::size_t least = 1) {
   const double count = table.number(key);
-  if (!(count >= 1.0 && count <= static_cast<double>(most)) || count != std::floor(count)) {
-    table.refuse(key, fmt::format("'{}' must be a whole number from 1 to {}", key, most));
+  if (!(count >= static_cast<double>(least) && count <= static_cast<double>(most)) ||
+      count != std::floor(count)) {
+    table.refuse(key, fmt::format("'{}' must be a whole number from {} to {}", key, least, most));
   }
   return static_cast<std::size_t>(count);
 }
@@ -152,6 +154,9 @@ Axis read_axis(TomlTable& table, const std::shared_ptr<const ParsedFile>& proble
     const std::size_t count = read_count(table, "count", kMostPoints);
     if (count > room) refuse_more_points(table);
     axis.values = spaced(axis, count);
+    if (std::set<double>(axis.values.begin(), axis.values.end()).size() != count) {
+      table.refuse("count", "so many values between 'from' and 'to' are the same to twelve digits");
+    }
   }
   table.finish();
   return axis;
@@ -170,7 +175,7 @@ Samples read_samples(TomlTable table, std::size_t dimensions, std::size_t room) 
     table.refuse("method", "'method' is \"sobol\", \"halton\" or \"random\"");
   }
   samples.count = read_count(table, "count", room);
-  if (table.has("seed")) samples.seed = read_count(table, "seed", 1'000'000);
+  if (table.has("seed")) samples.seed = read_count(table, "seed", 1'000'000, 0);
   try {
     reference::unit_samples(samples.method, dimensions, 1, 0);
   } catch (const std::invalid_argument& error) {
@@ -294,10 +299,14 @@ void read_cases(TomlTable& top, Study& study) {
   for (const std::string& glob : top.texts("cases")) {
     const std::size_t before = study.cases.size();
     for (const Case& one : catalog) {
-      if (matches(glob, one.name)) study.cases.push_back(one);
+      if (!matches(glob, one.name)) continue;
+      const bool known = std::any_of(study.cases.begin(), study.cases.end(),
+                                     [&](const Case& other) { return other.name == one.name; });
+      if (!known) study.cases.push_back(one);
     }
     if (study.cases.size() == before) {
-      top.refuse("cases", "no case matches '" + glob + "'; ./stiction validate --list shows them");
+      top.refuse("cases",
+                 "no further case matches '" + glob + "'; ./stiction validate --list shows them");
     }
   }
 }
@@ -321,6 +330,18 @@ std::shared_ptr<const ParsedFile> read_problem_of(TomlTable& top) {
 
 // Cases have no file: their axes are settings of engines.
 std::shared_ptr<const ParsedFile> no_problem() { return std::make_shared<ParsedFile>(); }
+
+// A point that is there twice has one name.
+void refuse_twice(TomlTable& top, const Study& study) {
+  for (std::size_t k = 0; k < study.engines.size(); ++k) {
+    for (std::size_t other = 0; other < k; ++other) {
+      const StudyEngine &a = study.engines[k], &b = study.engines[other];
+      const bool same = a.kind.name == b.kind.name && a.kind.program == b.kind.program &&
+                        a.settings == b.settings;
+      if (same) top.refuse("engines", "'" + name_of(a) + "' is given twice");
+    }
+  }
+}
 
 }  // namespace
 
@@ -383,6 +404,7 @@ Study read_study(const fs::path& file) {
     room /= std::max<std::size_t>(1, axis.values.size());
     if (room == 0) refuse_more_points(table);
   }
+  refuse_twice(top, study);
   if (study.axes.empty()) top.refuse("axis", "a study needs an [[axis]]");
   if (samples)
     study.samples = read_samples(top.table("sample", sample_keys()), study.axes.size(), room);

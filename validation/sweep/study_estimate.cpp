@@ -54,15 +54,16 @@ std::optional<double> cpu_seconds(const Points& points, std::size_t first, std::
 }
 
 // Of a study of cases: by the table of what they cost.
-double case_seconds(const Points& points) {
-  std::vector<Job> jobs;
-  for (std::size_t k = 0; k < points.size(); ++k) jobs.push_back(points.job(k));
+double case_seconds(const Study& study, const Points& points) {
+  std::vector<Job> jobs;  // one of an engine and case stands for its others
+  for (std::size_t k = 0; k < points.size(); k += study.designs()) jobs.push_back(points.job(k));
   const std::vector<double> seconds = estimated_seconds(jobs);
-  return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  return std::accumulate(seconds.begin(), seconds.end(), 0.0) *
+         static_cast<double>(study.designs());
 }
 
 std::optional<double> all_seconds(const Study& study, const Points& points) {
-  if (!study.problem) return case_seconds(points);
+  if (!study.problem) return case_seconds(study, points);
   const std::size_t each = points.size() / study.engines.size();
   double total = 0.0;
   bool known = false;

@@ -6,7 +6,6 @@ A study in one piece and in shards has the same points; one that is killed KILLS
 no finished point and computes none twice; a point that broke off is told, and retried when asked.
 """
 import json
-import os
 import pathlib
 import random
 import signal
@@ -15,56 +14,11 @@ import sys
 import tempfile
 import time
 
-PROBLEM = """duration = 0.2
-gravity = [0, 0, -10]
-[engine]
-dt = 1e-3
-[[obstacle]]
-name = "ramp"
-slope_deg = 20
-friction = 0.5
-[[body]]
-name = "box"
-shape = "box"
-size = [0.2, 0.2, 0.1]
-mass = 1
-youngs_modulus = 1e5
-rests_on = "ramp"
-[[check]]
-observable = "speed"
-expected = 0
-tolerance = 1e-3
-reason = "it sticks"
-"""
-STUDY = """problem = "box.toml"
-engines = ["stiction", "plain"]
-[[axis]]
-vary = "ramp.friction"
-from = 0.05
-to = 1
-count = 20
-[[axis]]
-vary = "ramp.slope_deg"
-from = 5
-to = 45
-count = 21
-"""
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "shards"))
+from box_study import faults, hold, plain_environment, problem, same, study  # noqa: E402
+
 COUNT = 2 * 20 * 21
-faults = 0
-
-
-def hold(true, words):
-    global faults
-    print("ok   " if true else "FAIL ", words, flush=True)
-    faults += not true
-
-
-def same(line):
-    """A record without what is of the moment: times, and where it ran."""
-    record = json.loads(line)
-    for name in ("cost", "environment"):
-        del record[name]
-    return json.dumps(record, sort_keys=True)
 
 
 def main():
@@ -73,9 +27,9 @@ def main():
     random.seed(1)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        (folder / "box.toml").write_text(PROBLEM.replace("duration = 0.2", f"duration = {0.03 * kills}"))
-        (folder / "study.toml").write_text(STUDY)
-        plain = {name: value for name, value in os.environ.items() if not name.startswith(("GTEST_", "SLURM_"))}
+        (folder / "box.toml").write_text(problem(0.03 * kills))
+        (folder / "study.toml").write_text(study(20, 21))
+        plain = plain_environment()
 
         def words(out, *more):
             return [program, "study.toml", "--no-page", "--out", out, *more]
@@ -142,7 +96,7 @@ def main():
             stream.write("# changed\n")
         hold("2 computed" in run("own").stdout, "is another when its file has changed")
 
-        (folder / "study.toml").write_text(STUDY.replace("from = 0.05", "from = -0.05"))
+        (folder / "study.toml").write_text(study(20, 21, first=-0.05))
         broke = run("broke")
         hold(broke.returncode == 2 and "ramp.friction=-0.05" in broke.stderr, "points that break off are told, with exit code 2")
         hold("0 computed" in run("broke").stdout, "and stay as they are")
@@ -156,13 +110,25 @@ def main():
         dry = run("dry", "--dry-run")
         hold(dry.returncode == 0 and f"{COUNT} points" in dry.stdout and not (folder / "dry").exists(), "a dry run computes nothing")
         # What broke off for want of time: a retry with more of it stays, and so does a result beside a later failure.
-        (folder / "study.toml").write_text(STUDY.replace("count = 20", "count = 2").replace("count = 21", "count = 2"))
+        (folder / "study.toml").write_text(study(2, 2))
         hold(run("slow", "--max-seconds", "1e-9").returncode == 2, "points that need too long break off")
         hold(run("slow", "--retry").returncode == 0 and "0 computed" in run("slow").stdout and run("slow").returncode == 0,
              "one retry with more time is enough")
         hold(run("slow", "--fresh", "--max-seconds", "1e-9").returncode == 2 and run("slow").returncode == 0,
              "and a result is not lost to a later failure")
-    return faults > 0
+        # A point that another version of the study computed is told as a point of this one.
+        (folder / "study.toml").write_text(study(2, 1).replace("from = 5\nto = 45\ncount = 1", "values = [20]"))
+        run("grown")
+        (folder / "study.toml").write_text('title = "grown"\n' + study(2, 3).replace("from = 5\nto = 45\ncount = 3", "values = [10, 20, 30]"))
+        grown = run("grown")
+        seen = [json.loads(line) for line in lines("grown")]
+        hold("4 points are known" in grown.stderr and {one["title"] for one in seen} == {"grown"} and
+             sorted({one["job"] for one in seen}) == list(range(12)), "points of an earlier version of a study are taken, and told as of this one")
+        with (folder / "grown/study/latest").resolve().joinpath("records.jsonl").open("a") as stream:
+            stream.write("garbage\n" + json.dumps({"point": seen[0]["point"]}, separators=(",", ":")) + "\n")
+        damaged = run("grown")
+        hold(damaged.returncode == 0 and "0 computed" in damaged.stdout and ": left out" in damaged.stderr, "a damaged line is told, and left out")
+    return len(faults) > 0
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "validation/shards/run_plan.h"
 #include "validation/user/problem_keys.h"
 #include "validation/user/quantity.h"
 
@@ -154,6 +155,20 @@ void set(const Place& place, double value) {
 }
 
 }  // namespace
+
+std::string surface_words(const ParsedFile& problem) {
+  std::string words;
+  const toml::array* const bodies = problem.root["body"].as_array();
+  if (bodies == nullptr) return words;
+  for (const toml::node& one : *bodies) {
+    const toml::table* const body = one.as_table();
+    const auto file = body != nullptr ? (*body)["file"].value<std::string>() : std::nullopt;
+    if (!file) continue;
+    const auto path = std::filesystem::path(problem.file).parent_path() / *file;
+    words += *file + " " + hash_of_file(path) + "\n";
+  }
+  return words;
+}
 
 void set_value(toml::table& root, const std::string& what, double value) {
   set(*find_place(root, what), value);

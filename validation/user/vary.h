@@ -22,6 +22,9 @@ UserProblem read_parsed(const std::string& file, const toml::table& root);
 /// A file's text as tables. Throws InputError with file and line for what is not TOML.
 std::shared_ptr<const ParsedFile> parse_toml(std::istream& text, const std::filesystem::path& file);
 
+/// The files that the problem's surfaces are read from, with a hash of what is in them, a line each.
+std::string surface_words(const ParsedFile& problem);
+
 /// The file's tables with this value, in its unit, where `what` says: what read_variation took.
 void set_value(toml::table& root, const std::string& what, double value);
 

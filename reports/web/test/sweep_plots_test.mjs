@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of a sweep's points.
 import assert from "node:assert/strict";
-import { varying_axes } from "../model/sweep.js";
 import { test } from "node:test";
-import { luminance_steps } from "../plots/colour_scale.js";
 import { know_machines } from "../model/machine.js";
+import { varying_axes } from "../model/sweep.js";
+import { work_points } from "../model/work.js";
+import { luminance_steps } from "../plots/colour_scale.js";
 import { family_plots } from "../plots/plots.js";
-import { record } from "./records.mjs";
+import { check, record } from "./records.mjs";
 import { grid, measured, on, point, scattered, steps } from "./sweep_records.mjs";
 
 const RUNS = [
@@ -66,6 +67,12 @@ test("an axis is logarithmic where its values are spaced by factors, however far
   assert.equal(log_of([0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1]), true);
   assert.equal(log_of([1, 100]), false);
   assert.equal(log_of([-1, 0, 1, 100]), false);
+});
+
+test("points of a sweep are none of the points of precision over cost", () => {
+  const never = point({ mu: 1 }, { checks: [check({ value: "inf", error: "inf" })] });
+  assert.deepEqual(work_points([never]), []);
+  assert.equal(work_points([record()]).length, 1);
 });
 
 test("records of no sweep have no such diagram", () => assert.deepEqual(plots_of([record()]), []));

@@ -24,6 +24,7 @@
 #include "validation/comparison/engines/trials.h"
 #include "validation/core/program.h"
 #include "validation/engine/conformance/conformance.h"
+#include "validation/shards/job_list.h"
 
 namespace stiction {
 
@@ -106,7 +107,8 @@ std::string sources_text(const std::vector<EngineKind>& engines) {
 ExitCode compare_engines(const EngineComparison& asked) {
   set_program_limits(asked.limits);
   const std::vector<Question> questions = chosen_questions(asked);
-  if (asked.list) {
+  if (asked.json && !asked.list) throw InputError("--json goes with --list");
+  if (asked.list && !asked.json) {
     for (const Question& one : questions) {
       show_line(fmt::format("{:<14} {:<32} {}", one.id, one.case_name, one.words));
     }
@@ -124,6 +126,10 @@ ExitCode compare_engines(const EngineComparison& asked) {
   }
   const Portion portion("compare", all, Together::kNothing, asked.portion);
   const std::vector<Job>& jobs = portion.jobs();
+  if (asked.json) {
+    show(job_list_json(portion));
+    return kHolds;
+  }
 
   RecordStore store = RecordStore::create(asked.out);
   const reference::LastWords words([&store] { return store.last_words(); });

@@ -18,6 +18,7 @@ struct EngineComparison {
   bool no_page = false;
   bool verbose = false;  ///< the matrix as well
   std::string out = "engine-report";
+  bool json = false;  ///< with list: the jobs, for other drivers
   int jobs = 1;
   double cpu_limit = 20.0;  ///< for an answer, s
   ProgramLimits limits{};

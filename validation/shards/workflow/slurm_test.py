@@ -6,7 +6,6 @@ A study that went through Slurm in parts, with jobs killed and the node drained,
 was computed twice. Exit code 77 where Slurm, munge or Snakemake is not installed; 1 if STICTION_NEEDS_SLURM is set, as CI does.
 """
 import contextlib
-import csv
 import json
 import os
 import pathlib
@@ -20,142 +19,10 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(HERE / "slurm"))
+sys.path[:0] = [str(HERE), str(HERE / "slurm")]
 import one_node  # noqa: E402
-
-PROBLEM = """duration = DURATION
-gravity = [0, 0, -10]
-[engine]
-dt = 1e-3
-[[obstacle]]
-name = "ramp"
-slope_deg = 20
-friction = 0.5
-[[body]]
-name = "box"
-shape = "box"
-size = [0.2, 0.2, 0.1]
-mass = 1
-youngs_modulus = 1e5
-rests_on = "ramp"
-[[check]]
-observable = "speed"
-expected = 0
-tolerance = 1e-3
-reason = "it sticks"
-"""
-STUDY = """problem = "box.toml"
-engines = ["stiction", "plain"]
-[[axis]]
-vary = "ramp.friction"
-from = FROM
-to = 1
-count = 20
-[[axis]]
-vary = "ramp.slope_deg"
-from = 5
-to = 45
-count = 20
-"""
-COUNT = 2 * 20 * 20
-BROKEN = 2 * 20  # of a study whose first friction is negative
-PARTS = 4
-PART_SECONDS = 4  # CPU time of a part that is killed in its middle
-faults = 0
-
-
-def hold(true, words):
-    global faults
-    print("ok   " if true else "FAIL ", words, flush=True)
-    faults += not true
-
-
-def same(line):
-    """A record without what is of the moment: times, and where it ran."""
-    record = json.loads(line)
-    for name in ("cost", "environment"):
-        del record[name]
-    return json.dumps(record, sort_keys=True)
-
-
-def same_row(row):
-    return {name: value for name, value in row.items() if name != "cpu_seconds"}
-
-
-class Room:
-    """A folder with a study in it, and the programs."""
-
-    def __init__(self, folder, build, slurm):
-        self.folder, self.build, self.slurm = folder, build, slurm
-        # Snakemake asks every second instead of every ten where CI is set.
-        self.environment = {**slurm.environment, "CI": "true", "XDG_CACHE_HOME": str(folder / "cache")}
-        for name in [name for name in self.environment if name.startswith("GTEST_")]:
-            del self.environment[name]
-
-    def study(self, name, duration, first=0.05):
-        where = self.folder / name
-        where.mkdir()
-        (where / "box.toml").write_text(PROBLEM.replace("DURATION", str(duration)))
-        (where / "study.toml").write_text(STUDY.replace("FROM", str(first)))
-        return where
-
-    def duration_of(self, seconds):
-        """How long a study must be simulated for a part to take so much CPU time on this machine, by the estimate."""
-        where = self.study("estimated", 1)
-        told = self.run(where, self.build / "sweep", "study.toml", "--dry-run", "--json")
-        return round(max(0.1, seconds * PARTS / json.loads(told.stdout)["cpu_seconds"]), 2)
-
-    def run(self, where, *words):
-        return subprocess.run([str(word) for word in words], cwd=where, env=self.environment, capture_output=True, text=True, timeout=150)
-
-    def snakemake_words(self, profile, *more):
-        return ["snakemake", "-s", HERE / "Snakefile", "--profile", HERE / profile, "--config", "study=study.toml", "out=out",
-                f"build={self.build}", f"most_jobs={PARTS}", "minutes_per_job=0.00001", "least_minutes=7", "page=false", *more]
-
-    def snakemake(self, where, profile, *more):
-        return self.run(where, *self.snakemake_words(profile, *more))
-
-    def whole(self, where):
-        """Of one piece: records and rows of points.csv, as they are compared."""
-        self.run(where, self.build / "sweep", "study.toml", "--no-page", "--out", "whole")
-        return compared(where / "whole/study/latest")
-
-    def jobs(self):
-        """Name, state, time limit, memory and processors of what Slurm knows."""
-        text = self.slurm.told("scontrol", "show", "job", "--oneliner")
-        return [dict(re.findall(r"(\w+)=(\S+)", line)) for line in text.splitlines() if "JobId=" in line]
-
-
-def compared(run):
-    with (run / "points.csv").open(newline="") as rows:
-        table = [same_row(row) for row in csv.DictReader(rows)]
-    return sorted(map(same, (run / "records.jsonl").read_text().splitlines())), table
-
-
-def merged(where):
-    return compared(next(where.glob("out/*/merged/study/latest")))
-
-
-def whole_lines(file):
-    return [line for line in file.read_text().splitlines(keepends=True) if line.endswith("\n")]
-
-
-def computations(where):
-    """How many there were in all parts: what a run takes over keeps its times, so that it is the same bytes."""
-    lines = set()
-    for file in where.glob("out/*/parts/*/study/*/records.jsonl"):
-        if not file.parent.is_symlink():
-            lines.update(whole_lines(file))
-    return len(lines)
-
-
-def wait_for(words, true, seconds=60):
-    until = time.monotonic() + seconds
-    while not (found := true()):
-        if time.monotonic() > until:
-            raise RuntimeError(f"waited {seconds} s in vain: {words}")
-        time.sleep(0.05)
-    return found
+from room import BROKEN, COUNT, PARTS, PART_SECONDS, Room, compared, computations, merged, wait_for, whole_lines  # noqa: E402
+from box_study import faults, hold, study as study_of  # noqa: E402
 
 
 def undisturbed(room):
@@ -290,7 +157,7 @@ def retried(room):
         shutil.copy(HERE.parents[1] / "engine/kit" / file, where)
     (where / "flaky.py").write_text(FLAKY)
     study = where / "study.toml"
-    study.write_text(STUDY.replace('"stiction", "plain"', '"python3 flaky.py"').replace("FROM", "0.05").replace("count = 20", "count = 3"))
+    study.write_text(study_of(3, 3, engines=["python3 flaky.py"]))
     (where / "broken").touch()
     ran = room.snakemake(where, "local")
     hold(ran.returncode == 0 and "9 of 9 broke off" in ran.stderr, f"all points break off: {ran.stderr[-300:]}")
@@ -343,7 +210,7 @@ def main():
             began = time.monotonic()
             one(room)
             print(f"     {one.__name__}: {time.monotonic() - began:.0f} s", flush=True)
-    return faults > 0
+    return len(faults) > 0
 
 
 if __name__ == "__main__":
