@@ -3,7 +3,7 @@
 """What a sweep costs beside its simulations, and on paper how a million points would go: scale_test.py BUILD_DIR [--write]
 
 Measures 10 000 short points on this machine: time and memory a point, size of records, merging. From these it tells what a
-million points take on a cluster, and holds the tables of README.md beside it to that (times within a factor of 4, as machines
+million points take on a cluster, and holds the tables of README.md beside it to that (within a factor of 10, as machines
 and their load differ). --write renews them.
 """
 import json
@@ -108,7 +108,7 @@ def main():
     told, fresh = values_of(BLOCK.search(README.read_text())[2]), values_of(text)
     hold(told.keys() == fresh.keys(), "the README tells the same quantities")
     for name in told.keys() & fresh.keys():
-        hold(told[name] / 4 <= fresh[name] <= 4 * told[name] + 1e-3, f"{name}: {fresh[name]:g}, told {told[name]:g}")
+        hold(told[name] / 10 <= fresh[name] <= 10 * told[name], f"{name}: {fresh[name]:g}, told {told[name]:g}")
     return len(faults) > 0
 
 
