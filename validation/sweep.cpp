@@ -14,11 +14,13 @@
 #include <thread>
 
 #include "reference/process/interruption.h"
+#include "reports/formats/table.h"
 #include "reports/record/record_store.h"
 #include "reports/screen/command_line.h"
 #include "reports/screen/help_page.h"
 #include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
+#include "reports/text/text.h"
 #include "solver/demand.h"
 #include "solver/environment.h"
 #include "validation/core/engine_options.h"
@@ -45,6 +47,7 @@ struct Arguments {
   std::string out = "sweep-report";
   std::vector<std::string> share;
   PortionWords portion;
+  std::string point;
   bool help_study = false;
   bool dry_run = false;
   bool json = false;
@@ -95,6 +98,12 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--list-engines", arguments.list_engines,
                "Show the names of the study's engines and end")
       ->group("What runs");
+  app.add_option(
+         "--point", arguments.point,
+         "Only the point of this name (points.csv has them), again; shows what it measured and "
+         "writes nothing")
+      ->type_name("HASH")
+      ->group("What runs");
   add_portion(app, arguments.portion);
   app.add_flag("--retry", arguments.retry, "Points that broke off are computed again")
       ->group("What runs");
@@ -131,6 +140,22 @@ void define(CLI::App& app, Arguments& arguments) {
   set_help(app, help_page());
 }
 
+int run_one(const Points& points, const Arguments& arguments, const Screen& screen) {
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    if (points.hash(point) != arguments.point) continue;
+    Job job = points.job(point);
+    job.cpu_limit = arguments.max_seconds;
+    const Record record = points.finished(point, run_job(job, 1.0));
+    show(table_rows(record, screen));
+    if (!record.error.empty()) tell(record.case_name + ": " + record.error);
+    return record.error.empty() ? kHolds : kCouldNotRun;
+  }
+  throw InputError(
+      fmt::format("the study has no point '{}'; names are of one version of a study and one "
+                  "revision of the suite",
+                  one_line(arguments.point)));
+}
+
 int sweep(const Arguments& arguments) {
   set_program_limits(arguments.limits);
   const Screen screen = screen_of(STDOUT_FILENO);
@@ -151,6 +176,7 @@ int sweep(const Arguments& arguments) {
                         : dry_run_screen(study, points, arguments.jobs, screen));
     return kHolds;
   }
+  if (!arguments.point.empty()) return run_one(points, arguments, screen);
   const std::string plan = points.plan();
   const std::optional<Parts> parts =
       parts_of({"sweep", {}, plan, points.size(), {}}, arguments.portion);

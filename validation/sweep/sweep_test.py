@@ -116,6 +116,11 @@ def main():
              "one retry with more time is enough")
         hold(run("slow", "--fresh", "--max-seconds", "1e-9").returncode == 2 and run("slow").returncode == 0,
              "and a result is not lost to a later failure")
+        point = json.loads(lines("slow")[0])
+        one = run("nothing", "--point", point["point"])
+        hold(one.returncode == 0 and point["checks"][0]["quantity"] in one.stdout and not (folder / "nothing").exists(), f"one point again: {one.stdout.split()[:4]}")
+        none = run("nothing", "--point", "0" * 16)
+        hold(none.returncode == 2 and "no point '0000000000000000'" in none.stderr, "a point that is none is refused")
         # A point that another version of the study computed is told as a point of this one.
         (folder / "study.toml").write_text(study(2, 1).replace("from = 5\nto = 45\ncount = 1", "values = [20]"))
         run("grown")

@@ -10,7 +10,9 @@ const quoted = (word) => `'${word.replace(/'/g, `'\\''`)}'`;
 const pattern = (name) => name.replace(/[[\]*?\\]/g, "?");
 
 // As rerun_command() in reports/text/configuration_text.h; `more`: what stands behind the case.
-function command_of({ case: name, engine }, more = []) {
+function command_of({ case: name, engine, point }, more = []) {
+  if (point) return `./stiction sweep STUDY.toml --point ${quoted(point)}`;
+  if (name.startsWith("sweep/")) return "./stiction sweep STUDY.toml"; // which, no record tells
   const file = name.startsWith("user/") && "PROBLEM.toml"; // which, no record tells
   const words = ["./stiction validate", file, `--case ${quoted(pattern(name))}`];
   return [...words, engine !== OURS && `--engine ${quoted(engine)}`, ...more]
@@ -27,16 +29,16 @@ const configuration_words = ({ configuration, differs = {} }) =>
     ? [
         `--configuration ${quoted(configuration)}`,
         ...Object.entries(differs).map(([name, value]) =>
-          name === PERTURBED
-            ? `--perturb ${quoted(value)}`
-            : `--set ${quoted(`${name}=${value}`)}`,
+          name === PERTURBED ? `--perturb ${quoted(value)}` : `--set ${quoted(`${name}=${value}`)}`,
         ),
       ]
     : [];
 
 /** The same in the record's configuration alone; "" where nobody named it. */
 export const record_command = (record) =>
-  record.configuration ? command_of(record, configuration_words(record)) : "";
+  record.configuration && !record.case.startsWith("sweep/")
+    ? command_of(record, configuration_words(record))
+    : "";
 
 /** Exactly the record: its case, in its configuration where that has a name. */
 export const exact_command = (record) => command_of(record, configuration_words(record));

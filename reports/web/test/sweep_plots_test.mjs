@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { know_machines } from "../model/machine.js";
+import { case_command, record_command } from "../model/rerun.js";
 import { varying_axes } from "../model/sweep.js";
 import { work_points } from "../model/work.js";
 import { luminance_steps } from "../plots/colour_scale.js";
@@ -73,6 +74,16 @@ test("points of a sweep are none of the points of precision over cost", () => {
   const never = point({ mu: 1 }, { checks: [check({ value: "inf", error: "inf" })] });
   assert.deepEqual(work_points([never]), []);
   assert.equal(work_points([record()]).length, 1);
+});
+
+test("a point of a sweep is run again by its name", () => {
+  const one = point({ mu: 1 }, { configuration: "quiet" });
+  assert.equal(case_command(one), `./stiction sweep STUDY.toml --point '${one.point}'`);
+  assert.equal(record_command(one), case_command(one));
+  assert.equal(
+    case_command(record({ case: "sweep/ramp/boundary" })),
+    "./stiction sweep STUDY.toml",
+  );
 });
 
 test("records of no sweep have no such diagram", () => assert.deepEqual(plots_of([record()]), []));
