@@ -4,7 +4,9 @@
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND git -C ${SOURCE} describe --always --abbrev=12 --exclude=*
                 OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-execute_process(COMMAND git -C ${SOURCE} status --porcelain
+# A run's results in the tree are no change of the program, a new source is one.
+execute_process(COMMAND git -C ${SOURCE} status --porcelain --
+                        CMakeLists.txt benchmarks fuzz reference reports solver validation
                 OUTPUT_VARIABLE changes ERROR_QUIET)
 if(NOT revision)
   set(revision "unknown")

@@ -71,7 +71,7 @@ def main():
             time.sleep(0.04 + random.uniform(0, 1.5 * takes / kills))
             started.send_signal(signal.SIGKILL)
             started.wait()
-            runs = sorted((folder / "killed/study").glob("*/records.jsonl"))
+            runs = sorted((folder / "killed/study").glob("*/records.jsonl"), key=lambda file: file.stat().st_ctime_ns)
             newest = [json.loads(line)["point"] for line in (runs[-1].read_text().rpartition("\n")[0].splitlines() if runs else [])]
             if len(newest) != len(set(newest)):
                 hold(False, "a point stands twice in a run")
