@@ -56,7 +56,9 @@ for (const name of Object.keys(SWEEPS)) {
     await page.context().close();
   });
 
-  test(`their pictures are drawn in half a second each: ${name}`, async () => {
+  // One of all pairs of four axes has six panels, each with all points.
+  const each = name.includes("scattered") ? 1000 : 500; // ms
+  test(`their pictures are drawn in ${each} ms each: ${name}`, async () => {
     const page = await browser.open(files[name]);
     const [start, cpu] = [Date.now(), await process_time(page)];
     await turn_to(page, "#family=user/box");
@@ -64,7 +66,7 @@ for (const name of Object.keys(SWEEPS)) {
     await draw_plots(page);
     const taken = Math.min(Date.now() - start, (await process_time(page)) - cpu);
     console.log(`${name}: ${count} pictures in ${taken} ms`);
-    assert.ok(count >= 4 && taken < 500 * count, `${taken} ms for ${count}`);
+    assert.ok(count >= 4 && taken < each * count, `${taken} ms for ${count}`);
     assert.deepEqual(page.faults, []);
     await page.context().close();
   });
