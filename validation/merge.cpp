@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <stdexcept>
@@ -57,22 +58,21 @@ HelpPage help_page() {
 }
 
 // The folders may come from anywhere, and an engine that is a command is started to ask what it is.
+// Behind --engine each word up to the next option may be one.
 void demand_names(const std::vector<std::string>& words) {
-  constexpr std::string_view kOption = "--engine";
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    if (!words[k].starts_with(kOption)) continue;
-    std::string engine;
-    if (words[k] == kOption) {
-      if (k + 1 < words.size()) engine = words[k + 1];
-    } else if (words[k][kOption.size()] == '=') {
-      engine = words[k].substr(kOption.size() + 1);
+  constexpr std::string_view kOption = "--engine", kNames = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  bool names_engines = false;
+  for (const std::string& word : words) {
+    std::string_view engine = word;
+    if (word.starts_with("--")) {
+      const std::size_t equals = std::min(word.find('='), word.size());
+      names_engines = engine.substr(0, equals) == kOption;
+      engine.remove_prefix(std::min(equals + 1, word.size()));
     }
-    if (engine.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos) {
-      continue;
-    }
+    if (!names_engines || engine.find_first_not_of(kNames) == std::string_view::npos) continue;
     throw InputError(fmt::format(
         "the parts are of the engine '{}', a command that merging starts: --trust allows it",
-        one_line(engine)));
+        one_line(std::string(engine))));
   }
 }
 

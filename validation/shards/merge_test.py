@@ -153,10 +153,12 @@ def files_that_changed(folder):
     hostile = folder.path / "hostile/2026-01-01T00-00-00Z"
     hostile.mkdir(parents=True)
     (hostile / "records.jsonl").write_text((folder.path / "whole/latest/records.jsonl").read_text().splitlines(keepends=True)[0])
-    (hostile / "run.json").write_text(json.dumps({"schema_version": 1, "program": "validate", "words": ["--engine", "touch started"], "plan": "",
-                                                  "jobs": 1, "shard": {"number": 1, "count": 1}}))
-    merged = folder.run("merge", "hostile", "--out", "x", "--no-page")
-    hold(merged.returncode == 2 and "--trust allows it" in merged.stderr and not (folder.path / "started").exists(), f"refused: {merged.stderr.strip()}")
+    for program, words in (("validate", ["--engine", "touch started"]), ("validate", ["--engine=touch started"]),
+                           ("compare", ["engines", "--engine", "plain", "touch started"])):
+        (hostile / "run.json").write_text(json.dumps({"schema_version": 1, "program": program, "words": words, "plan": "", "jobs": 1,
+                                                      "shard": {"number": 1, "count": 1}}))
+        merged = folder.run("merge", "hostile", "--out", "x", "--no-page")
+        hold(merged.returncode == 2 and "--trust allows it" in merged.stderr and not (folder.path / "started").exists(), f"refused: {merged.stderr.strip()}")
 
 
 def compare_in_parts(folder):
