@@ -343,10 +343,7 @@ int compare(Arguments& arguments) {
   portion.run(store, arguments.jobs, 1.0, [&](std::size_t index, Record record) {
     if (record.verdict == Verdict::kError) tables.complain(record);
     store.append(record);
-    if (arguments.lines) {
-      show(result_line(record));
-      std::fflush(stdout);
-    }
+    if (arguments.lines) show_result_line(record);
     records[index] = std::move(record);
     tables.finished(index);
   });

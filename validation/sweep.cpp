@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -140,12 +139,16 @@ void define(CLI::App& app, Arguments& arguments) {
   set_help(app, help_page());
 }
 
+Record computed(const Points& points, std::size_t point, const Arguments& arguments) {
+  Job job = points.job(point);
+  job.cpu_limit = arguments.max_seconds;
+  return points.finished(point, run_job(job, 1.0));
+}
+
 int run_one(const Points& points, const Arguments& arguments, const Screen& screen) {
   for (std::size_t point = 0; point < points.size(); ++point) {
     if (points.hash(point) != arguments.point) continue;
-    Job job = points.job(point);
-    job.cpu_limit = arguments.max_seconds;
-    const Record record = points.finished(point, run_job(job, 1.0));
+    const Record record = computed(points, point, arguments);
     show(table_rows(record, screen));
     if (!record.error.empty()) tell(record.case_name + ": " + record.error);
     return record.error.empty() ? kHolds : kCouldNotRun;
@@ -205,16 +208,11 @@ int sweep(const Arguments& arguments) {
   std::size_t done = 0, broke = 0;
   run_numbered(own.size(), arguments.jobs, [&](std::size_t k) {
     const std::size_t point = own[k];
-    Job job = points.job(point);
-    job.cpu_limit = arguments.max_seconds;
-    const Record record = points.finished(point, run_job(job, 1.0));
+    const Record record = computed(points, point, arguments);
     const std::lock_guard<std::mutex> lock(one_at_a_time);
     store.append(record);
     results[point] = result_of(record);
-    if (arguments.lines) {
-      show(result_line(record));
-      std::fflush(stdout);
-    }
+    if (arguments.lines) show_result_line(record);
     if (!record.error.empty() && ++broke <= kMostTold) {
       progress.clear();
       tell(record.case_name + ": " + record.error);

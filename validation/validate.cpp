@@ -339,10 +339,7 @@ int validate(Arguments& arguments) {
   const auto finished = [&](std::size_t index, Record record) {
     store.append(record);
     console.finished(index, record);
-    if (arguments.lines) {
-      show(result_line(record));
-      std::fflush(stdout);
-    }
+    if (arguments.lines) show_result_line(record);
     records[index] = std::move(record);
   };
   const auto keep = [&](std::size_t index, const Recording& recording) {

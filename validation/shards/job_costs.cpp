@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "reports/text/family.h"
@@ -78,8 +79,8 @@ std::vector<std::size_t> jobs_of(const Shard& shard, const std::vector<Job>& job
   }
   std::vector<double> of_cases;
   for (const std::string& name : names) of_cases.push_back(costs[name]);
-  std::map<std::string, bool> own;
-  for (const std::size_t k : jobs_of(shard, of_cases)) own[names[k]] = true;
+  std::set<std::string> own;
+  for (const std::size_t k : jobs_of(shard, of_cases)) own.insert(names[k]);
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     if (own.count(jobs[k].which.name) > 0) numbers.push_back(k);

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "reports/screen/program.h"
 #include "validation/core/needs.h"
 #include "validation/shards/job_costs.h"
 
@@ -45,7 +47,7 @@ std::string job_list_json(const Portion& portion) {
   return text + "\n]\n";
 }
 
-std::string result_line(const Record& record) {
+void show_result_line(const Record& record) {
   const std::optional<double> digits = fewest_digits(record);
   nlohmann::ordered_json json = {{"job", nullptr},
                                  {"verdict", to_string(record.verdict)},
@@ -58,7 +60,8 @@ std::string result_line(const Record& record) {
                                  {"error", record.error}};
   if (record.job) json["job"] = *record.job;
   if (digits && std::isfinite(*digits)) json["digits"] = *digits;
-  return line_of(json) + '\n';
+  show_line(line_of(json));
+  std::fflush(stdout);
 }
 
 }  // namespace stiction

@@ -15,9 +15,9 @@ namespace stiction {
 /// engine, configuration, settings, estimated_seconds (CPU time), needs (features of the manifest).
 std::string job_list_json(const Portion& portion);
 
-/// What --lines prints of a finished job, a JSON object on one line. Fields: job, verdict, case, engine,
+/// Prints what --lines says of a finished job, at once: a JSON object on one line. Fields: job, verdict, case, engine,
 /// configuration, cpu_seconds, digits (of the least accurate check; null without one), state_hash,
 /// error (empty unless it broke off).
-std::string result_line(const Record& record);
+void show_result_line(const Record& record);
 
 }  // namespace stiction

@@ -93,13 +93,14 @@ std::string where_words(const Study& study, const std::vector<double>& values) {
 struct Seen {
   std::size_t inside = 0, beyond = 0;  // outcomes where it must hold, and where it must fail
   std::size_t wrong = 0, broke = 0, lacking = 0;
-  double farthest = 0.0;
+  double farthest = 0.0, cpu_seconds = 0.0;
   std::string where;
   bool judged = true;
   Brackets brackets;
 
   void add(const Study& study, const std::vector<double>& values, const PointResult& result) {
     judged = judged && result.verdict != Verdict::kForInformation;
+    cpu_seconds += result.cpu_seconds;
     broke += result.verdict == Verdict::kError;
     lacking += result.verdict == Verdict::kNotApplicable;
     const std::optional<Outcome> one = outcome_of(*study.boundary, values, result);
@@ -148,11 +149,8 @@ Record record_of(const Study& study, const Points& points, const Results& result
   }
   record.notes = {fmt::format("{} of {} outcomes are on the wrong side", seen.wrong,
                               seen.inside + seen.beyond)};
-  const Brackets& brackets = seen.brackets;
-  record.series = brackets.series(study, boundary);
-  for (std::size_t point = first; point < first + count; ++point) {
-    record.cost.cpu_seconds += results[point].cpu_seconds;
-  }
+  record.series = seen.brackets.series(study, boundary);
+  record.cost.cpu_seconds = seen.cpu_seconds;
   record.simulations = count;
   record.environment = current_environment();
   record.verdict = verdict_of(record);
