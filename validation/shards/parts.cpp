@@ -32,10 +32,7 @@ std::vector<fs::path> runs_in(const std::vector<std::string>& folders) {
     each_file_named(kRunFile, real, [&](const fs::path& file) { runs.insert(file.parent_path()); });
   }
   std::vector<fs::path> newest(runs.begin(), runs.end());
-  // A run's folder has its time for a name.
-  std::stable_sort(newest.begin(), newest.end(), [](const fs::path& a, const fs::path& b) {
-    return a.filename() > b.filename();
-  });
+  std::stable_sort(newest.begin(), newest.end(), is_later);
   return newest;
 }
 

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <tuple>
 
 #include "reports/record/record_json.h"
 #include "reports/text/text.h"
@@ -39,6 +41,16 @@ void each_file_named(const std::string& name, const fs::path& folder,
     throw std::runtime_error(fmt::format("cannot read all of the folder '{}': {}",
                                          one_line(folder.string()), error.code().message()));
   }
+}
+
+bool is_later(const fs::path& run, const fs::path& other) {
+  const auto place = [](const fs::path& folder) {
+    const std::string name = folder.filename().string();
+    const std::size_t end = std::min(name.find('Z'), name.size());
+    // "-12" after "-9": longer behind the time is later.
+    return std::tuple(name.substr(0, end), name.size(), name);
+  };
+  return place(run) > place(other);
 }
 
 void each_line_at(const fs::path& file,

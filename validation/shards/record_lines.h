@@ -15,6 +15,10 @@ namespace stiction {
 void each_file_named(const std::string& name, const std::filesystem::path& folder,
                      const std::function<void(const std::filesystem::path&)>& use);
 
+/// Whether a run's folder is of a later run than another: by their names, which are times, and "-2", "-3" …
+/// behind those of one second (reports/record/record_store.h).
+bool is_later(const std::filesystem::path& run, const std::filesystem::path& other);
+
 /// Every whole line of a file with its number, from 1 on, and the byte at which it begins.
 void each_line_at(const std::filesystem::path& file,
                   const std::function<void(const std::string&, std::size_t, std::uint64_t)>& use);

@@ -24,11 +24,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A run's folder has its time for a name.
 std::vector<fs::path> newest_first(const std::set<fs::path>& files) {
   std::vector<fs::path> sorted(files.begin(), files.end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const fs::path& a, const fs::path& b) {
-    return a.parent_path().filename() > b.parent_path().filename();
+    return is_later(a.parent_path(), b.parent_path());
   });
   return sorted;
 }

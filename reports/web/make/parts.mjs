@@ -2,6 +2,7 @@
 // Runs that are parts of one, as run.json in their folders says: they are shown as the run that they are of.
 import { existsSync, readdirSync, readFileSync, realpathSync, statSync } from "node:fs";
 import { join } from "node:path";
+import { newest_first } from "./run_order.mjs";
 
 /** What a run set out to do: {plan, jobs, shard: {number, count}}; null where it does not say. */
 export function read_plan(folder) {
@@ -24,7 +25,7 @@ export function is_empty_part(folder) {
   );
 }
 
-/** Of an out-dir whose newest run is a part: all parts in it, newest first; else the folder itself. */
+/** Of an out-dir whose newest run is a part: all parts in it; else the folder itself. */
 export function parts_in(folder) {
   const link = join(folder, "latest");
   if (!existsSync(link) || !statSync(link).isDirectory()) return [folder];
@@ -34,28 +35,26 @@ export function parts_in(folder) {
     .filter(
       (entry) => entry.isDirectory() && read_plan(join(folder, entry.name))?.plan === newest.plan,
     )
-    .map(({ name }) => realpathSync(join(folder, name)))
-    .sort()
-    .reverse();
+    .map(({ name }) => realpathSync(join(folder, name)));
 }
 
-const by_name = (a, b) => (a.name < b.name ? 1 : a.name > b.name ? -1 : 0);
-
-// One of several parts: of a job that stands twice the newest record.
+// One of several parts. Of a job that stands twice, as merge does: one that did not break off, and then the newest.
 function joined(parts, warnings) {
-  const newest_first = [...parts].sort(by_name);
+  const runs = [...parts].sort((a, b) => newest_first(a.name, b.name));
   const of_job = new Map();
-  for (const { records } of newest_first)
-    for (const record of records)
-      if (Number.isSafeInteger(record.job) && !of_job.has(record.job))
-        of_job.set(record.job, record);
-  const { jobs } = newest_first[0].plan;
+  for (const record of runs.flatMap(({ records }) => records)) {
+    if (!Number.isSafeInteger(record.job)) continue;
+    const known = of_job.get(record.job);
+    if (!known || (known.verdict === "error" && record.verdict !== "error"))
+      of_job.set(record.job, record);
+  }
+  const { jobs } = runs[0].plan;
   if (of_job.size < jobs)
     warnings.push(
       `${jobs - of_job.size} of ${jobs} jobs have no record: some part is missing, or was interrupted.`,
     );
   return {
-    ...newest_first[0],
+    ...runs[0],
     records: [...of_job].sort(([a], [b]) => a - b).map(([, record]) => record),
   };
 }

@@ -4,21 +4,16 @@ import { basename, dirname, join } from "node:path";
 import { clean } from "./clean_text.mjs";
 import { checked } from "./check_record.mjs";
 import { read_lines } from "./read_lines.mjs";
+import { is_run_name, newest_first } from "./run_order.mjs";
 
 const MOST_WARNINGS = 8;
 
-// "2025-11-20T23-41-05Z", and "-2" behind it for the second of that second.
-const RUN_FOLDER = /^(\d{4}-\d\d-\d\dT\d\d-\d\d-\d\dZ)(?:-(\d+))?$/;
-
 // The newest of an out-dir's runs that has a record, undefined if none: what was interrupted has no `latest`.
 function newest_records_file(path) {
-  const runs = readdirSync(path)
-    .map((name) => RUN_FOLDER.exec(name))
-    .filter((match) => match !== null)
-    .map(([name, time, number]) => ({ time, number: Number(number ?? 1), name }))
-    .sort((a, b) => (a.time === b.time ? b.number - a.number : a.time < b.time ? 1 : -1));
-  return runs
-    .map(({ name }) => join(path, name, "records.jsonl"))
+  return readdirSync(path)
+    .filter(is_run_name)
+    .sort(newest_first)
+    .map((name) => join(path, name, "records.jsonl"))
     .find((file) => existsSync(file) && statSync(file).size > 0);
 }
 

@@ -51,6 +51,18 @@ test("a part that ran twice counts once, by its newest record; an empty one is n
   assert.ok(bytes_of(parts) === bytes_of(whole()));
 });
 
+test("of the runs of one second the last counts, and a result before what broke off", () => {
+  const slow = { ...a, cost: { ...a.cost, cpu_seconds: 77 } };
+  const broke = { ...d, verdict: "error", error: "too slow" };
+  const parts = out_dir([
+    [OLD, 1, 2, [slow, d]],
+    [`${OLD}-9`, 1, 2, [slow, d]],
+    [`${OLD}-11`, 1, 2, [a, broke]],
+    [NEW, 2, 2, [b, c]],
+  ]);
+  assert.ok(bytes_of(parts) === bytes_of(whole()));
+});
+
 test("what is missing is told", () => {
   const parts = out_dir([[NEW, 2, 2, [b, c]]]);
   const { status, err } = report(parts, "--out", join(parts, "page.html"));
