@@ -13,7 +13,7 @@
 #include "reports/text/text.h"
 #include "solver/demand.h"
 #include "validation/core/runner.h"
-#include "validation/user/problem_keys.h"
+#include "validation/sweep/study_keys.h"
 #include "validation/user/quantity.h"
 
 namespace stiction {
@@ -22,83 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kNeeded = "must be given";
 constexpr std::size_t kMostPoints = 10'000'000;
-
-const TomlKeys& study_keys() {
-  static const TomlKeys keys = {
-      "the study",
-      "What stands at the top, before the first table.",
-      {{"title", "", "\"text\"", "the file's name", "one line for people"},
-       {"problem", "", "\"ramp.toml\"", "`cases`, if not this",
-        "a problem of your own, from the folder of this file; what its checks claim is judged at "
-        "each point. Without [sweep] and [threshold]"},
-       {"cases", "", "[\"incline/restick/*\"]", "`problem`, if not this",
-        "cases of the suite, by name; * and ? as in a shell. Their axes are settings of engines"},
-       {"engines", "", "[\"stiction\", \"bullet\"]", "[\"stiction\"]",
-        "names, or commands of programs that speak the engine protocol"},
-       {"engine", "", "tables", "none", "see [[engine]]"},
-       {"configurations", "", "[\"default\", \"best\"]", "what each of `engines` does by default",
-        "by name, of each engine those that it has; \"all\" takes all. `./stiction engine show "
-        "NAME` "
-        "lists them"},
-       {"keep_series", "", "true or false", "false",
-        "whether records keep curves over time, some 8 kB a point"},
-       {"axis", "", "tables", kNeeded, "see [[axis]]"},
-       {"boundary", "", "a table", "none", "see [boundary]"},
-       {"sample", "", "a table", "every combination of the axes' values", "see [sample]"}}};
-  return keys;
-}
-
-const TomlKeys& engine_keys() {
-  static const TomlKeys keys = {
-      "[[engine]]",
-      "An engine with settings of its own, beside `engines`.",
-      {{"name", "", "\"stiction\"", kNeeded, "a name, or the command of a program"},
-       {"settings", "", "{ method = \"paper\", rule = \"secant\" }", kNeeded,
-        "as `./stiction engine show NAME` lists them; where the problem's file sets the same, that "
-        "holds"}}};
-  return keys;
-}
-
-const TomlKeys& axis_keys() {
-  static const TomlKeys keys = {
-      "[[axis]]",
-      "What varies, and over which values. Values may have units: \"20 deg\".",
-      {{"vary", "", "\"ramp.slope_deg\"", kNeeded, problem_keys::kVaries},
-       {"values", "", "[10, 20, 30]", "`from`, `to` and `count`", "each of these"},
-       {"from", "", "0", "needed without `values`", "the first value"},
-       {"to", "", "40", "needed without `values`", "the last value"},
-       {"count", "1", "21", "needed with `from`, but with [sample]", "how many, evenly spaced"},
-       {"scale", "", "\"linear\" or \"log\"", "\"linear\"", "\"log\": evenly spaced by factors"}}};
-  return keys;
-}
-
-const TomlKeys& sample_keys() {
-  static const TomlKeys keys = {
-      "[sample]",
-      "Points drawn from the box that the axes' `from` and `to` span, in place of a grid.",
-      {{"method", "", "\"sobol\", \"halton\" or \"random\"", "\"sobol\"",
-        "the first two fill the box more evenly (GSL)"},
-       {"count", "1", "1000", kNeeded, "how many points for each engine"},
-       {"seed", "1", "1", "0", "another draw; of a sequence how many points are skipped"}}};
-  return keys;
-}
-
-const TomlKeys& boundary_keys() {
-  static const TomlKeys keys = {
-      "[boundary]",
-      "Where points must turn from holding to failing. Each engine is judged by its farthest point "
-      "of the wrong outcome.",
-      {{"along", "", "\"ramp.slope_tan\"", kNeeded, "the axis on which the boundary lies"},
-       {"expected", "", "\"ramp.friction\" or 0.5", kNeeded,
-        "the axis whose value it is, or a number; what lies on it has no wrong outcome"},
-       {"holds", "", "\"below\" or \"above\"", "\"below\"", "on which side points must hold"},
-       {"tolerance", "", "0", kNeeded, "how far beyond it an outcome may be wrong"},
-       {"reason", "", "\"text\"", kNeeded, "why the tolerance is what it is"},
-       {"source", "", "\"text\"", "the study's author", "where the boundary comes from"}}};
-  return keys;
-}
 
 std::size_t read_count(TomlTable& table, const std::string& key, std::size_t most,
                        std::size_t least = 1) {
@@ -277,7 +201,7 @@ void add_engine(TomlTable table, Study& study) {
 }
 
 void read_engines(TomlTable& top, Study& study) {
-  for (TomlTable& table : top.tables("engine", engine_keys())) add_engine(table, study);
+  for (TomlTable& table : top.tables("engine", study_keys::engine())) add_engine(table, study);
   std::vector<std::string> engines, wanted;
   if (top.has("engines")) engines = top.texts("engines");
   if (engines.empty() && study.engines.empty()) engines = {"stiction"};
@@ -372,7 +296,7 @@ Study read_study(const fs::path& file) {
     throw InputError("cannot read '" + one_line(file.string()) + "'");
   }
   const auto parsed = parse_toml(stream, file);
-  TomlTable top(parsed->file, parsed->root, study_keys());
+  TomlTable top(parsed->file, parsed->root, study_keys::file());
   Study study;
   study.file = file;
   study.name = one_line(file.stem().string());
@@ -392,7 +316,7 @@ Study read_study(const fs::path& file) {
   std::set<std::string> names;
   std::size_t room =
       kMostPoints / std::max<std::size_t>(1, study.cases.size()) / study.engines.size();
-  for (TomlTable& table : top.tables("axis", axis_keys())) {
+  for (TomlTable& table : top.tables("axis", study_keys::axis())) {
     study.axes.push_back(read_axis(table, varied, samples, room));
     const Axis& axis = study.axes.back();
     if (!names.insert(axis.vary).second) {
@@ -407,9 +331,10 @@ Study read_study(const fs::path& file) {
   refuse_twice(top, study);
   if (study.axes.empty()) top.refuse("axis", "a study needs an [[axis]]");
   if (samples)
-    study.samples = read_samples(top.table("sample", sample_keys()), study.axes.size(), room);
+    study.samples =
+        read_samples(top.table("sample", study_keys::sample()), study.axes.size(), room);
   if (top.has("boundary")) {
-    study.boundary = read_boundary(top.table("boundary", boundary_keys()), study);
+    study.boundary = read_boundary(top.table("boundary", study_keys::boundary()), study);
   }
   study.keeps_series = top.flag("keep_series", false);
   top.finish();
@@ -437,11 +362,6 @@ std::vector<std::string> engines_named(const fs::path& file) {
     }
   }
   return names;
-}
-
-std::string study_help(std::size_t width) {
-  return keys_help({&study_keys(), &engine_keys(), &axis_keys(), &sample_keys(), &boundary_keys()},
-                   width);
 }
 
 }  // namespace stiction
