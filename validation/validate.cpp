@@ -34,6 +34,7 @@
 #include "solver/demand.h"
 #include "solver/environment.h"
 #include "validation/core/console.h"
+#include "validation/core/digest.h"
 #include "validation/core/engine_options.h"
 #include "validation/core/program.h"
 #include "validation/core/runner.h"

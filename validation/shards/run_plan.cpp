@@ -14,7 +14,7 @@
 #include "reports/record/environment.h"
 #include "reports/record/json_field.h"
 #include "reports/text/text.h"
-#include "solver/hash.h"
+#include "validation/core/digest.h"
 
 namespace stiction {
 
@@ -96,21 +96,6 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
     }
   }
   return words;
-}
-
-std::string hash_of_words(const std::string& words) {
-  Fnv1a hash;
-  hash.add(words.data(), words.size());
-  return fmt::format("{:016x}", hash.value());
-}
-
-std::string hash_of_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  Fnv1a hash;
-  for (char block[1 << 16]; stream.read(block, sizeof block), stream.gcount() > 0;) {
-    hash.add(block, static_cast<std::size_t>(stream.gcount()));
-  }
-  return fmt::format("{:016x}", hash.value());
 }
 
 std::string revision_words() {

@@ -38,10 +38,6 @@ std::vector<std::string> words_of(int argc, const char* const* argv);
 std::string revision_words();
 /// An engine's name, and where it is a program what the files hold that its command names.
 std::string engine_words(const EngineKind& engine);
-/// 16 hex digits.
-std::string hash_of_words(const std::string& words);
-/// 0 of a file that cannot be read.
-std::string hash_of_file(const std::filesystem::path& file);
 
 /// A hash of the jobs in order, and of files and options (`more`) that they depend on.
 std::string plan_of(const std::vector<Job>& jobs, const std::string& more);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "solver/demand.h"
+#include "validation/core/digest.h"
 #include "validation/engine/settings.h"
 #include "validation/shards/run_plan.h"
 #include "validation/user/user_run.h"

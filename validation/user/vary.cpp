@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "validation/shards/run_plan.h"
+#include "validation/core/digest.h"
 #include "validation/user/problem_keys.h"
 #include "validation/user/quantity.h"
 
