@@ -2,10 +2,11 @@
 // Opens pages in a real browser and notes what must not happen: errors in the console, exceptions,
 // anything that leaves the page.
 import { createRequire } from "node:module";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { build } from "./report.mjs";
+import { temporary_folder } from "./temporary.mjs";
 
 const require = createRequire(join(build, "package.json"));
 const { chromium } = require("playwright-core");
@@ -37,7 +38,7 @@ function turn_late(ms) {
 }
 
 /** CPU time that the page's process has taken, ms: unlike the clock's it doesn't grow with what else runs. */
-export async function process_time(page) {
+async function process_time(page) {
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable");
   const { metrics } = await session.send("Performance.getMetrics");
@@ -45,22 +46,58 @@ export async function process_time(page) {
   return Math.round(1000 * metrics.find(({ name }) => name === "ProcessTime").value);
 }
 
+// Of a fast desk's machine that is idle: a page with nothing on it opens, and does the work below, ms. Two cores of an
+// idle EPYC take 360, and 1950 for the page of a whole run, which may take 1000 times 360 / 150.
+const YARDSTICK_MS = 150;
+
 /**
- * Opens a page several times and gives the last, with `told`: the least time until it was ready, by the clock
- * and in CPU time of its process. Within the budget one of them must be: the machine may be busy.
+ * How many times as long as on a desk's idle machine things take now, 1 or more. What a page may take is measured
+ * against it: limits in seconds would tell how fast the machine is, or how busy.
+ */
+async function slowness(browser) {
+  const empty = join(temporary_folder(), "empty.html");
+  writeFileSync(empty, "<!doctype html><html data-ready></html>");
+  const page = await browser.open(empty);
+  const work_ms = await page.evaluate(() => {
+    const start = performance.now();
+    const name = (i) => `case ${(i * 7919) % 40_000}`;
+    const rows = Array.from({ length: 40_000 }, (_, i) => ({ name: name(i), value: Math.sin(i) }));
+    JSON.parse(JSON.stringify(rows)).sort((one, other) => (one.name < other.name ? -1 : 1));
+    return performance.now() - start;
+  });
+  await page.context().close();
+  return Math.max(1, (Math.min(page.ready_ms, page.ready_cpu_ms) + work_ms) / YARDSTICK_MS);
+}
+
+/** Does something on a page: what it would take on a desk's idle machine, as {ms, told}. */
+export async function time_of(browser, page, act) {
+  const [start, cpu] = [Date.now(), await process_time(page)];
+  await act();
+  const taken = [Date.now() - start, (await process_time(page)) - cpu];
+  const slow = await slowness(browser);
+  return {
+    ms: Math.min(...taken) / slow,
+    told: `${taken[0]} ms, CPU ${taken[1]} ms, on a machine ${slow.toFixed(1)} times slower than a desk's`,
+  };
+}
+
+/**
+ * Opens a page, up to three times until it's ready within the budget, of a desk's idle machine, and gives the last,
+ * with `told`: what it took, by the clock and in CPU time of its process.
  */
 export async function open_within(browser, file, budget_ms, options = {}) {
-  const clock = [];
-  const cpu = [];
+  const tries = [];
+  let in_time = false;
   let page;
-  for (let i = 0; i < 3; ++i) {
+  for (let i = 0; i < 3 && !in_time; ++i) {
     await page?.context().close();
+    const slow = await slowness(browser);
     page = await browser.open(file, options);
-    clock.push(page.ready_ms);
-    cpu.push(page.ready_cpu_ms);
+    tries.push(`${page.ready_ms} ms, CPU ${page.ready_cpu_ms} ms, ${slow.toFixed(1)} times slower`);
+    in_time = Math.min(page.ready_ms, page.ready_cpu_ms) < budget_ms * slow;
   }
-  page.told = `ready in ${clock.join(", ")} ms, CPU ${cpu.join(", ")} ms, allowed ${budget_ms}`;
-  page.in_time = Math.min(...clock, ...cpu) < budget_ms;
+  page.told = `ready in ${tries.join("; ")} than a desk's machine, allowed ${budget_ms} ms there`;
+  page.in_time = in_time;
   return page;
 }
 
