@@ -213,6 +213,16 @@ int bench(const Arguments& arguments) {
     if (measured) features = std::move(*measured);
     console.add(table(features));
   }
+  std::string ceiling;
+  if (team.size() > 1) {
+    const TeamPeak peak = measure_team_peak(team);
+    ceiling = fmt::format(
+        "{} threads that share nothing do arithmetic {:.2f} times as fast as one, and memory "
+        "{:.2f} "
+        "times: more than that no step can gain here.",
+        team.size(), peak.arithmetic, peak.memory);
+    console.add(ceiling + "\n");
+  }
   console.finished();
 
   for (Record& record : summary_records(fits, features)) keep(std::move(record));
@@ -230,6 +240,7 @@ int bench(const Arguments& arguments) {
                                  1e-9 * machine.bytes_per_second, 1e-9 * machine.flops_per_second),
                      screen.width, "")));
   show(bench_summary(measure.results(), fits, features, records, screen));
+  if (!ceiling.empty()) show(bullet(ceiling, screen.width));
   if (!why_not.empty()) {
     show(bullet("The cost of optional features was not measured: " + why_not + ".", screen.width));
   }

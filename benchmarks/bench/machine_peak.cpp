@@ -5,49 +5,79 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <limits>
+#include <utility>
 #include <vector>
 
+#include "reference/statistics/two_samples.h"
 #include "validation/engine/cpu_time.h"
 
 namespace stiction::bench {
 
 namespace {
 
-double bandwidth() {
-  // 3 × 64 MiB, beyond the last-level cache of a desktop.
-  constexpr std::size_t kCount = std::size_t{8} << 20;
-  std::vector<double> a(kCount, 0.0), b(kCount, 1.0), c(kCount, 2.0);
-  double best = 0.0;
-  for (int k = 0; k < 5; ++k) {
-    const double start = thread_cpu_seconds();
-    for (std::size_t i = 0; i < kCount; ++i) a[i] = b[i] + 0.5 * c[i];
-    benchmark::DoNotOptimize(a.data());
+// 3 × 64 MiB, beyond the last-level cache of a desktop.
+class Triad {
+ public:
+  static constexpr std::size_t kCount = std::size_t{8} << 20;
+  // Two reads, one write, and the read of the line that is written.
+  static constexpr double kBytes = 4.0 * 8.0 * kCount;
+
+  void run(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) a_[i] = b_[i] + 0.5 * c_[i];
+    benchmark::DoNotOptimize(a_.data());
     benchmark::ClobberMemory();
-    // Two reads, one write, and the read of the line that is written.
-    best = std::max(best, 4.0 * 8.0 * static_cast<double>(kCount) / (thread_cpu_seconds() - start));
   }
-  return best;
+
+ private:
+  std::vector<double> a_ = std::vector<double>(kCount, 0.0), b_ = std::vector<double>(kCount, 1.0),
+                      c_ = std::vector<double>(kCount, 2.0);
+};
+
+// As many chains as fit into sixteen registers of two doubles beside the two constants.
+constexpr std::size_t kChains = 28;
+constexpr int kRounds = 1 << 20;
+void run_chains() {
+  std::array<double, kChains> x;
+  x.fill(1.0);
+  double a = 0.999999, b = 1e-6;
+  benchmark::DoNotOptimize(a);
+  benchmark::DoNotOptimize(b);
+  for (int round = 0; round < kRounds; ++round) {
+    for (double& value : x) value = a * value + b;
+  }
+  benchmark::DoNotOptimize(x);
 }
 
-double peak() {
-  // As many chains as fit into sixteen registers of two doubles beside the two constants.
-  constexpr std::size_t kChains = 28;
-  constexpr int kRounds = 1 << 20;
-  double best = 0.0;
+// The least CPU time of several runs, s.
+template <class Work>
+double least_seconds(const Work& work) {
+  double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 5; ++k) {
-    std::array<double, kChains> x;
-    x.fill(1.0);
-    double a = 0.999999, b = 1e-6;
-    benchmark::DoNotOptimize(a);
-    benchmark::DoNotOptimize(b);
     const double start = thread_cpu_seconds();
-    for (int round = 0; round < kRounds; ++round) {
-      for (double& value : x) value = a * value + b;
-    }
-    benchmark::DoNotOptimize(x);
-    best = std::max(best, 2.0 * kChains * kRounds / (thread_cpu_seconds() - start));
+    work();
+    least = std::min(least, thread_cpu_seconds() - start);
   }
-  return best;
+  return least;
+}
+
+// Median over pairs of one thread's time for all pieces over the team's.
+template <class Work>
+double times_as_fast(const Team& team, const Work& piece) {
+  constexpr int kPairs = 11;
+  const auto seconds_with = [&](const Team* with) {
+    const auto start = std::chrono::steady_clock::now();
+    for_each(with, static_cast<std::size_t>(team.size()), piece);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  seconds_with(&team);  // wakes the threads
+  std::vector<double> ratios;
+  for (int k = 0; k < kPairs; ++k) {
+    const double alone = seconds_with(nullptr);
+    ratios.push_back(alone / seconds_with(&team));
+  }
+  return reference::median(std::move(ratios));
 }
 
 }  // namespace
@@ -61,6 +91,19 @@ double clock_overhead() {
   return smallest;
 }
 
-MachinePeak measure_peak() { return {bandwidth(), peak()}; }
+MachinePeak measure_peak() {
+  Triad triad;
+  return {Triad::kBytes / least_seconds([&] { triad.run(0, Triad::kCount); }),
+          2.0 * kChains * kRounds / least_seconds(run_chains)};
+}
+
+TeamPeak measure_team_peak(const Team& team) {
+  Triad triad;
+  const auto count = static_cast<std::size_t>(team.size());
+  return {times_as_fast(team, [](std::size_t) { run_chains(); }),
+          times_as_fast(team, [&](std::size_t k) {
+            triad.run(Triad::kCount * k / count, Triad::kCount * (k + 1) / count);
+          })};
+}
 
 }  // namespace stiction::bench

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "solver/parallel/team.h"
+
 namespace stiction::bench {
 
 /// What this machine can do on one core now, with the flags of this build: the scale of the cost
@@ -12,6 +14,16 @@ struct MachinePeak {
 
 /// Measures both, best of several; takes about half a second.
 MachinePeak measure_peak();
+
+/// How many times as fast as one thread a team does work that shares nothing, piece by piece: threads
+/// inside a step can't do better here. On a machine whose cores are the two halves of one, it says so.
+struct TeamPeak {
+  double arithmetic = 1.0;  ///< chains as above
+  double memory = 1.0;      ///< a = b + s c as above
+};
+
+/// Measures both by the clock on the wall, one thread and the team in turn; takes about a second.
+TeamPeak measure_team_peak(const Team& team);
 
 /// What reading the thread's clock twice adds to a difference, s: the smallest of many.
 double clock_overhead();

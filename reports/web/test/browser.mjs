@@ -101,7 +101,10 @@ export async function open_within(browser, file, budget_ms, options = {}) {
   return page;
 }
 
-/** {open(file, {hash, width, height, dark, wait}), close()}; each page has `faults`, a list of sentences. */
+/**
+ * {open(file, {hash, width, height, dark, wait}), close()}; each page has `faults`, a list of sentences. Without WebGL,
+ * which only recordings need, pictures of thousands of marks are there in a third of the time.
+ */
 export async function start_browser({ webgl = true } = {}) {
   const browser = await chromium.launch({
     executablePath: EXECUTABLE,

@@ -10,7 +10,7 @@ import { make_page } from "./report.mjs";
 let browser;
 let file;
 before(async () => {
-  browser = await start_browser();
+  browser = await start_browser({ webgl: false });
   file = make_page(make_run(lines_of(engine_records())));
 });
 after(() => browser.close());

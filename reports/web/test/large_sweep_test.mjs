@@ -35,7 +35,7 @@ const SWEEPS = {
 let browser;
 const files = {};
 before(async () => {
-  browser = await start_browser();
+  browser = await start_browser({ webgl: false });
   for (const [name, records] of Object.entries(SWEEPS)) {
     const folder = make_run("", name.replace(/\W+/g, "-"));
     const out = openSync(join(folder, "records.jsonl"), "w");

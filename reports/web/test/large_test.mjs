@@ -12,7 +12,7 @@ const COUNT = 100_000;
 let browser;
 let file;
 before(async () => {
-  browser = await start_browser();
+  browser = await start_browser({ webgl: false });
   const folder = make_run("");
   const out = openSync(join(folder, "records.jsonl"), "w");
   for (let i = 0; i < COUNT; i += 1000) {

@@ -9,7 +9,7 @@ import { make_page } from "./report.mjs";
 import { on } from "./sweep_records.mjs";
 
 let browser;
-before(async () => (browser = await start_browser()));
+before(async () => (browser = await start_browser({ webgl: false })));
 after(() => browser.close());
 
 const text_of = async (page, selector) => (await page.locator(selector).allInnerTexts()).join("\n");

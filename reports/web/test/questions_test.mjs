@@ -90,7 +90,7 @@ const QUESTIONS = [
 let browser;
 let file;
 before(async () => {
-  browser = await start_browser();
+  browser = await start_browser({ webgl: false });
   if (!skip) file = make_page(run);
 });
 after(() => browser?.close());

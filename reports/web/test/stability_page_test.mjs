@@ -10,7 +10,7 @@ import { perturbed, rung, stability_records, survived } from "./stability_record
 let browser;
 let file;
 before(async () => {
-  browser = await start_browser();
+  browser = await start_browser({ webgl: false });
   file = make_page(make_run(lines_of(stability_records())));
 });
 after(() => browser.close());

@@ -11,7 +11,7 @@ import { grid, measured, point, runs } from "./sweep_records.mjs";
 import { temporary_folder } from "./temporary.mjs";
 
 let browser;
-before(async () => (browser = await start_browser()));
+before(async () => (browser = await start_browser({ webgl: false })));
 after(() => browser.close());
 
 const page_of = (records) => make_page(make_run(lines_of(records)));
