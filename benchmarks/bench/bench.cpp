@@ -213,15 +213,14 @@ int bench(const Arguments& arguments) {
     if (measured) features = std::move(*measured);
     console.add(table(features));
   }
-  std::string ceiling;
+  std::string machine_gain;
   if (team.size() > 1) {
     const TeamPeak peak = measure_team_peak(team);
-    ceiling = fmt::format(
-        "{} threads that share nothing do arithmetic {:.2f} times as fast as one, and memory "
-        "{:.2f} "
-        "times: more than that no step can gain here.",
+    machine_gain = fmt::format(
+        "{} threads that share nothing do arithmetic {:.2f} times as fast as one here, and memory "
+        "{:.2f} times.",
         team.size(), peak.arithmetic, peak.memory);
-    console.add(ceiling + "\n");
+    console.add(machine_gain + "\n");
   }
   console.finished();
 
@@ -240,7 +239,7 @@ int bench(const Arguments& arguments) {
                                  1e-9 * machine.bytes_per_second, 1e-9 * machine.flops_per_second),
                      screen.width, "")));
   show(bench_summary(measure.results(), fits, features, records, screen));
-  if (!ceiling.empty()) show(bullet(ceiling, screen.width));
+  if (!machine_gain.empty()) show(bullet(machine_gain, screen.width));
   if (!why_not.empty()) {
     show(bullet("The cost of optional features was not measured: " + why_not + ".", screen.width));
   }

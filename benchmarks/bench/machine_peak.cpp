@@ -7,10 +7,9 @@
 #include <array>
 #include <chrono>
 #include <limits>
-#include <utility>
 #include <vector>
 
-#include "reference/statistics/two_samples.h"
+#include "benchmarks/bench/in_turn.h"
 #include "validation/engine/cpu_time.h"
 
 namespace stiction::bench {
@@ -62,22 +61,18 @@ double least_seconds(const Work& work) {
   return least;
 }
 
-// Median over pairs of one thread's time for all pieces over the team's.
+// One thread's time for all pieces over the team's.
 template <class Work>
 double times_as_fast(const Team& team, const Work& piece) {
-  constexpr int kPairs = 11;
   const auto seconds_with = [&](const Team* with) {
     const auto start = std::chrono::steady_clock::now();
     for_each(with, static_cast<std::size_t>(team.size()), piece);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   seconds_with(&team);  // wakes the threads
-  std::vector<double> ratios;
-  for (int k = 0; k < kPairs; ++k) {
-    const double alone = seconds_with(nullptr);
-    ratios.push_back(alone / seconds_with(&team));
-  }
-  return reference::median(std::move(ratios));
+  const auto alone = [&] { return seconds_with(nullptr); };
+  const auto together = [&] { return seconds_with(&team); };
+  return ratio_in_turn(alone, together).median;
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ struct MachinePeak {
 /// Measures both, best of several; takes about half a second.
 MachinePeak measure_peak();
 
-/// How many times as fast as one thread a team does work that shares nothing, piece by piece: threads
-/// inside a step can't do better here. On a machine whose cores are the two halves of one, it says so.
+/// How many times as fast as one thread a team does work that shares nothing, piece by piece: what the
+/// machine has to give to threads inside a step.
 struct TeamPeak {
   double arithmetic = 1.0;  ///< chains as above
   double memory = 1.0;      ///< a = b + s c as above
 };
 
-/// Measures both by the clock on the wall, one thread and the team in turn; takes about a second.
+/// Measures both by the clock on the wall, one thread and the team in turn.
 TeamPeak measure_team_peak(const Team& team);
 
 /// What reading the thread's clock twice adds to a difference, s: the smallest of many.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <regex>
 
+#include "benchmarks/bench/in_turn.h"
 #include "reference/statistics/two_samples.h"
 #include "solver/demand.h"
 #include "validation/engine/cpu_time.h"
@@ -38,10 +39,7 @@ std::vector<Chosen> choose(const std::string& filter, bool full) {
 
 namespace {
 
-// A B A B, at least so many times and so long.
 SpeedUp speed_up_of(Batch& batch, const Team& team) {
-  constexpr std::size_t kFewest = 11;
-  constexpr double kLeastSeconds = 0.1;
   const auto seconds_with = [&](const Team* with) {
     batch.restore();
     const auto start = std::chrono::steady_clock::now();
@@ -50,16 +48,18 @@ SpeedUp speed_up_of(Batch& batch, const Team& team) {
   };
   SpeedUp found{.threads = team.size()};
   seconds_with(&team);  // wakes the threads, and allocates
-  std::vector<double> ratios;
-  for (double spent = 0.0; ratios.size() < kFewest || spent < kLeastSeconds;) {
-    const double alone = seconds_with(nullptr);
-    const std::uint64_t hash = batch.hash();
-    const double together = seconds_with(&team);
+  std::uint64_t hash = 0;
+  const auto alone = [&] {
+    const double seconds = seconds_with(nullptr);
+    hash = batch.hash();
+    return seconds;
+  };
+  const auto together = [&] {
+    const double seconds = seconds_with(&team);
     found.same_hash = found.same_hash && batch.hash() == hash;
-    ratios.push_back(alone / together);
-    spent += alone + together;
-  }
-  found.ratio = reference::quartiles(std::move(ratios));
+    return seconds;
+  };
+  found.ratio = ratio_in_turn(alone, together);
   return found;
 }
 
