@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cfenv>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -75,6 +76,63 @@ TEST_F(TeamOfMany, ThrowsWhatAPieceThrew) {
                           if (k == 57) throw std::runtime_error("57");
                         }),
                std::runtime_error);
+}
+
+TEST_F(TeamOfMany, GoesOnAfterAPieceThrew) {
+  const Team team(2);
+  for (int round = 0; round < 100; ++round) {
+    EXPECT_THROW(for_each(&team, 8, [](std::size_t) { throw std::runtime_error("each"); }),
+                 std::runtime_error);
+    std::atomic<std::size_t> sum = 0;
+    for_each(&team, 8, [&](std::size_t k) { sum += k; });
+    EXPECT_EQ(sum, 28u);
+  }
+}
+
+TEST_F(TeamOfMany, HasWorkWithinWork) {
+  const Team team(2);
+  for (int round = 0; round < 1000; ++round) {
+    std::atomic<int> done = 0;
+    for_each(&team, 8, [&](std::size_t) { for_each(&team, 8, [&](std::size_t) { ++done; }); });
+    ASSERT_EQ(done, 64);
+  }
+}
+
+// Helpers come and go while work is opened and closed, and what they see is of this work alone.
+TEST_F(TeamOfMany, DoesEachPieceOnceInMuchWorkAfterAnother) {
+  for (int teams = 0; teams < 20; ++teams) {
+    const Team team(2);
+    std::vector<int> done(64);
+    for (int round = 1; round <= 2000; ++round) {
+      const std::size_t count = 1 + static_cast<std::size_t>(round) % done.size();
+      for_each(&team, count, [&done, round](std::size_t k) { done[k] += round; });
+      for (std::size_t k = 0; k < count; ++k) {
+        ASSERT_EQ(done[k], round) << k;
+        done[k] = 0;
+      }
+    }
+  }
+}
+
+TEST_F(TeamOfMany, IsHelpedAgainAfterItsThreadsHaveSlept) {
+  const Team team(2);
+  for (int round = 0; round < 5; ++round) {
+    shared_work(team, [](std::size_t) {});  // never returns when nobody helps
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  }
+}
+
+// Who looks out for work of one team does not keep another from ending alone.
+TEST_F(TeamOfMany, EndsBesideAnotherThatKeepsTheHelpers) {
+  const Team first(2);
+  shared_work(first, [](std::size_t) {});
+  for (int round = 0; round < 50; ++round) {
+    std::atomic<int> done = 0;
+    const Team second(2);
+    for_each(&first, 4, [](std::size_t) {});
+    for_each(&second, 4, [&](std::size_t) { ++done; });
+    EXPECT_EQ(done, 4);
+  }
 }
 
 TEST(Team, RefusesNumbersOfThreadsThatAreNone) {
