@@ -59,7 +59,7 @@ class OpenWork {
 
   // By the caller, who has whatever the helpers leave; throws what a piece threw.
   void share(std::size_t count, Call call, const void* work) {
-    if (in_piece) {  // of work that shares in turn: that part is this thread's own
+    if (in_piece_) {  // of work that shares in turn: that part is this thread's own
       for (std::size_t k = 0; k < count; ++k) call(work, k);
       return;
     }
@@ -112,7 +112,7 @@ class OpenWork {
 
   bool pieces() {
     std::size_t done = 0;
-    in_piece = true;
+    in_piece_ = true;
     try {
       for (std::size_t k = next_++; k < count_; k = next_++, ++done) call_(work_, k);
     } catch (...) {
@@ -120,7 +120,7 @@ class OpenWork {
       if (!thrown_) thrown_ = std::current_exception();
       next_ = count_;
     }
-    in_piece = false;
+    in_piece_ = false;
     return done > 0;
   }
 
@@ -142,7 +142,7 @@ class OpenWork {
     return helped;
   }
 
-  static inline thread_local bool in_piece = false;
+  static inline thread_local bool in_piece_ = false;
 
   // Of the work that lies open, written while nobody is inside.
   std::size_t count_ = 0;

@@ -118,7 +118,7 @@ TEST_F(TeamOfMany, IsHelpedAgainAfterItsThreadsHaveSlept) {
   const Team team(2);
   for (int round = 0; round < 5; ++round) {
     shared_work(team, [](std::size_t) {});  // never returns when nobody helps
-    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
 
