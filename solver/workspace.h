@@ -150,11 +150,17 @@ struct SweepChange {
   Real slip2 = 0.0;  ///< max (w |r|)², m²/s²: the slip that the sweep took away, squared
 };
 
+/// Of one contact, a record of four numbers as a Velocity is.
+struct alignas(4 * sizeof(Real)) ForceChange {
+  Vec3 force;  ///< N
+  Real power;  ///< w |force|², W; of a change by a sweep alone
+};
+
 /// Scratch memory of the conjugate directions of friction forces, per contact.
 struct ConjugateScratch {
-  std::vector<Vec3> change;           ///< r, of f by the last sweep, N
-  std::vector<Vec3> direction;        ///< p, N
-  std::vector<SweepChange> of_chunk;  ///< of the chunks of the contacts' order
+  std::vector<ForceChange> change;     ///< r, of f by the last sweep
+  std::vector<ForceChange> direction;  ///< p
+  std::vector<SweepChange> of_chunk;   ///< of the chunks of the contacts' order
 };
 
 /// Scratch memory of a step, kept so that a warm step allocates nothing, and what the last step
@@ -168,6 +174,7 @@ struct Workspace {
   FrictionMemory pair_friction;    ///< the memory being written
   EdgeContacts edges;              ///< between crossing edges, of the last step
   FrictionMemory edge_friction;    ///< the memory being written
+  std::vector<ContactStatus> ended, pair_ended, edge_ended;  ///< what contacts did in this step
   ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
   std::vector<Real> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   ContactOrder pair_order, obstacle_order, edge_order;  ///< in which forces act

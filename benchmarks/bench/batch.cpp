@@ -26,8 +26,7 @@ void add(const std::vector<Value>& values, Fnv1a& hash) {
 
 // Field by field: the padding between them is nobody's.
 void add(const PairContact& c, Fnv1a& hash) {
-  const std::int32_t numbers[] = {c.vertex, c.element, c.triangle, static_cast<int>(c.status)};
-  hash.add(&c.key, sizeof c.key);
+  const std::int32_t numbers[] = {c.vertex, c.other, c.element, c.triangle};
   hash.add(numbers, sizeof numbers);
   hash.add(c.partner, sizeof c.partner);
   hash.add(c.weight, sizeof c.weight);

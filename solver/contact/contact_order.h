@@ -8,6 +8,7 @@
 #include "solver/contact/contacts.h"
 #include "solver/contact/pair_contacts.h"
 #include "solver/parallel/team.h"
+#include "solver/prefetch.h"
 
 namespace stiction {
 
@@ -16,9 +17,15 @@ namespace stiction {
 /// colour by colour, the threads of a team do the chunks of one side by side, and each vertex gets
 /// its forces in the same order for any number of threads. It follows from the contacts of the step
 /// alone, so that a state that is restored goes on as it did.
+///
+/// Contacts that share no vertex can change places without changing a bit. Where contacts have lasted
+/// for a step, those that share one are put apart: each comes in the first round after those of all
+/// contacts before it with which it shares a vertex (level scheduling, as of sparse triangular
+/// solves), so that the processor has several to do at once, none of which waits for the last.
 class ContactOrder {
  public:
-  /// Contacts [begin, end).
+  /// Places [begin, end). They hold the contacts of the same numbers, between bodies each where the
+  /// sequence puts it.
   struct Chunk {
     std::size_t begin = 0, end = 0;
   };
@@ -38,6 +45,34 @@ class ContactOrder {
     return !colour_begin_.empty() && contacts == contacts_;
   }
 
+  /// Which contacts between bodies stand at the places.
+  class Sequence {
+   public:
+    std::size_t contact(std::size_t place) const {
+      return static_cast<std::size_t>(contact_[place]);
+    }
+    /// For what a sweep will read of contacts at places after this one, where records don't stay in
+    /// the nearer caches: out of their order the processor doesn't ask by itself.
+    void ask_ahead(const PairContact* contacts, std::size_t place) const {
+      if (place >= asks_until_) return;
+      const auto* const far =
+          reinterpret_cast<const char*>(&contacts[contact(place + kAskedAhead)]);
+      ask_for(far);
+      ask_for(far + sizeof(PairContact) / 3);
+    }
+
+   private:
+    friend class ContactOrder;
+    const std::int32_t* contact_ = nullptr;
+    std::size_t asks_until_ = 0;
+  };
+  Sequence sequence() const {
+    Sequence sequence;
+    sequence.contact_ = contact_.data();
+    sequence.asks_until_ = contact_.size() < kMany ? 0 : contact_.size() - kAskedAhead;
+    return sequence;
+  }
+
   std::size_t chunks() const { return chunk_.size(); }
   std::size_t colours() const { return colour_begin_.empty() ? 0 : colour_begin_.size() - 1; }
   /// Of a colour; that of `colours()` is `chunks()`.
@@ -53,22 +88,23 @@ class ContactOrder {
     }
   }
 
-  /// Calls work(c) for each contact.
-  template <class Work>
-  void for_each_contact(const Team* team, const Work& work) const {
-    for_each_chunk(team, [&](std::size_t, const Chunk& chunk) {
-      for (std::size_t c = chunk.begin; c < chunk.end; ++c) work(c);
-    });
-  }
-
  private:
+  void remember(const PairContacts& pairs);
   bool is_of(const PairContacts& pairs) const;
-  void colour(const PairContacts& pairs, std::size_t vertices);
+  void colour(std::size_t vertices);
+  void part(std::size_t vertices);
+  std::int32_t part(const Chunk& window, std::int32_t before);
 
   std::size_t contacts_ = 0;
   std::vector<Chunk> chunk_;               // colour by colour
   std::vector<std::size_t> colour_begin_;  // in chunk_, and its size behind the last
-  std::vector<std::int32_t> corner_;       // the vertices of the contacts that were coloured
+
+  // Of contacts between bodies.
+  std::vector<std::int32_t> corner_;   // their vertices, one contact after the other
+  std::vector<std::int32_t> contact_;  // of each place
+  bool apart_ = false;                 // whether neighbours stand apart
+  std::vector<std::int32_t> round_;    // scratch: per vertex, the last round that has it
+  std::vector<std::int32_t> round_of_, round_begin_;  // scratch: per contact; per round
 };
 
 }  // namespace stiction

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -93,6 +94,82 @@ TEST(ContactOrder, FollowsFromTheContactsAloneWhateverItWasBefore) {
   EXPECT_EQ(seen.shared, 0u);
   order.make(strip(kSome), vertices_of(kMany));
   EXPECT_EQ(order.chunks(), 1u);
+}
+
+// The contacts of the places, and how near to each other two stand that share a vertex.
+struct Placed {
+  std::vector<std::size_t> contacts;
+  std::size_t nearest = std::numeric_limits<std::size_t>::max();
+  bool in_order = true;  // those of each vertex
+
+  Placed(const ContactOrder& order, const PairContacts& pairs) {
+    const ContactOrder::Sequence sequence = order.sequence();
+    std::map<std::int32_t, std::pair<std::size_t, std::size_t>>
+        last;  // place and contact at a vertex
+    for (std::size_t place = 0; place < pairs.size(); ++place) {
+      const std::size_t c = sequence.contact(place);
+      contacts.push_back(c);
+      std::set<std::int32_t> corners(pairs[c].partner, pairs[c].partner + 4);
+      corners.insert(pairs[c].vertex);
+      for (const std::int32_t v : corners) {
+        const auto [at, is_first] = last.emplace(v, std::pair(place, c));
+        if (is_first) continue;
+        nearest = std::min(nearest, place - at->second.first);
+        in_order = in_order && at->second.second < c;
+        at->second = {place, c};
+      }
+    }
+  }
+};
+
+// Contacts side by side, `across` of them between those that share a vertex.
+PairContacts woven(std::size_t count, std::size_t across) {
+  PairContacts pairs(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::size_t strand = c * across / count, first = strand * (count + 4);
+    pairs[c].vertex = static_cast<std::int32_t>(first + c);
+    for (std::size_t k = 0; k < 4; ++k) {
+      pairs[c].partner[k] = static_cast<std::int32_t>(across * (count + 4) + first + c + k);
+    }
+  }
+  return pairs;
+}
+
+TEST(ContactOrder, PutsContactsApartThatShareAVertexOnceTheyHaveLasted) {
+  constexpr std::size_t kCount = 240, kAcross = 6, kVertices = 2 * kAcross * (kCount + 4);
+  const PairContacts pairs = woven(kCount, kAcross);
+  ContactOrder order;
+  order.make(pairs, kVertices);
+  const Placed at_first(order, pairs);
+  EXPECT_TRUE(std::is_sorted(at_first.contacts.begin(), at_first.contacts.end()));
+  EXPECT_EQ(at_first.nearest, 1u);
+  order.make(pairs, kVertices);
+  Placed placed(order, pairs);
+  EXPECT_EQ(placed.nearest, kAcross);
+  EXPECT_TRUE(placed.in_order);
+  std::sort(placed.contacts.begin(), placed.contacts.end());
+  EXPECT_EQ(placed.contacts, at_first.contacts);
+  // Another contact, and all begins anew.
+  PairContacts others = pairs;
+  others.back().partner[2] = 0;
+  order.make(others, kVertices);
+  EXPECT_EQ(Placed(order, others).contacts, at_first.contacts);
+}
+
+TEST(ContactOrder, KeepsTheOrderAtEachVertexAndTheChunksOfEachColour) {
+  for (const std::size_t count : {kMany, 2 * kMany}) {  // small windows and large ones
+    const PairContacts pairs = woven(count, 3);
+    const std::size_t vertices = 6 * (count + 4);
+    ContactOrder order;
+    order.make(pairs, vertices);
+    const std::vector<std::size_t> chunks = Seen(order, pairs).contacts;
+    order.make(pairs, vertices);
+    EXPECT_EQ(Seen(order, pairs).contacts, chunks);
+    Placed placed(order, pairs);
+    EXPECT_TRUE(placed.in_order);
+    std::sort(placed.contacts.begin(), placed.contacts.end());
+    for (std::size_t c = 0; c < count; ++c) ASSERT_EQ(placed.contacts[c], c);
+  }
 }
 
 TEST(ContactOrder, WhereAllTouchOneVertexChunksComeOneByOne) {

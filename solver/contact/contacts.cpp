@@ -11,7 +11,6 @@ void OneSidedContacts::clear() {
   obstacle_velocity.clear();
   normal_force.clear();
   friction_force.clear();
-  status.clear();
 }
 
 void OneSidedContacts::add(ContactKey contact, std::int32_t vertex_number,
@@ -24,7 +23,6 @@ void OneSidedContacts::add(ContactKey contact, std::int32_t vertex_number,
   obstacle_velocity.push_back(velocity_of_obstacle);
   normal_force.push_back(0.0);
   friction_force.emplace_back(Vec3::Zero());
-  status.push_back(ContactStatus::kNew);
 }
 
 }  // namespace stiction

@@ -52,7 +52,6 @@ struct OneSidedContacts {
   std::vector<Vec3> obstacle_velocity;  ///< mean over the step, m/s
   std::vector<Real> normal_force;       ///< fⁿ, N
   std::vector<Vec3> friction_force;     ///< f on the vertex, N
-  std::vector<ContactStatus> status;
 
   std::size_t size() const { return key.size(); }
   void clear();

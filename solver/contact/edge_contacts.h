@@ -23,7 +23,6 @@ struct EdgeContact {
   Real inverse_mass = 0.0;        ///< Σ own_weight²/m + Σ weight²/m, 1/kg
   Real normal_force = 0.0;        ///< fⁿ on edge a, N
   Vec3 friction_force = Vec3::Zero();  ///< f on edge a, N
-  ContactStatus status = ContactStatus::kNew;
 };
 
 /// Edge contacts of one step, in the order of their keys.

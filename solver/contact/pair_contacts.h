@@ -15,8 +15,9 @@ struct alignas(64) PairContact {
   std::int32_t vertex = -1;  ///< i
   std::int32_t partner[4] = {
       -1, -1, -1, -1};  ///< j: corners of Tᵢ (the fourth repeats the third) or of the tetrahedron
-  ContactStatus status = ContactStatus::kNew;
-  bool open = false;  ///< outside every element: kept from the last step
+  std::int32_t other =
+      -1;  ///< the penetrated body or its triangle, by which the key tells contacts of
+           ///< a vertex apart: see PairKey in pair_options.h
   Real inverse_mass = 0.0;  ///< 1/mᵢ + Σⱼ hᵢⱼ²/mⱼ, 1/kg: of a force on i and its reaction on Tᵢ
   Real weight[4] = {0, 0, 0,
                     0};  ///< hᵢⱼ, dimensionless; they sum to 1 (the fourth is 0 for a triangle)
@@ -26,11 +27,13 @@ struct alignas(64) PairContact {
   Real normal_force = 0.0;             ///< fⁿ: what the contact really puts on i, N
 
   // What no sweep reads.
-  ContactKey key = 0;          ///< see PairKey in pair_options.h
   std::int32_t element = -1;   ///< the tetrahedron that i is in, or was when it last was in one
   std::int32_t triangle = -1;  ///< nearest surface triangle Tᵢ of the penetrated body; that of
                                ///< the last step, −1 for none, before the depth phase
+  bool open = false;           ///< outside every element: kept from the last step
   Real excess = 0.0;           ///< m, ≥ 0: how much deeper it stands, not answered yet
+
+  ContactKey key() const { return contact_key(vertex, other); }
 };
 static_assert(sizeof(PairContact) == 64 * (sizeof(Real) == sizeof(double) ? 3 : 2));
 

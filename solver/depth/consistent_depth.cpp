@@ -33,7 +33,7 @@ struct Average {
 };
 
 std::uint32_t body_of(const PairContact& contact) {
-  return static_cast<std::uint32_t>(contact.key);
+  return static_cast<std::uint32_t>(contact.other);
 }
 
 // One pass over the contacts of a step. Levels: 0 not reached, 1 border, 2 … propagated; −1 for

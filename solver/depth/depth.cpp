@@ -60,9 +60,9 @@ Real excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairG
   if (unexplained > 0.0) return std::min(unexplained, contact.depth);
   if (memory.excess.empty()) return 0.0;
   const auto found =
-      std::lower_bound(memory.excess.begin(), memory.excess.end(), contact.key,
+      std::lower_bound(memory.excess.begin(), memory.excess.end(), contact.key(),
                        [](const auto& excess, ContactKey key) { return excess.body_key < key; });
-  if (found == memory.excess.end() || found->body_key != contact.key ||
+  if (found == memory.excess.end() || found->body_key != contact.key() ||
       !goes_on(topology, x, last, contact.triangle)) {
     return 0.0;
   }
@@ -79,7 +79,7 @@ struct Found {
 
   void note_depth(const Topology& topology, const PairContact& contact) {
     Found one;
-    note_too_deep(topology, contact.vertex, second_of(contact.key), contact.depth, one.too_deep);
+    note_too_deep(topology, contact.vertex, contact.other, contact.depth, one.too_deep);
     if (one.too_deep.depth > 0.0) add(one);
   }
 
@@ -224,12 +224,12 @@ class RangeOfDepths {
     std::vector<PairSearch::Group>& groups = workspace_.search.group;
     if (begin == end) return found_;
     // Contacts and groups are both in the order of their keys.
-    auto group = first_group(groups, pairs[begin].key);
+    auto group = first_group(groups, pairs[begin].key());
     for (std::size_t c = begin; c < end; ++c) {
       PairContact& contact = pairs[c];
       measure_.ask_ahead(pairs, c);
-      while (group != groups.end() && group->key < contact.key) ++group;
-      const bool known = group != groups.end() && group->key == contact.key;
+      while (group != groups.end() && group->key < contact.key()) ++group;
+      const bool known = group != groups.end() && group->key == contact.key();
       if (known && most_ > 0 && may_stay_on_face(workspace_.search, contact, *group)) {
         batch_.contact[batch_.count] = &contact;
         batch_.group[batch_.count] = &*group;
@@ -282,9 +282,9 @@ class RangeOfDepths {
 void list_all_nearest(const Topology& topology, const PairContacts& pairs, PairSearch& search) {
   auto group = search.group.begin();
   for (const PairContact& contact : pairs) {
-    while (group != search.group.end() && group->key < contact.key) ++group;
+    while (group != search.group.end() && group->key < contact.key()) ++group;
     if (group == search.group.end()) return;
-    if (group->key == contact.key && group->near_element < 0) {
+    if (group->key == contact.key() && group->near_element < 0) {
       list_nearest(topology, contact.element, *group, search);
     }
   }
@@ -326,12 +326,12 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   if (options.pairs.depth_noise > 0.0) {
     for (PairContact& contact : workspace.pairs) {
       contact.depth *=
-          1 + options.pairs.depth_noise * static_cast<Real>(even_noise(contact.key, state.step));
+          1 + options.pairs.depth_noise * static_cast<Real>(even_noise(contact.key(), state.step));
     }
   }
   if (options.pairs.key == PairKey::kTriangle) {
     for (PairContact& contact : workspace.pairs) {
-      contact.key = contact_key(contact.vertex, static_cast<std::uint32_t>(contact.triangle));
+      contact.other = contact.triangle;
     }
   }
 }

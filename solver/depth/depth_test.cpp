@@ -250,7 +250,7 @@ TEST(Depths, TheLiteralKeyNamesTheTriangle) {
   options.pairs.key = PairKey::kTriangle;
   const test::Found found(scene, options, initial_state(scene));
   for (const PairContact& contact : found.workspace.pairs) {
-    EXPECT_EQ(contact.key,
+    EXPECT_EQ(contact.key(),
               contact_key(contact.vertex, static_cast<std::uint32_t>(contact.triangle)));
   }
 }

@@ -121,7 +121,7 @@ Projection project(const Topology& topology, PairSearch& search, PairSearch::Gro
   Projection best{{}, -1};
   if (listed) best = project_by_list(topology, search, *group, point, contact, resting);
   if (best.triangle < 0) best = project_by_balls(topology, search, point, contact, resting, false);
-  const auto body = static_cast<std::size_t>(second_of(contact.key));
+  const auto body = static_cast<std::size_t>(contact.other);
   const Real near = kSqueezed * topology.least_width[body];
   if (resting >= 0 || best.nearest.distance2 < near * near) return best;
   return project_by_balls(topology, search, point, contact, resting, true);

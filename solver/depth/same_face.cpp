@@ -138,7 +138,7 @@ STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch)
   unsigned left = 0;
   for (int lane = 0; lane < count; ++lane) {
     const PairContact& contact = *batch.contact[lane];
-    const auto body = static_cast<std::size_t>(second_of(contact.key));
+    const auto body = static_cast<std::size_t>(contact.other);
     const Real deepest = kSqueezed * topology.least_width[body];
     const bool stays =
         projection.inside[lane] && projection.distance2[lane] < deepest * deepest &&

@@ -25,7 +25,7 @@ inline bool may_stay_on_face(const PairSearch& search, const PairContact& contac
   const std::int32_t listed = group.near_end - group.near_begin;
   if (listed == 0) return false;
   const PairSearch::Near* const near = &search.near[static_cast<std::size_t>(group.near_begin)];
-  const auto body = static_cast<std::size_t>(second_of(contact.key));
+  const auto body = static_cast<std::size_t>(contact.other);
   return near[0].triangle == contact.triangle &&
          (listed == 1 || near[1].distance - near[0].distance > 2 * search.moved[body]);
 }

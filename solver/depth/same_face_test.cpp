@@ -93,7 +93,7 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
                                                  sliding.state, sliding.workspace, width, batch);
       for (int k = 0; k < batch.count; ++k) {
         const auto was = std::find_if(alone.begin(), alone.end(), [&](const PairContact& one) {
-          return one.key == batch.contact[k]->key;
+          return one.key() == batch.contact[k]->key();
         });
         const bool done = (left >> k & 1U) == 0;
         measured += done;
@@ -108,7 +108,7 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
     for (PairContact& contact : pairs) {
       const auto group =
           std::find_if(groups.begin(), groups.end(),
-                       [&](const PairSearch::Group& one) { return one.key == contact.key; });
+                       [&](const PairSearch::Group& one) { return one.key == contact.key(); });
       if (group == groups.end() || !may_stay_on_face(sliding.workspace.search, contact, *group)) {
         continue;
       }
@@ -132,7 +132,7 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
   for (PairContact& contact : pairs) {
     const auto group =
         std::find_if(search.group.begin(), search.group.end(),
-                     [&](const PairSearch::Group& one) { return one.key == contact.key; });
+                     [&](const PairSearch::Group& one) { return one.key == contact.key(); });
     if (group == search.group.end() || !may_stay_on_face(search, contact, *group)) continue;
     ++tried;
     const auto before = numbers_of(contact);

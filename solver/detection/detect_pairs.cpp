@@ -28,8 +28,8 @@ PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
                        std::int32_t triangle, bool open) {
   PairContact contact;
   contact.open = open;
-  contact.key = key;
   contact.vertex = first_of(key);
+  contact.other = second_of(key);
   contact.element = element;
   contact.triangle = triangle;
   set_corners(scene.elements, contact);

@@ -38,7 +38,7 @@ std::set<ContactKey> found(const Scene& scene, const State& state) {
   options.pairs.hysteresis = 0.0;
   detect_pairs(scene, options, state, workspace);
   std::set<ContactKey> keys;
-  for (const PairContact& contact : workspace.pairs) keys.insert(contact.key);
+  for (const PairContact& contact : workspace.pairs) keys.insert(contact.key());
   EXPECT_EQ(keys.size(), workspace.pairs.size()) << "one contact a vertex and body";
   return keys;
 }
@@ -55,7 +55,7 @@ void expect_what_fresh_lists_find(const Scene& scene, const Options& options, co
   }
   ASSERT_EQ(kept.pairs.size(), fresh.pairs.size());
   for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
-    EXPECT_EQ(kept.pairs[c].key, fresh.pairs[c].key);
+    EXPECT_EQ(kept.pairs[c].key(), fresh.pairs[c].key());
     EXPECT_EQ(kept.pairs[c].element, fresh.pairs[c].element);
     EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle);
     EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth);
@@ -203,7 +203,7 @@ TEST(DetectPairs, OrdersContactsByVertexThenBody) {
   const test::Found all(scene, {}, initial_state(scene));
   ASSERT_GT(all.workspace.pairs.size(), 4u);
   for (std::size_t c = 1; c < all.workspace.pairs.size(); ++c) {
-    EXPECT_LT(all.workspace.pairs[c - 1].key, all.workspace.pairs[c].key);
+    EXPECT_LT(all.workspace.pairs[c - 1].key(), all.workspace.pairs[c].key());
   }
 }
 

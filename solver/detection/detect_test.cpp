@@ -33,7 +33,6 @@ TEST(Detect, FindsVerticesWhosePredictedPositionIsInside) {
   EXPECT_EQ(contacts.obstacle[0], 0);
   EXPECT_EQ(contacts.key[0], contact_key(0, 1));
   EXPECT_EQ(contacts.depth[0], 0.5);
-  EXPECT_EQ(contacts.status[0], ContactStatus::kNew);
 }
 
 TEST(Detect, DoesNotCountAVertexOnThePlane) {
@@ -61,7 +60,6 @@ TEST(Detect, GivesContactsByObstacleThenVertexAndForgetsOldOnes) {
   }
   EXPECT_EQ(contacts.normal_force.size(), contacts.size());
   EXPECT_EQ(contacts.friction_force.size(), contacts.size());
-  EXPECT_EQ(contacts.status.size(), contacts.size());
 }
 
 TEST(Detect, MeasuresDepthAlongATiltedNormalFromAnyPointOfThePlane) {

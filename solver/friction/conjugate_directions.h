@@ -4,12 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "solver/friction/chunks_of_side.h"
 #include "solver/state.h"
 #include "solver/workspace.h"
 
 namespace stiction {
+
+// A record as a vector of either kind, and back; a packed one takes or leaves the fourth number.
+template <class Vector>
+STICTION_LANES_INLINE Vector got(const ForceChange& record) {
+  if constexpr (std::is_same_v<Vector, PackedVec3>) {
+    return PackedVec3::load(&record);
+  } else {
+    return record.force;
+  }
+}
+STICTION_LANES_INLINE void put(const PackedVec3& force, ForceChange& record) {
+  force.store(&record);
+}
+inline void put(const Vec3& force, ForceChange& record) { record.force = force; }
 
 /// Conjugate directions over the sweeps of one step (see conjugate_vector.h), for the contacts of
 /// one kind. `Side` gives access to them, as in friction.cpp.
@@ -17,7 +33,7 @@ template <class Side>
 class ConjugateSide {
  public:
   ConjugateSide(const Side& side, ConjugateScratch& scratch, const Team* team,
-                std::vector<Velocity>& velocity)
+                std::span<Velocity> velocity)
       : side_(side), scratch_(scratch), team_(team), velocity_(velocity) {
     scratch_.change.resize(side.size());
   }
@@ -28,25 +44,32 @@ class ConjugateSide {
     scratch_.of_chunk.assign(side_.order.chunks(), {});
   }
 
-  /// Of the k-th chunk: before it, for each of its contacts, behind it. One chunk goes on with the sum
-  /// of the sides before it, several begin anew, for they may be done side by side.
-  SweepChange start(std::size_t) const {
-    return scratch_.of_chunk.size() == 1 ? *all_ : SweepChange{};
-  }
-  void add(std::size_t c, const Vec3& change, SweepChange& sum) {
-    scratch_.change[c] = change;
+  /// Of the k-th chunk: before it, for each of its contacts, behind it. Its sum is in the order of the
+  /// contacts, wherever they stand. One chunk goes on with the sum of the sides before it, several
+  /// begin anew, for they may be done side by side.
+  void start(std::size_t k) { sum_ = alone() ? *all_ : scratch_.of_chunk[k]; }
+  template <class Vector>
+  STICTION_LANES_INLINE void add(std::size_t c, const Vector& change) {
     const Real weight = side_.inverse_mass(c, velocity_);
     const Real power = weight * change.squaredNorm();
-    sum.power += power;
-    sum.slip2 = std::max(sum.slip2, weight * power);
+    put(change, scratch_.change[c]);
+    if constexpr (Side::kInOrder) {
+      sum_.power += power;
+    } else {
+      scratch_.change[c].power = power;
+    }
+    sum_.slip2 = std::max(sum_.slip2, weight * power);
   }
-  void finish(std::size_t k, const SweepChange& sum) {
-    (scratch_.of_chunk.size() == 1 ? *all_ : scratch_.of_chunk[k]) = sum;
+  void finish(std::size_t k, const ContactOrder::Chunk& chunk) {
+    if constexpr (!Side::kInOrder) {
+      for (std::size_t c = chunk.begin; c < chunk.end; ++c) sum_.power += scratch_.change[c].power;
+    }
+    (alone() ? *all_ : scratch_.of_chunk[k]) = sum_;
   }
 
   /// After the sweep.
   void end() {
-    if (scratch_.of_chunk.size() == 1) return;
+    if (alone()) return;
     for (const SweepChange& chunk : scratch_.of_chunk) {
       all_->power += chunk.power;
       all_->slip2 = std::max(all_->slip2, chunk.slip2);
@@ -61,31 +84,43 @@ class ConjugateSide {
 
   /// f ← P(f + β p), p ← β p + r.
   void accelerate(Real beta) {
-    side_.order.for_each_chunk(team_, [&](std::size_t, const ContactOrder::Chunk& chunk) {
+    using Vector = typename Side::Vector;
+    const auto of_chunk = [&](std::size_t, const ContactOrder::Chunk& chunk)
+        __attribute__((always_inline)) {
       // Copies, of which the compiler knows that nothing else changes them.
       const Side side = side_;
-      Vec3* const direction = scratch_.direction.data();
-      const Vec3* const change = scratch_.change.data();
-      for (std::size_t c = chunk.begin; c < chunk.end; ++c) {
-        const Vec3 force = side.force(c);
-        const Vec3 step = beta * direction[c];
-        direction[c] = step + change[c];
-        Vec3 wanted = force + step;
+      const Real factor = beta;
+      const std::span<Velocity> velocity = velocity_;
+      ForceChange* const direction = scratch_.direction.data();
+      const ForceChange* const change = scratch_.change.data();
+      const auto [begin, end] = chunk;
+      for (std::size_t place = begin; place < end; ++place) {
+        side.ask_ahead(place);
+        const std::size_t c = side.contact(place);
+        const Vector force = side.force(c);
+        const Vector step = factor * got<Vector>(direction[c]);
+        put(step + got<Vector>(change[c]), direction[c]);
+        Vector wanted = force + step;
         const Real bound = side.bound(c);
         const Real size2 = wanted.squaredNorm();
         if (size2 > bound * bound) wanted *= bound / std::sqrt(size2);
-        side.apply(c, wanted - force, velocity_);
-        side.force(c) = wanted;
+        auto held = side.held(c, velocity);
+        side.push(wanted - force, held);
+        side.set_force(c, wanted);
       }
-    });
+    };
+    friction_phase::for_each_chunk(side_, team_, of_chunk);
   }
 
  private:
+  bool alone() const { return scratch_.of_chunk.size() == 1; }
+
   const Side& side_;
   SweepChange* all_ = nullptr;
+  SweepChange sum_;  // of the chunk that a copy hears of
   ConjugateScratch& scratch_;
   const Team* team_;
-  std::vector<Velocity>& velocity_;
+  std::span<Velocity> velocity_;
 };
 
 /// Sweeps at most `sweeps` times, accelerating in between, until a sweep takes away no more slip

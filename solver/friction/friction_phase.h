@@ -8,17 +8,37 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
+#include "solver/contact/held_velocities.h"
 #include "solver/contact/slip.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
+#include "solver/friction/chunks_of_side.h"
 #include "solver/friction/conjugate_directions.h"
 #include "solver/friction/friction.h"
 #include "solver/response/pair_normal_force.h"
 
 namespace stiction::friction_phase {
+
+// A side gives access to the contacts of one kind. It has
+//   Vector                    what its forces and slips are reckoned in
+//   kInOrder                  whether its contacts come in the order of their keys
+//   held(c, velocity)         the velocities that a contact acts on, and their slip()
+//   push(force, held)         a force that is held for the step, on them
+//   slip(c, velocity)         where they are only looked at
+
+// What holds one contact's velocities where they are: in memory.
+template <class Side>
+struct InMemory {
+  const Side& side;
+  std::size_t c;
+  std::span<Velocity> velocity;
+
+  Vec3 slip() const { return side.slip(c, velocity); }
+};
 
 // The contacts with obstacles, as the sweep sees them.
 template <class Friction>
@@ -29,10 +49,14 @@ struct ObstacleSide {
   OneSidedContacts& contacts;
   const ContactOrder& order;
 
+  using Vector = Vec3;
+  static constexpr bool kInOrder = true;
   std::size_t size() const { return contacts.size(); }
+  std::size_t contact(std::size_t place) const { return place; }
+  void ask_ahead(std::size_t) const {}
   ContactKey key(std::size_t c) const { return contacts.key[c]; }
-  Vec3& force(std::size_t c) const { return contacts.friction_force[c]; }
-  ContactStatus& status(std::size_t c) const { return contacts.status[c]; }
+  const Vec3& force(std::size_t c) const { return contacts.friction_force[c]; }
+  void set_force(std::size_t c, const Vec3& force) const { contacts.friction_force[c] = force; }
   const HalfSpace& obstacle(std::size_t c) const {
     return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
   }
@@ -41,56 +65,86 @@ struct ObstacleSide {
     return mu.against(obstacle(c), contacts.vertex[c], contacts.obstacle[c]) *
            contacts.normal_force[c];
   }
-  Real inverse_mass(std::size_t c, const std::vector<Velocity>& velocity) const {
+  Real inverse_mass(std::size_t c, std::span<const Velocity> velocity) const {
     return dt * velocity[static_cast<std::size_t>(contacts.vertex[c])].inverse_mass;
   }
-  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+  Vec3 slip(std::size_t c, std::span<const Velocity> velocity) const {
     const Vec3& v = velocity[static_cast<std::size_t>(contacts.vertex[c])].v;
     return tangential(v - contacts.obstacle_velocity[c], normal(c));
   }
-  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
-    Velocity& own = velocity[static_cast<std::size_t>(contacts.vertex[c])];
+  void push(const Vec3& force, const InMemory<ObstacleSide>& held) const {
+    Velocity& own = held.velocity[static_cast<std::size_t>(contacts.vertex[held.c])];
     own.v += dt * own.inverse_mass * force;
+  }
+  InMemory<ObstacleSide> held(std::size_t c, std::span<Velocity> velocity) const {
+    return {*this, c, velocity};
   }
 };
 
-// The contacts between bodies.
+// The contacts between bodies. All that a contact needs is in a copy of its own: what is written to
+// records could be anything else as well, for all that the compiler knows.
 template <class Friction>
-struct PairSide {
-  const Options& options;
-  Friction mu;
-  PairContacts& pairs;
+class PairSide {
+ public:
+  using Vector = PackedVec3;
+  static constexpr bool kInOrder = false;
+  using Held = HeldVelocities;
+
+  PairSide(const Options& options, const Friction& mu, PairContacts& pairs,
+           const ContactOrder& contacts_order)
+      : order(contacts_order),
+        mu_(mu),
+        pairs_(pairs.data()),
+        size_(pairs.size()),
+        sequence_(contacts_order.sequence()),
+        dt_(options.dt()),
+        react_(options.pairs.friction_reaction),
+        bounds_(options.pairs.literal_bound && options.pairs.gain == NormalGain::kPaper &&
+                        options.pairs.post_correction
+                    ? 2
+                    : 1) {}
+
+  std::size_t size() const { return size_; }
+  std::size_t contact(std::size_t place) const { return sequence_.contact(place); }
+  // For what contacts at places after this one will read.
+  void ask_ahead(std::size_t place) const { sequence_.ask_ahead(pairs_, place); }
+  ContactKey key(std::size_t c) const { return pairs_[c].key(); }
+  STICTION_LANES_INLINE PackedVec3 force(std::size_t c) const {
+    return PackedVec3::load(pairs_[c].friction_force.data());
+  }
+  STICTION_LANES_INLINE void set_force(std::size_t c, const PackedVec3& force) const {
+    Real* const here = pairs_[c].friction_force.data();
+    force.with_fourth(PackedVec3::load(here)).store(here);
+  }
+  STICTION_LANES_INLINE PackedVec3 normal(std::size_t c) const {
+    return PackedVec3::load(pairs_[c].normal.data());
+  }
+  Real bound(std::size_t c) const {
+    return mu_.between(pairs_[c].vertex, pairs_[c].partner[0]) * bounds_ * pairs_[c].normal_force;
+  }
+  Real inverse_mass(std::size_t c, std::span<const Velocity>) const {
+    return dt_ * pairs_[c].inverse_mass;
+  }
+  Vec3 slip(std::size_t c, std::span<const Velocity> velocity) const {
+    return slip_of(pairs_[c], velocity);
+  }
+  STICTION_LANES_INLINE HeldVelocities held(std::size_t c, std::span<Velocity> velocity) const {
+    return HeldVelocities(pairs_[c], velocity);
+  }
+  STICTION_LANES_INLINE void push(const PackedVec3& force, HeldVelocities& held) const {
+    held.push(dt_ * force, react_);
+  }
+
   const ContactOrder& order;
 
-  std::size_t size() const { return pairs.size(); }
-  ContactKey key(std::size_t c) const { return pairs[c].key; }
-  Vec3& force(std::size_t c) const { return pairs[c].friction_force; }
-  ContactStatus& status(std::size_t c) const { return pairs[c].status; }
-  const Vec3& normal(std::size_t c) const { return pairs[c].normal; }
-  Real bound(std::size_t c) const {
-    const PairOptions& pair = options.pairs;
-    const bool doubled =
-        pair.literal_bound && pair.gain == NormalGain::kPaper && pair.post_correction;
-    return mu.between(pairs[c].vertex, pairs[c].partner[0]) * (doubled ? 2 : 1) *
-           pairs[c].normal_force;
-  }
-  Real inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
-    return options.dt() * pairs[c].inverse_mass;
-  }
-  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
-    return slip_of(pairs[c], velocity);
-  }
-  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
-    const PairContact& contact = pairs[c];
-    const Vec3 impulse = options.dt() * force;
-    Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
-    own.v += own.inverse_mass * impulse;
-    if (!options.pairs.friction_reaction) return;
-    for (int k = 0; k < 4; ++k) {
-      Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
-      other.v -= contact.weight[k] * other.inverse_mass * impulse;
-    }
-  }
+ private:
+  Friction mu_;
+  PairContact* pairs_;
+  std::size_t size_;
+  ContactOrder::Sequence sequence_;
+  Real dt_;
+  bool react_;
+  Real bounds_;  // of friction, in μ fⁿ
 };
 
 // The contacts of crossing edges.
@@ -101,22 +155,29 @@ struct EdgeSide {
   EdgeContacts& edges;
   const ContactOrder& order;
 
+  using Vector = Vec3;
+  static constexpr bool kInOrder = true;
   std::size_t size() const { return edges.size(); }
+  std::size_t contact(std::size_t place) const { return place; }
+  void ask_ahead(std::size_t) const {}
   ContactKey key(std::size_t c) const { return edges[c].key; }
-  Vec3& force(std::size_t c) const { return edges[c].friction_force; }
-  ContactStatus& status(std::size_t c) const { return edges[c].status; }
+  const Vec3& force(std::size_t c) const { return edges[c].friction_force; }
+  void set_force(std::size_t c, const Vec3& force) const { edges[c].friction_force = force; }
   const Vec3& normal(std::size_t c) const { return edges[c].normal; }
   Real bound(std::size_t c) const {
     return mu.between(edges[c].vertex[0], edges[c].partner[0]) * edges[c].normal_force;
   }
-  Real inverse_mass(std::size_t c, const std::vector<Velocity>&) const {
+  Real inverse_mass(std::size_t c, std::span<const Velocity>) const {
     return dt * edges[c].inverse_mass;
   }
-  Vec3 slip(std::size_t c, const std::vector<Velocity>& velocity) const {
+  Vec3 slip(std::size_t c, std::span<const Velocity> velocity) const {
     return slip_of(edges[c], velocity);
   }
-  void apply(std::size_t c, const Vec3& force, std::vector<Velocity>& velocity) const {
-    apply_impulse(dt * force, edges[c], velocity);
+  void push(const Vec3& force, const InMemory<EdgeSide>& held) const {
+    apply_impulse(dt * force, edges[held.c], held.velocity);
+  }
+  InMemory<EdgeSide> held(std::size_t c, std::span<Velocity> velocity) const {
+    return {*this, c, velocity};
   }
 };
 
@@ -167,69 +228,107 @@ void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side,
 
 template <class Rule, class Side>
 void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory, const Team* team,
-                std::vector<Velocity>& velocity) {
-  side.order.for_each_contact(team, [&](std::size_t c) {
-    side.force(c) = Vec3::Zero();
-    if constexpr (Rule::kWarmStart) {
-      Vec3 force = tangential(rule.start(memory.value.data() + c * Rule::kValues), side.normal(c));
-      const Real bound = side.bound(c);
-      const Real size2 = force.squaredNorm();
-      if (size2 > bound * bound) force *= bound / std::sqrt(size2);
-      side.apply(c, force, velocity);
-      side.force(c) = force;
+                std::span<Velocity> velocity) {
+  using Vector = typename Side::Vector;
+  const auto of_chunk = [&](std::size_t, const ContactOrder::Chunk& chunk)
+      __attribute__((always_inline)) {
+    const Side here = side;
+    const Real* const value = memory.value.data();
+    const std::span<Velocity> velocities = velocity;
+    const auto [begin, end] = chunk;
+    for (std::size_t place = begin; place < end; ++place) {
+      here.ask_ahead(place);
+      const std::size_t c = here.contact(place);
+      Vector force = Vector::Zero();
+      if constexpr (Rule::kWarmStart) {
+        const Real* const own = value + c * static_cast<std::size_t>(Rule::kValues);
+        force = tangential(Vector(rule.start(own)), here.normal(c));
+        const Real bound = here.bound(c);
+        const Real size2 = force.squaredNorm();
+        if (size2 > bound * bound) force *= bound / std::sqrt(size2);
+        auto held = here.held(c, velocities);
+        here.push(force, held);
+      }
+      here.set_force(c, force);
     }
-  });
+  };
+  for_each_chunk(side, team, of_chunk);
 }
 
+// Whether a rule reckons in vectors of this kind.
+template <class Rule, class Vector>
+concept Takes = requires(const Rule& rule, const SlipProblemOf<Vector>& problem, Real* memory) {
+  { rule.solve(problem, memory) } -> std::same_as<SlipSolutionOf<Vector>>;
+};
+
 // One contact of a sweep; `first` is true in the first sweep of a step, `was` its status at the
-// start of the step. Returns the change of its force, N.
+// start of the step, `is` that at its end. Returns the change of its force, N.
 template <class Rule, class Side>
-Vec3 solve(const Rule& rule, const Side& side, std::size_t c, bool first, ContactStatus was,
-           const std::vector<Velocity>& start, std::vector<Velocity>& velocity, Real* memory) {
+STICTION_LANES_INLINE typename Side::Vector solve(const Rule& rule, const Side& side, std::size_t c,
+                                                  bool first, ContactStatus was,
+                                                  std::span<const Velocity> start,
+                                                  std::span<Velocity> velocity, ContactStatus& is,
+                                                  Real* memory) {
+  using Vector = typename Side::Vector;
+  using Reckoned = std::conditional_t<Takes<Rule, Vector>, Vector, Vec3>;
+  auto held = side.held(c, velocity);
+  const Vector force = side.force(c);
   const Real inverse_mass = side.inverse_mass(c, velocity);
-  const SlipProblem problem{.free_slip = side.slip(c, velocity) - inverse_mass * side.force(c),
-                            .start_slip = side.slip(c, start),
-                            .inverse_mass = inverse_mass,
-                            .bound = side.bound(c),
-                            .was = was,
-                            .normal = side.normal(c),
-                            .first_sweep = first,
-                            .force = side.force(c)};
-  const SlipSolution solution = rule.solve(problem, memory);
-  const Vec3 change = solution.force - side.force(c);
-  side.apply(c, change, velocity);
-  side.force(c) = solution.force;
-  side.status(c) = solution.status;
+  const SlipProblemOf<Reckoned> problem{
+      .free_slip = vector_cast<Reckoned>(held.slip() - inverse_mass * force),
+      .start_slip = vector_cast<Reckoned>(side.slip(c, start)),
+      .inverse_mass = inverse_mass,
+      .bound = side.bound(c),
+      .was = was,
+      .normal = vector_cast<Reckoned>(side.normal(c)),
+      .first_sweep = first,
+      .force = vector_cast<Reckoned>(force)};
+  const SlipSolutionOf<Reckoned> solution = rule.solve(problem, memory);
+  const Vector solved = solution.force, change = solved - force;
+  side.push(change, held);
+  side.set_force(c, solved);
+  is = solution.status;
   return change;
 }
 
 // Hears of the changes of a sweep, chunk by chunk: see ConjugateSide.
 struct Unheard {
-  struct Sum {};
-  static Sum start(std::size_t) { return {}; }
-  static void add(std::size_t, const Vec3&, Sum&) {}
-  static void finish(std::size_t, const Sum&) {}
+  static void start(std::size_t) {}
+  template <class Vector>
+  static void add(std::size_t, const Vector&) {}
+  static void finish(std::size_t, const ContactOrder::Chunk&) {}
 };
 
 // A sweep over contacts of one kind, of whose changes `heard` hears.
 template <class Rule, class Side, class Before, class Heard>
-void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memory, const Team* team,
-           const std::vector<Velocity>& start, std::vector<Velocity>& velocity,
-           const Before& before, Heard& heard) {
-  side.order.for_each_chunk(team, [&](std::size_t k, const ContactOrder::Chunk& chunk) {
+void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memory,
+           std::vector<ContactStatus>& ended, const Team* team, std::span<const Velocity> start,
+           std::span<Velocity> velocity, const Before& before, Heard& heard) {
+  const auto of_chunk = [&](std::size_t k, const ContactOrder::Chunk& chunk)
+      __attribute__((always_inline)) {
     // Copies, of which the compiler knows that nothing else changes them.
     const Side here = side;
     Heard hears = heard;
     Real* const value = memory.value.data();
     const ContactStatus* const was = memory.status.data();
-    auto sum = hears.start(k);
-    for (std::size_t c = chunk.begin; c < chunk.end; ++c) {
-      before(c);
+    ContactStatus* const is = ended.data();
+    const Rule own_rule = rule;
+    const Before own_before = before;
+    const std::span<const Velocity> at_start = start;
+    const std::span<Velocity> velocities = velocity;
+    const bool is_first = first;
+    const auto [begin, end] = chunk;
+    hears.start(k);
+    for (std::size_t place = begin; place < end; ++place) {
+      here.ask_ahead(place);
+      const std::size_t c = here.contact(place);
+      own_before(c);
       Real* const own = value + c * static_cast<std::size_t>(Rule::kValues);
-      hears.add(c, solve(rule, here, c, first, was[c], start, velocity, own), sum);
+      hears.add(c, solve(own_rule, here, c, is_first, was[c], at_start, velocities, is[c], own));
     }
-    hears.finish(k, sum);
-  });
+    hears.finish(k, chunk);
+  };
+  for_each_chunk(side, team, of_chunk);
 }
 
 template <class Rule>
@@ -241,11 +340,11 @@ constexpr bool is_conjugate() {
   }
 }
 
-template <class Side>
-void remember_status(const Side& side, const Team* team, FrictionMemory& memory) {
-  for_ranges(team, side.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) memory.status[c] = side.status(c);
-  });
+// What a step leaves for the next.
+inline void remember(FrictionMemory& memory, const std::vector<ContactStatus>& ended,
+                     FrictionMemory& of_state) {
+  memory.status = ended;
+  std::swap(of_state, memory);
 }
 
 template <class Friction>
@@ -260,8 +359,11 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
   workspace.edge_order.in_one_chunk(workspace.edges.size());
   const ObstacleSide<Friction> obstacles{scene, mu, options.dt(), workspace.contacts,
                                          workspace.obstacle_order};
-  const PairSide<Friction> pairs{options, mu, workspace.pairs, workspace.pair_order};
+  const PairSide<Friction> pairs(options, mu, workspace.pairs, workspace.pair_order);
   const EdgeSide<Friction> edges{options.dt(), mu, workspace.edges, workspace.edge_order};
+  workspace.ended.resize(obstacles.size());
+  workspace.pair_ended.resize(pairs.size());
+  workspace.edge_ended.resize(edges.size());
   const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
     carry_memory(rule, state.obstacle_friction, obstacles, team, workspace.memory);
     carry_memory(rule, state.pair_friction, pairs, team, workspace.pair_friction);
@@ -277,12 +379,12 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
           apply_normal_force(options, workspace.pairs[c], velocity);
         }
       };
-      sweep(rule, pairs, first, workspace.pair_friction, team, state.velocity, velocity,
-            normal_force, pairs_heard);
-      sweep(rule, edges, first, workspace.edge_friction, team, state.velocity, velocity, nothing,
-            edges_heard);
-      sweep(rule, obstacles, first, workspace.memory, team, state.velocity, velocity, nothing,
-            obstacles_heard);
+      sweep(rule, pairs, first, workspace.pair_friction, workspace.pair_ended, team, state.velocity,
+            velocity, normal_force, pairs_heard);
+      sweep(rule, edges, first, workspace.edge_friction, workspace.edge_ended, team, state.velocity,
+            velocity, nothing, edges_heard);
+      sweep(rule, obstacles, first, workspace.memory, workspace.ended, team, state.velocity,
+            velocity, nothing, obstacles_heard);
     };
     const int sweeps = options.sweeps > 0 ? options.sweeps : rule.kCard.sweeps;
     if constexpr (is_conjugate<std::decay_t<decltype(rule)>>()) {
@@ -300,12 +402,9 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
     }
   });
   demand(known, "the options were checked, so the friction rule exists");
-  remember_status(obstacles, team, workspace.memory);
-  remember_status(pairs, team, workspace.pair_friction);
-  remember_status(edges, team, workspace.edge_friction);
-  std::swap(state.obstacle_friction, workspace.memory);
-  std::swap(state.pair_friction, workspace.pair_friction);
-  std::swap(state.edge_friction, workspace.edge_friction);
+  remember(workspace.memory, workspace.ended, state.obstacle_friction);
+  remember(workspace.pair_friction, workspace.pair_ended, state.pair_friction);
+  remember(workspace.edge_friction, workspace.edge_ended, state.edge_friction);
   workspace.contact_updates += obstacles.size() + pairs.size() + edges.size();
 }
 

@@ -13,24 +13,30 @@ struct RuleCard {
   int sweeps = 1;          ///< of a step, that it is meant to have
 };
 
-/// One contact's friction problem within a step, after its normal force is known.
-struct SlipProblem {
-  Vec3 free_slip;                           ///< ũ, tangential, m/s
-  Vec3 start_slip;                          ///< u, tangential, at the start of the step, m/s
+/// One contact's friction problem within a step, after its normal force is known. `Vector` is Vec3,
+/// or PackedVec3 for a rule whose `solve` is a template that takes either.
+template <class Vector>
+struct SlipProblemOf {
+  Vector free_slip;                         ///< ũ, tangential, m/s
+  Vector start_slip;                        ///< u, tangential, at the start of the step, m/s
   Real inverse_mass = 0;                    ///< w > 0, m/s/N
   Real bound = 0;                           ///< μ fⁿ ≥ 0, N
   ContactStatus was = ContactStatus::kNew;  ///< status at the end of the last step
-  Vec3 normal = Vec3::UnitZ();              ///< n of the contact, unit
-  bool first_sweep = true;    ///< of this step: rules that learn from step to step learn now
-  Vec3 force = Vec3::Zero();  ///< friction applied so far in this step, N; ũ does not contain it
+  Vector normal = Vec3(Vec3::UnitZ());      ///< n of the contact, unit
+  bool first_sweep = true;  ///< of this step: rules that learn from step to step learn now
+  Vector force =
+      Vector::Zero();  ///< friction applied so far in this step, N; ũ does not contain it
 };
+using SlipProblem = SlipProblemOf<Vec3>;
 
 /// A rule's answer: friction force on the vertex (tangential, |force| ≤ bound) and what the contact
 /// did.
-struct SlipSolution {
-  Vec3 force;
+template <class Vector>
+struct SlipSolutionOf {
+  Vector force;
   ContactStatus status;
 };
+using SlipSolution = SlipSolutionOf<Vec3>;
 
 /// −bound · ũ/|ũ|, Coulomb's sliding friction [(7)]; zero when the bound is.
 /// Precondition: |ũ| > 0, which a slipping contact has since |ũ| > w · bound ≥ 0.

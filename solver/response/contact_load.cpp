@@ -8,12 +8,19 @@ namespace {
 // Σ over contacts of what each asks of its vertex and of its partners, per vertex.
 void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
                 std::vector<Real>& load) {
-  workspace.pair_order.for_each_contact(workspace.team, [&](std::size_t c) {
-    const PairContact& contact = workspace.pairs[c];
-    if (contact.depth == 0.0 && !count_kept) return;
-    if (count_vertex) load[static_cast<std::size_t>(contact.vertex)] += 1;
-    for (int k = 0; k < 4; ++k) {
-      load[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
+  workspace.pair_order.for_each_chunk(workspace.team, [&](std::size_t, const auto& chunk) {
+    // Copies, of which the compiler knows that nothing else changes them.
+    const PairContact* const contacts = workspace.pairs.data();
+    Real* const of_vertex = load.data();
+    const bool vertex_counts = count_vertex, kept_count = count_kept;
+    const auto [begin, end] = chunk;
+    for (std::size_t c = begin; c < end; ++c) {
+      const PairContact& contact = contacts[c];
+      if (contact.depth == 0.0 && !kept_count) continue;
+      if (vertex_counts) of_vertex[static_cast<std::size_t>(contact.vertex)] += 1;
+      for (int k = 0; k < 4; ++k) {
+        of_vertex[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
+      }
     }
   });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/response/pair_normal_force.h"
 
+#include "solver/contact/held_velocities.h"
 #include "solver/response/contact_load.h"
 
 namespace stiction {
@@ -11,38 +12,40 @@ bool corrects(const PairOptions& options) {
   return STICTION_HAS_POST_CORRECTION && options.post_correction;
 }
 
-// N/m of a vertex, 1/kg.
-Real share(const Workspace& workspace, std::int32_t v) {
-  const auto p = static_cast<std::size_t>(v);
-  return workspace.load[p] * workspace.velocity[p].inverse_mass;
+// What the vertices tell of themselves.
+struct Vertices {
+  const Real* load;
+  const Velocity* velocity;
+
+  Real load_of(std::int32_t v) const { return load[static_cast<std::size_t>(v)]; }
+  Real inverse_mass(std::int32_t v) const {
+    return velocity[static_cast<std::size_t>(v)].inverse_mass;
+  }
+  // N/m, 1/kg.
+  Real share(std::int32_t v) const { return load_of(v) * inverse_mass(v); }
+};
+
+Real own_share(const Vertices& vertices, const PairContact& contact) {
+  return vertices.share(contact.vertex);
 }
 
-Real own_share(const Workspace& workspace, const PairContact& contact) {
-  return share(workspace, contact.vertex);
-}
-
-Real own_share(const Workspace& workspace, const EdgeContact& contact) {
-  return contact.own_weight[0] * share(workspace, contact.vertex[0]) +
-         contact.own_weight[1] * share(workspace, contact.vertex[1]);
+Real own_share(const Vertices& vertices, const EdgeContact& contact) {
+  return contact.own_weight[0] * vertices.share(contact.vertex[0]) +
+         contact.own_weight[1] * vertices.share(contact.vertex[1]);
 }
 
 template <class Contact>
-Real harmonic_force(const PairOptions& options, Real dt, const Workspace& workspace,
-                    const Contact& contact) {
-  Real inverse_mass = own_share(workspace, contact);
+Real harmonic_force(Real gain, Real dt, const Vertices& vertices, const Contact& contact) {
+  Real inverse_mass = own_share(vertices, contact);
   for (int k = 0; k < 4; ++k) {
-    inverse_mass += contact.weight[k] * share(workspace, contact.partner[k]);
+    inverse_mass += contact.weight[k] * vertices.share(contact.partner[k]);
   }
-  return options.harmonic_gain * contact.depth / (dt * dt * inverse_mass);
+  return gain * contact.depth / (dt * dt * inverse_mass);
 }
 
-Real paper_force(Real dt, const Workspace& workspace, const PairContact& contact) {
-  const auto c = [&](std::int32_t v) {
-    return 1 / (1 + workspace.load[static_cast<std::size_t>(v)]);
-  };
-  const auto inverse_mass = [&](std::int32_t v) {
-    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
-  };
+Real paper_force(Real dt, const Vertices& vertices, const PairContact& contact) {
+  const auto c = [&](std::int32_t v) { return 1 / (1 + vertices.load_of(v)); };
+  const auto inverse_mass = [&](std::int32_t v) { return vertices.inverse_mass(v); };
   Real partner_mass = 0.0;  // M
   bool partner_fixed = false;
   for (int k = 0; k < 4; ++k) {
@@ -68,41 +71,77 @@ Real paper_force(Real dt, const Workspace& workspace, const PairContact& contact
   return effective_mass * contact.depth / (dt * dt);
 }
 
+// fⁿ of a contact.
+class PairForce {
+ public:
+  PairForce(const Options& options, const Vertices& vertices)
+      : vertices_(vertices),
+        dt_(options.dt()),
+        gain_(options.pairs.harmonic_gain),
+        harmonic_(options.pairs.gain == NormalGain::kHarmonic),
+        transmitted_(corrects(options.pairs) ? Real(0.5) : Real(1)) {}
+
+  Real operator()(const EdgeContact& contact) const {
+    return contact.depth > 0.0 ? harmonic_force(gain_, dt_, vertices_, contact) : 0;
+  }
+  Real operator()(const PairContact& contact) const {
+    if (contact.depth == 0.0) return 0.0;
+    if (harmonic_) return harmonic_force(gain_, dt_, vertices_, contact);
+    return transmitted_ * paper_force(dt_, vertices_, contact);
+  }
+
+ private:
+  Vertices vertices_;
+  Real dt_, gain_;
+  bool harmonic_;
+  Real transmitted_;  // of the paper's force
+};
+
 }  // namespace
 
 void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
                         const FrictionMemory& last_obstacles) {
-  const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
-  workspace.pair_order.make(workspace.pairs, static_cast<std::size_t>(scene.vertex_count()));
+  PairContacts& pairs = workspace.pairs;
+  workspace.pair_order.make(pairs, static_cast<std::size_t>(scene.vertex_count()));
   contact_loads(scene, options, last_obstacles, workspace);
-  const auto set_force = [&](PairContact& contact) {
-    if (contact.depth == 0.0) {
-      contact.normal_force = 0.0;
-    } else if (harmonic) {
-      contact.normal_force = harmonic_force(options.pairs, options.dt(), workspace, contact);
-    } else {
-      const Real force = paper_force(options.dt(), workspace, contact);
-      contact.normal_force = corrects(options.pairs) ? Real(0.5) * force : force;
-    }
-  };
-  for_ranges(workspace.team, workspace.pairs.size(), kContactsToShare,
-             [&](std::size_t begin, std::size_t end) {
-               for (std::size_t c = begin; c < end; ++c) set_force(workspace.pairs[c]);
-             });
+  const Vertices vertices{workspace.load.data(), workspace.velocity.data()};
+  const PairForce force(options, vertices);
   for (EdgeContact& contact : workspace.edges) {
-    contact.normal_force =
-        contact.depth > 0.0 ? harmonic_force(options.pairs, options.dt(), workspace, contact) : 0;
+    contact.normal_force = force(contact);
     apply_impulse(options.dt() * contact.normal_force * contact.normal, contact,
                   workspace.velocity);
   }
-  if (!options.pairs.normals_first) return;
-  workspace.pair_order.for_each_contact(workspace.team, [&](std::size_t c) {
-    apply_normal_force(options, workspace.pairs[c], workspace.velocity);
+  if (!options.pairs.normals_first) {
+    for_ranges(workspace.team, pairs.size(), kContactsToShare,
+               [&](std::size_t begin, std::size_t end) {
+                 for (std::size_t c = begin; c < end; ++c) pairs[c].normal_force = force(pairs[c]);
+               });
+    return;
+  }
+  const int width = lane_width();
+  workspace.pair_order.for_each_chunk(workspace.team, [&](std::size_t, const auto& chunk) {
+    in_registers(
+        width, [&]() __attribute__((always_inline)) {
+          // Copies, of which the compiler knows that nothing else changes them.
+          const PairForce own_force = force;
+          const std::span<Velocity> velocity = workspace.velocity;
+          const ContactOrder::Sequence sequence = workspace.pair_order.sequence();
+          const Real dt = options.dt();
+          const bool react = corrects(options.pairs);
+          const auto [begin, end] = chunk;
+          for (std::size_t place = begin; place < end; ++place) {
+            sequence.ask_ahead(pairs.data(), place);
+            PairContact& contact = pairs[sequence.contact(place)];
+            const Real normal_force = own_force(contact);
+            contact.normal_force = normal_force;
+            HeldVelocities(contact, velocity)
+                .push(dt * normal_force * PackedVec3::load(contact.normal.data()), react);
+          }
+        });
   });
 }
 
-void apply_impulse(const Vec3& impulse, const EdgeContact& contact,
-                   std::vector<Velocity>& velocity) {
+void apply_impulse(const Vec3& impulse, const EdgeContact& contact, std::span<Velocity> velocity) {
   for (int k = 0; k < 2; ++k) {
     Velocity& own = velocity[static_cast<std::size_t>(contact.vertex[k])];
     own.v += contact.own_weight[k] * own.inverse_mass * impulse;

@@ -55,8 +55,8 @@ FrozenStep::FrozenStep(const EngineKind& kind, const ComparisonScene& scene,
   const std::vector<ContactKey>& known = start_.pair_friction.key;
   std::size_t from = 0;
   for (const PairContact& contact : workspace_.pairs) {
-    while (from < known.size() && known[from] < contact.key) ++from;
-    const bool persists = from < known.size() && known[from] == contact.key;
+    while (from < known.size() && known[from] < contact.key()) ++from;
+    const bool persists = from < known.size() && known[from] == contact.key();
     if (persists && contact.normal_force > 0.0) place_.push_back(from);
   }
 }
@@ -90,7 +90,7 @@ FrozenStep::Slip FrozenStep::slip_with(const Eigen::VectorXd& xi) const {
   Eigen::Index k = 0;
   for (const PairContact& contact : workspace_.pairs) {
     if (k == contacts() ||
-        contact.key != start_.pair_friction.key[place_[static_cast<std::size_t>(k)]]) {
+        contact.key() != start_.pair_friction.key[place_[static_cast<std::size_t>(k)]]) {
       continue;
     }
     // f = −ξ ũ/w.
@@ -110,7 +110,7 @@ Eigen::VectorXd FrozenStep::slip_with_bias(const Eigen::VectorXd& bias) const {
   for (Eigen::Index k = 0, c = 0; k < contacts(); ++c) {
     const PairContact& contact = workspace_.pairs[static_cast<std::size_t>(c)];
     const std::size_t place = place_[static_cast<std::size_t>(k)];
-    if (contact.key != start_.pair_friction.key[place]) continue;
+    if (contact.key() != start_.pair_friction.key[place]) continue;
     Eigen::Map<Vec3>(memory.data() + 3 * place) = tangents(contact.normal) * bias.segment<2>(2 * k);
     ++k;
   }
@@ -118,7 +118,7 @@ Eigen::VectorXd FrozenStep::slip_with_bias(const Eigen::VectorXd& bias) const {
   Eigen::VectorXd slip(2 * contacts());
   for (Eigen::Index k = 0, c = 0; k < contacts(); ++c) {
     const PairContact& contact = workspace_.pairs[static_cast<std::size_t>(c)];
-    if (contact.key != start_.pair_friction.key[place_[static_cast<std::size_t>(k)]]) continue;
+    if (contact.key() != start_.pair_friction.key[place_[static_cast<std::size_t>(k)]]) continue;
     slip.segment<2>(2 * k) = tangents(contact.normal).transpose() * slip_of(contact);
     ++k;
   }

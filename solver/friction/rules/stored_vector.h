@@ -41,10 +41,11 @@ struct StoredVector {
 
   Vec3 start(const Real* memory) const { return {memory[0], memory[1], memory[2]}; }
 
-  SlipSolution solve(const SlipProblem& problem, Real* memory) const {
-    const Vec3 slip = problem.free_slip + problem.inverse_mass * problem.force;
-    SlipSolution solution{problem.force - relaxation_ / problem.inverse_mass * slip,
-                          ContactStatus::kStick};
+  template <class Vector>
+  SlipSolutionOf<Vector> solve(const SlipProblemOf<Vector>& problem, Real* memory) const {
+    const Vector slip = problem.free_slip + problem.inverse_mass * problem.force;
+    SlipSolutionOf<Vector> solution{problem.force - relaxation_ / problem.inverse_mass * slip,
+                                    ContactStatus::kStick};
     const Real size2 = solution.force.squaredNorm();
     if (size2 > problem.bound * problem.bound) {
       solution = {problem.bound / std::sqrt(size2) * solution.force, ContactStatus::kSlip};

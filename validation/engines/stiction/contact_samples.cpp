@@ -17,7 +17,7 @@ std::size_t body_of(const Scene& scene, std::int32_t vertex) {
 namespace {
 
 ContactSample sample_of(const Scene& scene, const State& state, double time_step,
-                        const PairContact& contact) {
+                        const PairContact& contact, ContactStatus status) {
   const auto i = static_cast<std::size_t>(contact.vertex);
   // In double, so that what is told does not add to the solver's round-off.
   const auto before = [&](std::size_t v) -> Eigen::Vector3d {
@@ -39,13 +39,13 @@ ContactSample sample_of(const Scene& scene, const State& state, double time_step
           .normal_force = contact.normal_force,
           .friction_force = contact.friction_force.cast<double>(),
           .slip = slip_of(contact, state.velocity).cast<double>(),
-          .sticks = contact.status == ContactStatus::kStick,
+          .sticks = status == ContactStatus::kStick,
           .position = state.position[i].x.cast<double>(),
           .arm = arm};
 }
 
 ContactSample sample_of(const Scene& scene, const State& state, double time_step,
-                        const EdgeContact& contact) {
+                        const EdgeContact& contact, ContactStatus status) {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(), arm = Eigen::Vector3d::Zero();
   const auto add = [&](double weight, std::int32_t vertex) {
     const auto v = static_cast<std::size_t>(vertex);
@@ -72,7 +72,7 @@ ContactSample sample_of(const Scene& scene, const State& state, double time_step
           .normal_force = contact.normal_force,
           .friction_force = contact.friction_force.cast<double>(),
           .slip = slip_of(contact, state.velocity).cast<double>(),
-          .sticks = contact.status == ContactStatus::kStick,
+          .sticks = status == ContactStatus::kStick,
           .position = position,
           .arm = arm};
 }
@@ -100,13 +100,17 @@ std::vector<ContactSample> contact_samples(const Scene& scene, const State& stat
                        .normal_force = contacts.normal_force[c],
                        .friction_force = contacts.friction_force[c].cast<double>(),
                        .slip = tangential(velocity, obstacle.normal).cast<double>(),
-                       .sticks = contacts.status[c] == ContactStatus::kStick,
+                       .sticks = workspace.ended[c] == ContactStatus::kStick,
                        .position = state.position[v].x.cast<double>()});
   }
-  for (const PairContact& contact : workspace.pairs)
-    samples.push_back(sample_of(scene, state, time_step, contact));
-  for (const EdgeContact& contact : workspace.edges)
-    samples.push_back(sample_of(scene, state, time_step, contact));
+  for (std::size_t c = 0; c < workspace.pairs.size(); ++c) {
+    samples.push_back(
+        sample_of(scene, state, time_step, workspace.pairs[c], workspace.pair_ended[c]));
+  }
+  for (std::size_t c = 0; c < workspace.edges.size(); ++c) {
+    samples.push_back(
+        sample_of(scene, state, time_step, workspace.edges[c], workspace.edge_ended[c]));
+  }
   return samples;
 }
 

@@ -18,12 +18,10 @@ bool stuck(const FrictionMemory& last, ContactKey key) {
          last.status[static_cast<std::size_t>(found - last.key.begin())] == ContactStatus::kStick;
 }
 
-template <class Mark>
-void keep_sticking(const FrictionMemory& last, FrictionMemory& memory, const Mark& mark) {
+void keep_sticking(const FrictionMemory& last, FrictionMemory& memory,
+                   std::vector<ContactStatus>& ended) {
   for (std::size_t c = 0; c < memory.key.size(); ++c) {
-    if (!stuck(last, memory.key[c])) continue;
-    memory.status[c] = ContactStatus::kStick;
-    mark(c) = ContactStatus::kStick;
+    if (stuck(last, memory.key[c])) memory.status[c] = ended[c] = ContactStatus::kStick;
   }
 }
 
@@ -38,12 +36,9 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   const FrictionMemory obstacles = state.obstacle_friction, pairs = state.pair_friction,
                        edges = state.edge_friction;
   unplanted_friction_forces(scene, kept, state, workspace);
-  keep_sticking(obstacles, state.obstacle_friction,
-                [&](std::size_t c) -> ContactStatus& { return workspace.contacts.status[c]; });
-  keep_sticking(pairs, state.pair_friction,
-                [&](std::size_t c) -> ContactStatus& { return workspace.pairs[c].status; });
-  keep_sticking(edges, state.edge_friction,
-                [&](std::size_t c) -> ContactStatus& { return workspace.edges[c].status; });
+  keep_sticking(obstacles, state.obstacle_friction, workspace.ended);
+  keep_sticking(pairs, state.pair_friction, workspace.pair_ended);
+  keep_sticking(edges, state.edge_friction, workspace.edge_ended);
 }
 
 }  // namespace stiction

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/lanes/packed_vec3.h"
+
+#include <gtest/gtest.h>
+
+#include "solver/lanes/lane_width.h"
+#include "solver/testing/test_scenes.h"
+
+namespace stiction {
+namespace {
+
+TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
+  const auto numbers = test::noise(100, 1.0, 5);
+  for (const int width : lane_widths()) {
+    for (int k = 0; k + 1 < 100; ++k) {
+      const Vec3 a = numbers.col(k).cast<Real>(), b = numbers.col(k + 1).cast<Real>();
+      Vec3 sum, difference, product, scaled;
+      Real dot = 0, norm = 0;
+      in_registers(
+          width, [&]() __attribute__((always_inline)) {
+            // A fourth that no sum may see.
+            const PackedVec3 none(FourNumbers{0, 0, 0, test::kNaN});
+            const PackedVec3 p = PackedVec3(a).with_fourth(none),
+                             q = PackedVec3(b).with_fourth(none);
+            sum = vector_cast<Vec3>(p + q);
+            difference = vector_cast<Vec3>(p - q);
+            product = vector_cast<Vec3>(p * q);
+            scaled = vector_cast<Vec3>(p.y() * q);
+            dot = p.dot(q);
+            norm = p.norm();
+          });
+      EXPECT_EQ(sum, a + b);
+      EXPECT_EQ(difference, a - b);
+      EXPECT_EQ(product, a.cwiseProduct(b));
+      EXPECT_EQ(scaled, a.y() * b);
+      EXPECT_EQ(dot, a.dot(b));
+      EXPECT_EQ(norm, a.norm());
+    }
+  }
+}
+
+TEST(PackedVec3, GoesToARecordAndBackWhole) {
+  alignas(4 * sizeof(Real)) Real record[5] = {1, 2, 3, 4, 5};
+  const PackedVec3 v = PackedVec3::load(record + 1);  // of numbers, at any place
+  EXPECT_EQ(vector_cast<Vec3>(v), Vec3(2, 3, 4));
+  EXPECT_EQ(vector_cast<Vec3>(v.fourths()), Vec3(5, 5, 5));
+  v.with_fourth(PackedVec3::Zero()).store(record);
+  EXPECT_EQ(record[0], 2);
+  EXPECT_EQ(record[3], 0);
+  EXPECT_EQ(record[4], 5);
+}
+
+}  // namespace
+}  // namespace stiction
