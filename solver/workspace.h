@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "solver/contact/contact_order.h"
@@ -55,10 +56,11 @@ struct PairSearch {
   Real skin = 0.0;              ///< m
   std::vector<Vec3> reference;  ///< x* that a body's lists were made at, per vertex, m
   std::vector<Real> moved;      ///< per body: bound on |x* − reference| of its vertices, m
-  std::vector<char> renewed;    ///< per body: its lists are made anew in this step
-  std::vector<Box3> box;        ///< per body
-  std::vector<Box3> overlap;    ///< per body: where it can meet others
-  std::vector<int> order;       ///< bodies along x
+  std::vector<double> path;  ///< per body: bound on the ways of its vertices, one x* to the next, m
+  std::vector<char> renewed;  ///< per body: its lists are made anew in this step
+  std::vector<Box3> box;      ///< per body
+  std::vector<Box3> overlap;  ///< per body: where it can meet others
+  std::vector<int> order;     ///< bodies along x
   struct Candidate {
     ContactKey key;  ///< (vertex, body that it may be in)
     std::int32_t element;
@@ -79,7 +81,10 @@ struct PairSearch {
     std::int32_t candidate_begin, candidate_end;
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
+    std::int32_t misses = 0;            ///< how often no candidate held the vertex since …
     Real near_reach;  ///< m: up to this distance at the reference `near` names all
+    /// … it was found that none will while the paths of both bodies together are below this, m.
+    double clear_until = -std::numeric_limits<double>::infinity();
   };
   std::vector<Group> group;  ///< by key
   struct Near {

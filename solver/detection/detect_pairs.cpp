@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -23,6 +24,13 @@ constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);
 // With weights above this the point is inside this tetrahedron and no other of an unfolded body:
 // far above round-off, far below any depth.
 constexpr Real kInside = by_precision(1e-9, 1e-4);
+
+// In skins: farther from every element than this a vertex is in none, whatever rounding adds.
+constexpr Real kClear = 1e-3;
+
+// So often no candidate holds a vertex before it is asked how far from all it is, which takes as long
+// as the test: where bodies move on before that helps, it is asked in vain.
+constexpr std::int32_t kMissesToKnow = 4;
 
 PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
                        std::int32_t triangle, bool open) {
@@ -72,6 +80,43 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
   return found >= 0 && margin > 0.0 && in_last >= -margin ? last : found;
 }
 
+// How far the point is at least from the tetrahedron: above the plane of one of its faces, m; negative
+// inside.
+Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner) {
+  Real most = -std::numeric_limits<Real>::infinity();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 &a = corner[(k + 1) % 4], &b = corner[(k + 2) % 4], &c = corner[(k + 3) % 4];
+    const Vec3 normal = (b - a).cross(c - a);
+    const Real size = normal.norm(), inwards = normal.dot(corner[k] - a);
+    if (size > 0.0 && inwards != 0.0) {
+      most = std::max(most, (inwards > 0.0 ? -1 : 1) * normal.dot(point - a) / size);
+    }
+  }
+  return most;
+}
+
+// The same of all candidates of a group.
+Real clearance(const Scene& scene, const PairSearch& search, const PairSearch::Group& group) {
+  const auto x = [&](std::int32_t v) -> const Vec3& {
+    return search.predicted[static_cast<std::size_t>(v)];
+  };
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
+    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)].element;
+    const auto& v = scene.elements[static_cast<std::size_t>(element)].vertex;
+    least =
+        std::min(least, clearance(x(first_of(group.key)), {x(v[0]), x(v[1]), x(v[2]), x(v[3])}));
+  }
+  return least;
+}
+
+// Of the two bodies of a key, m.
+double paths(const Topology& topology, const PairSearch& search, ContactKey key) {
+  const auto own = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
+  return search.path[static_cast<std::size_t>(own)] +
+         search.path[static_cast<std::size_t>(second_of(key))];
+}
+
 // Tests the candidates of all groups.
 void find_elements(const Scene& scene, const PairGeometry& last, Real margin, const Team* team,
                    PairSearch& search) {
@@ -82,9 +127,14 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
         std::lower_bound(last.body_key.begin(), last.body_key.end(), search.group[begin].key);
     auto old = static_cast<std::size_t>(first - last.body_key.begin());
     for (std::size_t g = begin; g < end; ++g) {
-      const PairSearch::Group& group = search.group[g];
+      PairSearch::Group& group = search.group[g];
       while (old < last.body_key.size() && last.body_key[old] < group.key) ++old;
       const bool persists = old < last.body_key.size() && last.body_key[old] == group.key;
+      const double path = paths(scene.topology, search, group.key);
+      if (!persists && path < group.clear_until) {
+        search.holds[g] = -1;
+        continue;
+      }
       // Twice as far ahead as elsewhere: less is done between.
       if (old + 2 * kAskedAhead < last.element.size()) {
         ask_for(&scene.elements[static_cast<std::size_t>(last.element[old + 2 * kAskedAhead])]);
@@ -97,6 +147,10 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
       }
       search.holds[g] =
           find_element(scene, search, group, persists ? last.element[old] : -1, margin);
+      if (search.holds[g] < 0 && ++group.misses == kMissesToKnow) {
+        group.misses = 0;
+        group.clear_until = path + clearance(scene, search, group) - kClear * search.skin;
+      }
     }
   };
   for_ranges(team, search.group.size(), kContactsToShare, find);
@@ -205,14 +259,7 @@ Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
 void detect_pairs(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace) {
   PairSearch& search = workspace.search;
-  search.predicted.resize(state.position.size());
-  for_ranges(workspace.team, state.position.size(), kVerticesToShare,
-             [&](std::size_t begin, std::size_t end) {
-               for (std::size_t k = begin; k < end; ++k) {
-                 search.predicted[k] = state.position[k].x + options.dt() * workspace.velocity[k].v;
-               }
-             });
-  if (update_candidates(scene, search, workspace.team)) {
+  if (update_candidates(scene, options.dt(), state, workspace.velocity, workspace.team, search)) {
     search.edges_listed = false;
     if (options.pairs.face == PairFace::kOpposed) {
       note_outrun(scene, options.dt(), workspace.velocity, search);

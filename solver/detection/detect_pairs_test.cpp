@@ -122,6 +122,37 @@ TEST(DetectPairs, FindsTheSameWhenItsListsWereMadeForEarlierPositions) {
   EXPECT_LT(renewed, 100u) << "and served several steps";
 }
 
+// A cube comes down on another in steps far below the skin, trembling, and goes up again: vertices that
+// are known to be clear of the other are not looked at, and none is missed that comes in.
+TEST(DetectPairs, LooksAtNoVertexThatIsKnownToBeClearAndMissesNoneThatComesIn) {
+  for (const double tremble : {0.0, 1e-5, 1e-3}) {
+    const Scene scene = build_scene(test::stacked_cubes(-0.012));
+    const Body& upper = scene.bodies[1];
+    Workspace kept;
+    Options options;
+    options.pairs.hysteresis = 0.0;
+    std::size_t clear = 0, none = 0, most = 0;
+    for (int k = 0; k < 400; ++k) {
+      Eigen::Matrix3Xd position = scene.rest_position + test::noise(scene.vertex_count(), tremble,
+                                                                    900 + static_cast<unsigned>(k));
+      position.middleCols(upper.first_vertex, upper.vertex_count).colwise() -=
+          1e-4 * std::min(k, 400 - k) * Vec3(0.1, 0.0, 1.0);
+      SCOPED_TRACE(k);
+      expect_what_fresh_lists_find(scene, options, at_rest_at(scene, position), kept);
+      for (const PairSearch::Group& group : kept.search.group) {
+        clear += group.clear_until > kept.search.path[0] + kept.search.path[1];
+      }
+      none += kept.pairs.empty();
+      most = std::max(most, kept.pairs.size());
+    }
+    EXPECT_GT(none, 50u) << "at first and at last they are apart";
+    EXPECT_GT(most, 8u) << "in between they touch";
+    if (tremble < 1e-4) {
+      EXPECT_GT(clear, 400u) << "some are known to be clear";
+    }
+  }
+}
+
 // Of four cubes on each other one after the other moves: lists of the others stay, and each time what
 // is found is what fresh lists find.
 TEST(DetectPairs, MakesNewListsOfTheBodiesThatMoveAlone) {

@@ -35,14 +35,15 @@ bool is_renewed(const PairSearch& search, std::int32_t a, std::int32_t b) {
 }
 
 // Forgets the lists of another scene.
-void begin_scene(const Scene& scene, PairSearch& search) {
-  if (search.scene == scene.serial && search.reference.size() == search.predicted.size()) return;
+void begin_scene(const Scene& scene, std::size_t vertices, PairSearch& search) {
+  if (search.scene == scene.serial && search.reference.size() == vertices) return;
   search.scene = scene.serial;
   search.skin = kSkin * scene.topology.mean_edge;
   const std::size_t bodies = scene.bodies.size();
-  search.reference.assign(search.predicted.size(),
-                          Vec3::Constant(std::numeric_limits<Real>::infinity()));
+  search.predicted.assign(vertices, Vec3::Zero());
+  search.reference.assign(vertices, Vec3::Constant(std::numeric_limits<Real>::infinity()));
   search.moved.assign(bodies, 0.0);
+  search.path.assign(bodies, 0.0);
   search.renewed.assign(bodies, false);
   search.box.assign(bodies, Box3());
   search.meeting.clear();
@@ -53,32 +54,43 @@ void begin_scene(const Scene& scene, PairSearch& search) {
                      {Vec3::Zero(), std::numeric_limits<Real>::infinity()});
 }
 
-// Notes how far each body has moved, and those that have moved too far for their lists; false if none
-// has.
-bool note_moves(const Scene& scene, const Team* team, PairSearch& search) {
+// Largest of what threads tell.
+void raise(std::atomic<Real>& most, Real here) {
+  Real known = most;
+  while (known < here && !most.compare_exchange_weak(known, here)) {
+  }
+}
+
+// Where the vertices come to with these velocities. Notes how far each body has moved, and those that
+// have moved too far for their lists; false if none has.
+bool follow(const Scene& scene, Real dt, const State& state, const std::vector<Velocity>& velocity,
+            const Team* team, PairSearch& search) {
   bool any = false;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto first = static_cast<std::size_t>(scene.bodies[b].first_vertex);
-    std::atomic<Real> farthest = 0.0;  // along an axis
+    std::atomic<Real> farthest = 0.0, longest = 0.0;  // along an axis: since the lists, since last
     const auto note = [&](std::size_t begin, std::size_t end) {
-      Real here = 0.0;
+      Real far = 0.0, way = 0.0;
       for (std::size_t k = first + begin; k < first + end; ++k) {
-        const Vec3 by = (search.predicted[k] - search.reference[k]).cwiseAbs();
+        const Vec3 x = state.position[k].x + dt * velocity[k].v;
+        const Vec3 by = (x - search.reference[k]).cwiseAbs();
+        const Vec3 since = (x - search.predicted[k]).cwiseAbs();
+        search.predicted[k] = x;
+        way = std::max({way, since.x(), since.y(), since.z()});
         // Written so that what is no number counts as moved.
         if (!(by.x() <= search.skin && by.y() <= search.skin && by.z() <= search.skin)) {
-          here = std::numeric_limits<Real>::infinity();
-          break;
+          far = std::numeric_limits<Real>::infinity();
         }
-        here = std::max({here, by.x(), by.y(), by.z()});
+        far = std::max({far, by.x(), by.y(), by.z()});
       }
-      Real known = farthest;
-      while (known < here && !farthest.compare_exchange_weak(known, here)) {
-      }
+      raise(farthest, far);
+      raise(longest, way);
     };
     for_ranges(team, static_cast<std::size_t>(scene.bodies[b].vertex_count), kVerticesToShare,
                note);
     search.renewed[b] = farthest > search.skin;
     search.moved[b] = search.renewed[b] ? 0 : std::sqrt(Real(3)) * farthest;
+    search.path[b] += std::sqrt(3.0) * static_cast<double>(longest);
     any = any || search.renewed[b];
   }
   return any;
@@ -247,7 +259,8 @@ void sort_candidates(std::size_t vertices, PairSearch& search) {
   }
 }
 
-// Groups of bodies that have not moved keep the triangles that they have listed.
+// Groups of bodies that have not moved keep what is known of them, and the triangles that they have
+// listed.
 void group_candidates(const Topology& topology, PairSearch& search) {
   search.old_group.swap(search.group);
   search.old_near.swap(search.near);
@@ -259,12 +272,22 @@ void group_candidates(const Topology& topology, PairSearch& search) {
     const ContactKey key = search.candidate[begin].key;
     end = begin + 1;
     while (end < count && search.candidate[end].key == key) ++end;
-    PairSearch::Group group{
-        key, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), 0, 0, -1, 0.0};
+    PairSearch::Group group{.key = key,
+                            .candidate_begin = static_cast<std::int32_t>(begin),
+                            .candidate_end = static_cast<std::int32_t>(end),
+                            .near_begin = 0,
+                            .near_end = 0,
+                            .near_element = -1,
+                            .near_reach = 0.0};
     while (old != search.old_group.end() && old->key < key) ++old;
     const std::int32_t other = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
-    if (old != search.old_group.end() && old->key == key && old->near_element >= 0 &&
-        !is_renewed(search, other, second_of(key))) {
+    const bool lasts = old != search.old_group.end() && old->key == key &&
+                       !is_renewed(search, other, second_of(key));
+    if (lasts) {
+      group.misses = old->misses;
+      group.clear_until = old->clear_until;
+    }
+    if (lasts && old->near_element >= 0) {
       group.near_begin = static_cast<std::int32_t>(search.near.size());
       search.near.insert(search.near.end(), search.old_near.begin() + old->near_begin,
                          search.old_near.begin() + old->near_end);
@@ -278,9 +301,11 @@ void group_candidates(const Topology& topology, PairSearch& search) {
 
 }  // namespace
 
-bool update_candidates(const Scene& scene, PairSearch& search, const Team* team) {
-  begin_scene(scene, search);
-  if (!note_moves(scene, team, search)) return false;
+bool update_candidates(const Scene& scene, Real dt, const State& state,
+                       const std::vector<Velocity>& velocity, const Team* team,
+                       PairSearch& search) {
+  begin_scene(scene, state.position.size(), search);
+  if (!follow(scene, dt, state, velocity, team, search)) return false;
   bound_bodies(scene, search);
   find_meetings(scene, search);
   bound_triangles(scene.topology, search);

@@ -6,20 +6,22 @@
 
 namespace stiction {
 
-/// Brings the candidates up to date with `search.predicted`: the pairs of a surface vertex and a
+/// Predicts where the vertices come to in a step of dt (s) with these velocities, `search.predicted`,
+/// and brings the candidates up to date with that: the pairs of a surface vertex and a
 /// body whose tetrahedra it may be in, with those tetrahedra, and balls around the surface
 /// triangles [Verlet1967's neighbour lists].
 ///
 ///   x in tetrahedron, each coordinate of each vertex within s of the reference  ⇒
 ///   x_reference in the tetrahedron's reference box widened by 2s
 ///
-/// It notes in `search.moved` how far each body has moved since. So the lists of two bodies hold until
+/// It notes in `search.moved` how far each body has moved since, and in `search.path` on which ways. So the lists of two bodies hold until
 /// some vertex of either has moved by more than the skin s along an axis since they were made; until
 /// then a step only tests what they name, and others' are made anew without them. What is found never
 /// depends on when they were made. They are made from the overlap of two bodies' boxes by spatial
 /// hashing, linear in the primitives there; bodies that are apart are not looked at. Returns whether
 /// any were made anew.
-bool update_candidates(const Scene& scene, PairSearch& search, const Team* team = nullptr);
+bool update_candidates(const Scene& scene, Real dt, const State& state,
+                       const std::vector<Velocity>& velocity, const Team* team, PairSearch& search);
 
 /// Lists the triangles near an element to which the group's vertex may be nearest while the lists
 /// hold, as it is in that element:
