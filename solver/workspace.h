@@ -110,6 +110,8 @@ struct PairSearch {
     std::int32_t element;
   };
   std::vector<ElementBox> element_box;
+  std::vector<Box3> element_block;  ///< of several of those in turn
+  std::vector<Box3> vertex_block;   ///< of several surface vertices in turn, at the reference
   SpatialHash hash;
   std::vector<std::int32_t> candidate_place;
 

@@ -96,6 +96,18 @@ bool follow(const Scene& scene, Real dt, const State& state, const std::vector<V
   return any;
 }
 
+// So many surface vertices, or boxes of elements, are asked for by one box around all at first: what is
+// next in number is near in space.
+constexpr std::size_t kBlock = 16;
+
+// The places of a body's vertices in `surface_vertex`.
+std::pair<std::size_t, std::size_t> surface_of(const Scene& scene, const Body& body) {
+  const auto begin = scene.surface_vertex.begin(), end = scene.surface_vertex.end();
+  const auto first = std::lower_bound(begin, end, body.first_vertex);
+  const auto last = std::lower_bound(first, end, body.first_vertex + body.vertex_count);
+  return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
+}
+
 void widen(Box3& box, Real by) {
   box.min().array() -= by;
   box.max().array() += by;
@@ -114,6 +126,20 @@ void bound_bodies(const Scene& scene, PairSearch& search) {
     }
     widen(box, 2 * search.skin);
     search.box[b] = box;
+  }
+  // Blocks that the vertices of two bodies share are made twice, the second time right.
+  search.vertex_block.resize((scene.surface_vertex.size() + kBlock - 1) / kBlock);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto [begin, end] = surface_of(scene, scene.bodies[b]);
+    if (!search.renewed[b] || begin == end) continue;
+    for (std::size_t block = begin / kBlock; block * kBlock < end; ++block) {
+      const std::size_t last = std::min((block + 1) * kBlock, scene.surface_vertex.size());
+      Box3 box;
+      for (std::size_t k = block * kBlock; k < last; ++k) {
+        box.extend(search.reference[static_cast<std::size_t>(scene.surface_vertex[k])]);
+      }
+      search.vertex_block[block] = box;
+    }
   }
 }
 
@@ -155,13 +181,17 @@ void find_meetings(const Scene& scene, PairSearch& search) {
 void bound_elements(const Scene& scene, std::size_t b, PairSearch& search) {
   const Body& body = scene.bodies[b];
   search.element_box.clear();
+  search.element_block.clear();
   for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
     Box3 box;
     for (const std::int32_t v : scene.elements[static_cast<std::size_t>(e)].vertex) {
       box.extend(search.reference[static_cast<std::size_t>(v)]);
     }
     widen(box, 2 * search.skin);
-    if (meet(box, search.overlap[b])) search.element_box.push_back({box, e});
+    if (!meet(box, search.overlap[b])) continue;
+    if (search.element_box.size() % kBlock == 0) search.element_block.emplace_back();
+    search.element_box.push_back({box, e});
+    search.element_block.back().extend(box);
   }
 }
 
@@ -170,22 +200,34 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
   const Body& other = scene.bodies[static_cast<std::size_t>(meeting.other)];
   const bool self = meeting.body == meeting.other;
   search.hash.clear(scene.topology.mean_edge);
-  for (auto vertex = std::lower_bound(scene.surface_vertex.begin(), scene.surface_vertex.end(),
-                                      other.first_vertex);
-       vertex != scene.surface_vertex.end() && *vertex < other.first_vertex + other.vertex_count;
-       ++vertex) {
-    const Vec3& x = search.reference[static_cast<std::size_t>(*vertex)];
-    if (holds(meeting.common, x)) search.hash.add(*vertex, x);
+  Box3 around;  // those vertices
+  const auto [first, last] = surface_of(scene, other);
+  for (std::size_t begin = first, end; begin < last; begin = end) {
+    end = std::min((begin / kBlock + 1) * kBlock, last);
+    if (apart(search.vertex_block[begin / kBlock], meeting.common)) continue;
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::int32_t vertex = scene.surface_vertex[k];
+      const Vec3& x = search.reference[static_cast<std::size_t>(vertex)];
+      if (!holds(meeting.common, x)) continue;
+      search.hash.add(vertex, x);
+      around.extend(x);
+    }
   }
   search.hash.build();
   if (search.hash.empty()) return;
-  for (const PairSearch::ElementBox& in : search.element_box) {
-    if (!meet(in.box, meeting.common)) continue;
+  const auto note_vertices = [&](const PairSearch::ElementBox& in) {
     const auto& corner = scene.elements[static_cast<std::size_t>(in.element)].vertex;
     search.hash.for_each_in(in.box, [&](std::int32_t vertex) {
       if (self && std::count(corner, corner + 4, vertex) > 0) return;
       search.found.push_back({contact_key(vertex, meeting.body), in.element});
     });
+  };
+  const std::size_t count = search.element_box.size();
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    if (apart(search.element_block[begin / kBlock], around)) continue;
+    for (std::size_t k = begin; k < std::min(begin + kBlock, count); ++k) {
+      if (meet(search.element_box[k].box, around)) note_vertices(search.element_box[k]);
+    }
   }
 }
 
