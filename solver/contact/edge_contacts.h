@@ -20,9 +20,9 @@ struct EdgeContact {
   Real weight[4] = {0, 0, 0, 0};  ///< of a's crossing point in it at the start of the step; sum 1
   Vec3 normal = Vec3::Zero();     ///< across both edges, out of b's body, unit
   Real depth = 0.0;               ///< m, ≥ 0; 0 for a contact kept by hysteresis
-  Real inverse_mass = 0.0;        ///< Σ own_weight²/m + Σ weight²/m, 1/kg
-  Real normal_force = 0.0;        ///< fⁿ on edge a, N
   Vec3 friction_force = Vec3::Zero();  ///< f on edge a, N
+  Real normal_force = 0.0;             ///< fⁿ on edge a, N
+  Real inverse_mass = 0.0;             ///< Σ own_weight²/m + Σ weight²/m, 1/kg
 };
 
 /// Edge contacts of one step, in the order of their keys.

@@ -40,6 +40,11 @@ struct InMemory {
   Vec3 slip() const { return side.slip(c, velocity); }
 };
 
+// Writes three numbers and leaves the one behind them.
+STICTION_LANES_INLINE void keep_fourth(const PackedVec3& force, Vec3& place) {
+  force.with_fourth(PackedVec3::load(place.data())).store(place.data());
+}
+
 // The contacts with obstacles, as the sweep sees them.
 template <class Friction>
 struct ObstacleSide {
@@ -88,7 +93,6 @@ class PairSide {
  public:
   using Vector = PackedVec3;
   static constexpr bool kInOrder = false;
-  using Held = HeldVelocities;
 
   PairSide(const Options& options, const Friction& mu, PairContacts& pairs,
            const ContactOrder& contacts_order)
@@ -113,8 +117,7 @@ class PairSide {
     return PackedVec3::load(pairs_[c].friction_force.data());
   }
   STICTION_LANES_INLINE void set_force(std::size_t c, const PackedVec3& force) const {
-    Real* const here = pairs_[c].friction_force.data();
-    force.with_fourth(PackedVec3::load(here)).store(here);
+    keep_fourth(force, pairs_[c].friction_force);
   }
   STICTION_LANES_INLINE PackedVec3 normal(std::size_t c) const {
     return PackedVec3::load(pairs_[c].normal.data());
@@ -152,18 +155,25 @@ template <class Friction>
 struct EdgeSide {
   Real dt;
   Friction mu;
-  EdgeContacts& edges;
+  EdgeContact* edges;
+  std::size_t count;
   const ContactOrder& order;
 
-  using Vector = Vec3;
+  using Vector = PackedVec3;
   static constexpr bool kInOrder = true;
-  std::size_t size() const { return edges.size(); }
+  std::size_t size() const { return count; }
   std::size_t contact(std::size_t place) const { return place; }
   void ask_ahead(std::size_t) const {}
   ContactKey key(std::size_t c) const { return edges[c].key; }
-  const Vec3& force(std::size_t c) const { return edges[c].friction_force; }
-  void set_force(std::size_t c, const Vec3& force) const { edges[c].friction_force = force; }
-  const Vec3& normal(std::size_t c) const { return edges[c].normal; }
+  STICTION_LANES_INLINE PackedVec3 force(std::size_t c) const {
+    return PackedVec3::load(edges[c].friction_force.data());
+  }
+  STICTION_LANES_INLINE void set_force(std::size_t c, const PackedVec3& force) const {
+    keep_fourth(force, edges[c].friction_force);
+  }
+  STICTION_LANES_INLINE PackedVec3 normal(std::size_t c) const {
+    return PackedVec3::load(edges[c].normal.data());
+  }
   Real bound(std::size_t c) const {
     return mu.between(edges[c].vertex[0], edges[c].partner[0]) * edges[c].normal_force;
   }
@@ -173,11 +183,11 @@ struct EdgeSide {
   Vec3 slip(std::size_t c, std::span<const Velocity> velocity) const {
     return slip_of(edges[c], velocity);
   }
-  void push(const Vec3& force, const InMemory<EdgeSide>& held) const {
-    apply_impulse(dt * force, edges[held.c], held.velocity);
+  STICTION_LANES_INLINE HeldEdgeVelocities held(std::size_t c, std::span<Velocity> velocity) const {
+    return HeldEdgeVelocities(edges[c], velocity);
   }
-  InMemory<EdgeSide> held(std::size_t c, std::span<Velocity> velocity) const {
-    return {*this, c, velocity};
+  STICTION_LANES_INLINE void push(const PackedVec3& force, HeldEdgeVelocities& held) const {
+    held.push(dt * force);
   }
 };
 
@@ -360,7 +370,8 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
   const ObstacleSide<Friction> obstacles{scene, mu, options.dt(), workspace.contacts,
                                          workspace.obstacle_order};
   const PairSide<Friction> pairs(options, mu, workspace.pairs, workspace.pair_order);
-  const EdgeSide<Friction> edges{options.dt(), mu, workspace.edges, workspace.edge_order};
+  const EdgeSide<Friction> edges{options.dt(), mu, workspace.edges.data(), workspace.edges.size(),
+                                 workspace.edge_order};
   workspace.ended.resize(obstacles.size());
   workspace.pair_ended.resize(pairs.size());
   workspace.edge_ended.resize(edges.size());

@@ -31,7 +31,9 @@ struct PackedVec3 {
 
   /// From and to a record of four, as one move: what is written in halves and read whole waits.
   STICTION_LANES_INLINE static PackedVec3 load(const void* record) {
-    return PackedVec3(*static_cast<const FourNumbersAnywhere*>(record));
+    // By way of a value: a reference to what lies anywhere would be taken for one to aligned numbers.
+    const FourNumbers numbers = *static_cast<const FourNumbersAnywhere*>(record);
+    return PackedVec3(numbers);
   }
   STICTION_LANES_INLINE void store(void* record) const {
     *static_cast<FourNumbersAnywhere*>(record) = value;

@@ -40,14 +40,24 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
 }
 
 TEST(PackedVec3, GoesToARecordAndBackWhole) {
-  alignas(4 * sizeof(Real)) Real record[5] = {1, 2, 3, 4, 5};
-  const PackedVec3 v = PackedVec3::load(record + 1);  // of numbers, at any place
-  EXPECT_EQ(vector_cast<Vec3>(v), Vec3(2, 3, 4));
-  EXPECT_EQ(vector_cast<Vec3>(v.fourths()), Vec3(5, 5, 5));
-  v.with_fourth(PackedVec3::Zero()).store(record);
-  EXPECT_EQ(record[0], 2);
-  EXPECT_EQ(record[3], 0);
-  EXPECT_EQ(record[4], 5);
+  for (const int width : lane_widths()) {
+    for (std::size_t at = 0; at < 4; ++at) {  // numbers may lie anywhere
+      alignas(4 * sizeof(Real)) Real record[8] = {}, other[8] = {};
+      for (std::size_t k = 0; k < 4; ++k) record[at + k] = Real(2 + k);
+      Vec3 fourths;
+      in_registers(
+          width, [&]() __attribute__((always_inline)) {
+            const PackedVec3 v = PackedVec3::load(record + at);
+            fourths = vector_cast<Vec3>(v.fourths());
+            v.with_fourth(PackedVec3::Zero()).store(other + at);
+          });
+      EXPECT_EQ(fourths, Vec3(5, 5, 5));
+      for (std::size_t k = 0; k < 8; ++k) {
+        const bool inside = k >= at && k < at + 3;
+        EXPECT_EQ(other[k], inside ? Real(2 + k - at) : 0) << k << " of those at " << at;
+      }
+    }
+  }
 }
 
 }  // namespace
