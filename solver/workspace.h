@@ -56,11 +56,13 @@ struct PairSearch {
   Real skin = 0.0;              ///< m
   std::vector<Vec3> reference;  ///< x* that a body's lists were made at, per vertex, m
   std::vector<Real> moved;      ///< per body: bound on |x* − reference| of its vertices, m
-  std::vector<double> path;  ///< per body: bound on the ways of its vertices, one x* to the next, m
-  std::vector<char> renewed;  ///< per body: its lists are made anew in this step
-  std::vector<Box3> box;      ///< per body
-  std::vector<Box3> overlap;  ///< per body: where it can meet others
-  std::vector<int> order;     ///< bodies along x
+  std::vector<double> path;  ///< per body: bound on how far a vertex has gone since its lists, m,
+                             ///< summed from one x* to the next
+  std::vector<Real> farthest, longest;  ///< scratch of those two, per body
+  std::vector<char> renewed;            ///< per body: its lists are made anew in this step
+  std::vector<Box3> box;                ///< per body
+  std::vector<Box3> overlap;            ///< per body: where it can meet others
+  std::vector<int> order;               ///< bodies along x
   struct Candidate {
     ContactKey key;  ///< (vertex, body that it may be in)
     std::int32_t element;
@@ -81,9 +83,9 @@ struct PairSearch {
     std::int32_t candidate_begin, candidate_end;
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
-    std::int32_t misses = 0;            ///< how often no candidate held the vertex since …
-    Real near_reach;  ///< m: up to this distance at the reference `near` names all
-    /// … it was found that none will while the paths of both bodies together are below this, m.
+    std::int32_t misses = 0;  ///< tests in a row that found no candidate to hold the vertex
+    Real near_reach;          ///< m: up to this distance at the reference `near` names all
+    /// While the paths of both bodies together are below this, m, no candidate holds the vertex.
     double clear_until = -std::numeric_limits<double>::infinity();
   };
   std::vector<Group> group;  ///< by key
@@ -181,7 +183,7 @@ struct Workspace {
   FrictionMemory pair_friction;    ///< the memory being written
   EdgeContacts edges;              ///< between crossing edges, of the last step
   FrictionMemory edge_friction;    ///< the memory being written
-  std::vector<ContactStatus> ended, pair_ended, edge_ended;  ///< what contacts did in this step
+  std::vector<ContactStatus> ended, pair_ended, edge_ended;  ///< of `contacts`, `pairs`, `edges`
   ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
   std::vector<Real> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   ContactOrder pair_order, obstacle_order, edge_order;  ///< in which forces act

@@ -32,10 +32,10 @@ void ContactOrder::in_one_chunk(std::size_t contacts) {
   chunk_.assign(contacts > 0 ? 1 : 0, {0, contacts});
   colour_begin_.assign({0, chunk_.size()});
   corner_.clear();
+  contact_.clear();
 }
 
 void ContactOrder::remember(const PairContacts& pairs) {
-  contacts_ = pairs.size();
   corner_.resize(kCorners * pairs.size());
   contact_.resize(pairs.size());
   std::iota(contact_.begin(), contact_.end(), 0);
@@ -60,19 +60,15 @@ bool ContactOrder::is_of(const PairContacts& pairs) const {
 
 void ContactOrder::make(const PairContacts& pairs, std::size_t vertices) {
   if (is_of(pairs) && is_for(pairs.size())) {
-    if (!apart_) part(vertices);
+    if (!apart_) put_apart(vertices);
     return;
   }
+  in_one_chunk(pairs.size());
   remember(pairs);
-  if (pairs.size() < kMany) {
-    chunk_.assign(pairs.empty() ? 0 : 1, {0, pairs.size()});
-    colour_begin_.assign({0, chunk_.size()});
-  } else {
-    colour(vertices);
-  }
+  if (pairs.size() >= kMany) colour(vertices);
 }
 
-void ContactOrder::part(std::size_t vertices) {
+void ContactOrder::put_apart(std::size_t vertices) {
   // So many contacts are put apart among themselves. Far apart is best (friction of 1000 takes 21 ns a
   // contact in the order of their keys, 19 in windows of 16, 16 in those of 256), as long as records
   // wait in a cache near by; else the memory wants them one after the other (100 000: 36 ns, 35, 44).
@@ -81,14 +77,14 @@ void ContactOrder::part(std::size_t vertices) {
   std::int32_t rounds = 0;
   for (const Chunk& chunk : chunk_) {
     for (std::size_t begin = chunk.begin; begin < chunk.end; begin += window) {
-      rounds = part({begin, std::min(begin + window, chunk.end)}, rounds);
+      rounds = put_apart_in({begin, std::min(begin + window, chunk.end)}, rounds);
     }
   }
   apart_ = true;
 }
 
 // Behind so many rounds of other windows; returns those with this one's.
-std::int32_t ContactOrder::part(const Chunk& window, std::int32_t before) {
+std::int32_t ContactOrder::put_apart_in(const Chunk& window, std::int32_t before) {
   round_of_.resize(window.end - window.begin);
   round_begin_.assign(window.end - window.begin + 1, 0);
   std::int32_t last = before;

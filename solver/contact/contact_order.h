@@ -24,8 +24,8 @@ namespace stiction {
 /// solves), so that the processor has several to do at once, none of which waits for the last.
 class ContactOrder {
  public:
-  /// Places [begin, end). They hold the contacts of the same numbers, between bodies each where the
-  /// sequence puts it.
+  /// Places [begin, end), which have the contacts [begin, end) between them: those between bodies
+  /// where `sequence` says, others in their order.
   struct Chunk {
     std::size_t begin = 0, end = 0;
   };
@@ -40,6 +40,8 @@ class ContactOrder {
   /// Of contacts with obstacles, whose colour is the obstacle.
   void make(const OneSidedContacts& contacts);
 
+  /// Whether it was made of contacts between bodies with the same vertices.
+  bool is_of(const PairContacts& pairs) const;
   /// Whether it was made for so many contacts.
   bool is_for(std::size_t contacts) const {
     return !colour_begin_.empty() && contacts == contacts_;
@@ -58,7 +60,7 @@ class ContactOrder {
       const auto* const far =
           reinterpret_cast<const char*>(&contacts[contact(place + kAskedAhead)]);
       ask_for(far);
-      ask_for(far + sizeof(PairContact) / 3);
+      ask_for(far + alignof(PairContact));
     }
 
    private:
@@ -90,10 +92,9 @@ class ContactOrder {
 
  private:
   void remember(const PairContacts& pairs);
-  bool is_of(const PairContacts& pairs) const;
   void colour(std::size_t vertices);
-  void part(std::size_t vertices);
-  std::int32_t part(const Chunk& window, std::int32_t before);
+  void put_apart(std::size_t vertices);
+  std::int32_t put_apart_in(const Chunk& window, std::int32_t before);
 
   std::size_t contacts_ = 0;
   std::vector<Chunk> chunk_;               // colour by colour

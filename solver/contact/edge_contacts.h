@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct EdgeContact {
   Real normal_force = 0.0;             ///< fⁿ on edge a, N
   Real inverse_mass = 0.0;             ///< Σ own_weight²/m + Σ weight²/m, 1/kg
 };
+
+static_assert(offsetof(EdgeContact, depth) == offsetof(EdgeContact, normal) + sizeof(Vec3));
+static_assert(offsetof(EdgeContact, normal_force) ==
+              offsetof(EdgeContact, friction_force) + sizeof(Vec3));
 
 /// Edge contacts of one step, in the order of their keys.
 using EdgeContacts = std::vector<EdgeContact>;

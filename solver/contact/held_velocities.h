@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <utility>
 
+#include "solver/contact/edge_contacts.h"
 #include "solver/contact/pair_contacts.h"
 #include "solver/contact/slip.h"
 #include "solver/lanes/packed_vec3.h"
@@ -77,7 +79,7 @@ class HeldPartners {
   HeldVelocity partner_[4];
 };
 
-/// The velocities that a contact acts on. With the bits of `slip_of` and of sums vertex by vertex.
+/// The velocities that a contact acts on; its vertex is none of its partners. With the bits of `slip_of` and of sums vertex by vertex.
 class HeldVelocities {
  public:
   STICTION_LANES_INLINE HeldVelocities(const PairContact& contact, std::span<Velocity> velocity)

@@ -72,5 +72,43 @@ TEST(HeldVelocities, HaveTheBitsOfThoseInMemory) {
   }
 }
 
+TEST(HeldVelocities, OfEdgesHaveTheBitsOfThoseInMemory) {
+  EdgeContact contact;
+  const std::int32_t corner[] = {5, 0, 3, 1};
+  const Real weight[] = {Real(0.21), Real(0.43), Real(0.43), Real(-0.07)};
+  for (int k = 0; k < 4; ++k) {
+    contact.partner[k] = corner[k];
+    contact.weight[k] = weight[k];
+  }
+  contact.vertex[0] = 4;
+  contact.vertex[1] = 2;
+  contact.own_weight[0] = Real(0.3);
+  contact.own_weight[1] = Real(0.7);
+  contact.normal = Vec3(0.48, -0.6, 0.64);
+  contact.depth = test::kNaN;
+  const Vec3 impulse(kImpulse[0], kImpulse[1], kImpulse[2]);
+  for (const int width : lane_widths()) {
+    std::vector<Velocity> held = some_velocities(), wanted = some_velocities();
+    Vec3 slip = Vec3::Zero();
+    in_registers(
+        width, [&]() __attribute__((always_inline)) {
+          HeldEdgeVelocities velocities(contact, held);
+          slip = vector_cast<Vec3>(velocities.slip());
+          velocities.push(impulse);
+        });
+    EXPECT_EQ(slip, slip_of(contact, wanted));
+    const auto add = [&](std::int32_t vertex, Real share) {
+      Velocity& velocity = wanted[static_cast<std::size_t>(vertex)];
+      velocity.v += share * velocity.inverse_mass * impulse;
+    };
+    for (int k = 0; k < 2; ++k) add(contact.vertex[k], contact.own_weight[k]);
+    for (int k = 0; k < 4; ++k) add(contact.partner[k], -contact.weight[k]);
+    for (std::size_t v = 0; v < held.size(); ++v) {
+      EXPECT_EQ(held[v].v, wanted[v].v) << "vertex " << v << ", width " << width;
+      EXPECT_EQ(held[v].inverse_mass, wanted[v].inverse_mass);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stiction

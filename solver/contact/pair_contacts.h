@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,8 +10,8 @@
 namespace stiction {
 
 /// A two-sided contact: vertex i of one body inside a tetrahedron of another (or, where the scene
-/// asks for it, of its own). One record of three cache lines, two in single precision, of which a
-/// sweep reads one less.
+/// asks for it, of its own). One record of three cache lines, of which a sweep reads two; in single
+/// precision of two.
 struct alignas(64) PairContact {
   std::int32_t vertex = -1;  ///< i
   std::int32_t partner[4] = {
@@ -35,6 +36,10 @@ struct alignas(64) PairContact {
 
   ContactKey key() const { return contact_key(vertex, other); }
 };
+// A vector goes through a register with the number behind it (packed_vec3.h).
+static_assert(offsetof(PairContact, depth) == offsetof(PairContact, normal) + sizeof(Vec3));
+static_assert(offsetof(PairContact, normal_force) ==
+              offsetof(PairContact, friction_force) + sizeof(Vec3));
 static_assert(sizeof(PairContact) == 64 * (sizeof(Real) == sizeof(double) ? 3 : 2));
 
 /// Pair contacts of one step, in the order of their keys.

@@ -177,6 +177,9 @@ class Measure {
                                choice.unexplained - border_ / 3);
     contact.depth -= contact.excess;
     set_partners(triangle, options_, state_, projection, contact);
+    // A vertex on an element that it is a corner of, as one that folds may come to, puts on itself what
+    // it puts on its partners.
+    if (std::count(contact.partner, contact.partner + 4, contact.vertex) > 0) return false;
     contact.inverse_mass = inverse_mass(contact.vertex);
     for (int k = 0; options_.pairs.friction_reaction && k < 4; ++k) {
       contact.inverse_mass +=

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -25,7 +26,7 @@ constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);
 // far above round-off, far below any depth.
 constexpr Real kInside = by_precision(1e-9, 1e-4);
 
-// In skins: farther from every element than this a vertex is in none, whatever rounding adds.
+// In skins: what a vertex must be clear by beyond that, far above the rounding of paths.
 constexpr Real kClear = 1e-3;
 
 // So often no candidate holds a vertex before it is asked how far from all it is, which takes as long
@@ -80,17 +81,20 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
   return found >= 0 && margin > 0.0 && in_last >= -margin ? last : found;
 }
 
-// How far the point is at least from the tetrahedron: above the plane of one of its faces, m; negative
-// inside.
+// How far the point is at least from where it would be held by the tetrahedron: above the plane of one of
+// its faces, less what the test forgives and what rounding adds, m; negative inside.
 Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner) {
   Real most = -std::numeric_limits<Real>::infinity();
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec3 &a = corner[(k + 1) % 4], &b = corner[(k + 2) % 4], &c = corner[(k + 3) % 4];
     const Vec3 normal = (b - a).cross(c - a);
     const Real size = normal.norm(), inwards = normal.dot(corner[k] - a);
-    if (size > 0.0 && inwards != 0.0) {
-      most = std::max(most, (inwards > 0.0 ? -1 : 1) * normal.dot(point - a) / size);
-    }
+    if (!(size > 0.0) || inwards == 0.0) continue;
+    const Real above = (inwards > 0.0 ? -1 : 1) * normal.dot(point - a) / size;
+    const Real length2 = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(),
+                                   (corner[k] - a).squaredNorm(), (point - a).squaredNorm()});
+    const Real rounding = round_off(1e-14) * std::sqrt(length2) * length2 / size;
+    most = std::max(most, above + kOnBoundary * std::abs(inwards) / size - rounding);
   }
   return most;
 }
@@ -147,7 +151,9 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
       }
       search.holds[g] =
           find_element(scene, search, group, persists ? last.element[old] : -1, margin);
-      if (search.holds[g] < 0 && ++group.misses == kMissesToKnow) {
+      if (search.holds[g] >= 0) {
+        group.misses = 0;
+      } else if (++group.misses == kMissesToKnow) {
         group.misses = 0;
         group.clear_until = path + clearance(scene, search, group) - kClear * search.skin;
       }

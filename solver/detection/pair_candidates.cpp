@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "solver/demand.h"
 #include "solver/depth/nearest.h"
@@ -54,10 +55,11 @@ void begin_scene(const Scene& scene, std::size_t vertices, PairSearch& search) {
                      {Vec3::Zero(), std::numeric_limits<Real>::infinity()});
 }
 
-// Largest of what threads tell.
-void raise(std::atomic<Real>& most, Real here) {
-  Real known = most;
-  while (known < here && !most.compare_exchange_weak(known, here)) {
+// The larger of what is known and what a thread tells.
+void raise(Real& most, Real here) {
+  const std::atomic_ref<Real> known(most);
+  Real last = known;
+  while (last < here && !known.compare_exchange_weak(last, here)) {
   }
 }
 
@@ -65,13 +67,16 @@ void raise(std::atomic<Real>& most, Real here) {
 // have moved too far for their lists; false if none has.
 bool follow(const Scene& scene, Real dt, const State& state, const std::vector<Velocity>& velocity,
             const Team* team, PairSearch& search) {
-  bool any = false;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const auto first = static_cast<std::size_t>(scene.bodies[b].first_vertex);
-    std::atomic<Real> farthest = 0.0, longest = 0.0;  // along an axis: since the lists, since last
-    const auto note = [&](std::size_t begin, std::size_t end) {
+  // Along an axis: since the lists, and since the last x*.
+  search.farthest.assign(scene.bodies.size(), 0.0);
+  search.longest.assign(scene.bodies.size(), 0.0);
+  const auto follow_range = [&](std::size_t begin, std::size_t end) {
+    auto b = static_cast<std::size_t>(scene.topology.vertex_body[begin]);
+    for (std::size_t last; begin < end; begin = last, ++b) {
+      const Body& body = scene.bodies[b];
+      last = std::min(end, static_cast<std::size_t>(body.first_vertex + body.vertex_count));
       Real far = 0.0, way = 0.0;
-      for (std::size_t k = first + begin; k < first + end; ++k) {
+      for (std::size_t k = begin; k < last; ++k) {
         const Vec3 x = state.position[k].x + dt * velocity[k].v;
         const Vec3 by = (x - search.reference[k]).cwiseAbs();
         const Vec3 since = (x - search.predicted[k]).cwiseAbs();
@@ -83,15 +88,19 @@ bool follow(const Scene& scene, Real dt, const State& state, const std::vector<V
         }
         far = std::max({far, by.x(), by.y(), by.z()});
       }
-      raise(farthest, far);
-      raise(longest, way);
-    };
-    for_ranges(team, static_cast<std::size_t>(scene.bodies[b].vertex_count), kVerticesToShare,
-               note);
-    search.renewed[b] = farthest > search.skin;
-    search.moved[b] = search.renewed[b] ? 0 : std::sqrt(Real(3)) * farthest;
-    search.path[b] += std::sqrt(3.0) * static_cast<double>(longest);
-    any = any || search.renewed[b];
+      raise(search.farthest[b], far);
+      raise(search.longest[b], way);
+    }
+  };
+  for_ranges(team, state.position.size(), kVerticesToShare, follow_range);
+  bool any = false;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const bool renewed = search.farthest[b] > search.skin;
+    const double way = std::sqrt(3.0) * static_cast<double>(search.longest[b]);
+    search.renewed[b] = renewed;
+    search.moved[b] = renewed ? 0 : std::sqrt(Real(3)) * search.farthest[b];
+    search.path[b] = renewed ? 0 : search.path[b] + way;
+    any = any || renewed;
   }
   return any;
 }
@@ -127,7 +136,7 @@ void bound_bodies(const Scene& scene, PairSearch& search) {
     widen(box, 2 * search.skin);
     search.box[b] = box;
   }
-  // Blocks that the vertices of two bodies share are made twice, the second time right.
+  // Those that hold vertices of two bodies are made twice, to the same.
   search.vertex_block.resize((scene.surface_vertex.size() + kBlock - 1) / kBlock);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto [begin, end] = surface_of(scene, scene.bodies[b]);

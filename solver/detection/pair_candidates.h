@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "solver/scene/scene.h"
 #include "solver/workspace.h"
 
@@ -14,9 +16,10 @@ namespace stiction {
 ///   x in tetrahedron, each coordinate of each vertex within s of the reference  ⇒
 ///   x_reference in the tetrahedron's reference box widened by 2s
 ///
-/// It notes in `search.moved` how far each body has moved since, and in `search.path` on which ways. So the lists of two bodies hold until
-/// some vertex of either has moved by more than the skin s along an axis since they were made; until
-/// then a step only tests what they name, and others' are made anew without them. What is found never
+/// It notes how far each body has moved since, `search.moved`, and how far it has gone to get there,
+/// `search.path`. So the lists of two bodies hold until some vertex of either has moved by more than the
+/// skin s along an axis since they were made; until then a step only tests what they name, and
+/// others' are made anew without them. What is found never
 /// depends on when they were made. They are made from the overlap of two bodies' boxes by spatial
 /// hashing, linear in the primitives there; bodies that are apart are not looked at. Returns whether
 /// any were made anew.

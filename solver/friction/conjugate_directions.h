@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "solver/friction/chunks_of_side.h"
+#include "solver/lanes/packed_vec3.h"
 #include "solver/state.h"
 #include "solver/workspace.h"
 
@@ -28,7 +30,7 @@ STICTION_LANES_INLINE void put(const PackedVec3& force, ForceChange& record) {
 inline void put(const Vec3& force, ForceChange& record) { record.force = force; }
 
 /// Conjugate directions over the sweeps of one step (see conjugate_vector.h), for the contacts of
-/// one kind. `Side` gives access to them, as in friction.cpp.
+/// one kind. `Side` gives access to them, as in friction_phase.h.
 template <class Side>
 class ConjugateSide {
  public:

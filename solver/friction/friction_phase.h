@@ -7,10 +7,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "solver/contact/held_velocities.h"
 #include "solver/contact/slip.h"
@@ -24,8 +28,12 @@
 namespace stiction::friction_phase {
 
 // A side gives access to the contacts of one kind. It has
+//   order, size()             of its contacts, and how many they are
 //   Vector                    what its forces and slips are reckoned in
 //   kInOrder                  whether its contacts come in the order of their keys
+//   contact(place)            which stands there, and ask_ahead(place) for what comes later
+//   key(c), normal(c), bound(c), inverse_mass(c, velocity): Δt w
+//   force(c), set_force(c, f) friction, N
 //   held(c, velocity)         the velocities that a contact acts on, and their slip()
 //   push(force, held)         a force that is held for the step, on them
 //   slip(c, velocity)         where they are only looked at
@@ -366,6 +374,7 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
   if (!workspace.pair_order.is_for(workspace.pairs.size())) {
     workspace.pair_order.make(workspace.pairs, velocity.size());
   }
+  assert(workspace.pair_order.is_of(workspace.pairs));
   workspace.edge_order.in_one_chunk(workspace.edges.size());
   const ObstacleSide<Friction> obstacles{scene, mu, options.dt(), workspace.contacts,
                                          workspace.obstacle_order};

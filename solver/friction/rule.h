@@ -64,6 +64,8 @@ inline bool can_stick(const SlipProblem& problem) {
 //                                           may be left out without a warm start
 //   SlipSolution solve(const SlipProblem&, Real* memory) const
 //   static constexpr bool kConjugate        may be left out; see conjugate_vector.h
-// `solve` is called once a contact and sweep, in the order of the keys.
+// `solve` is called once a contact and sweep, of contacts that share a vertex in the order of their keys,
+// perhaps by several threads at once: it keeps nothing but the memory. As a template that takes
+// SlipProblemOf<Vector> it is faster (stored_vector.h).
 
 }  // namespace stiction

@@ -2,6 +2,7 @@
 #include "solver/response/pair_normal_force.h"
 
 #include "solver/contact/held_velocities.h"
+#include "solver/lanes/lane_width.h"
 #include "solver/response/contact_load.h"
 
 namespace stiction {
@@ -108,8 +109,8 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
   const PairForce force(options, vertices);
   for (EdgeContact& contact : workspace.edges) {
     contact.normal_force = force(contact);
-    apply_impulse(options.dt() * contact.normal_force * contact.normal, contact,
-                  workspace.velocity);
+    const Vec3 impulse = options.dt() * contact.normal_force * contact.normal;
+    HeldEdgeVelocities(contact, workspace.velocity).push(impulse);
   }
   if (!options.pairs.normals_first) {
     for_ranges(workspace.team, pairs.size(), kContactsToShare,
@@ -139,17 +140,6 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
           }
         });
   });
-}
-
-void apply_impulse(const Vec3& impulse, const EdgeContact& contact, std::span<Velocity> velocity) {
-  for (int k = 0; k < 2; ++k) {
-    Velocity& own = velocity[static_cast<std::size_t>(contact.vertex[k])];
-    own.v += contact.own_weight[k] * own.inverse_mass * impulse;
-  }
-  for (int k = 0; k < 4; ++k) {
-    Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
-    other.v -= contact.weight[k] * other.inverse_mass * impulse;
-  }
 }
 
 void apply_normal_force(const Options& options, const PairContact& contact,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
-
 #include "solver/options.h"
 #include "solver/scene/scene.h"
 #include "solver/workspace.h"
@@ -36,9 +34,5 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
 /// alone. The harmonic force is what is transmitted, and needs no halving.
 void apply_normal_force(const Options& options, const PairContact& contact,
                         std::vector<Velocity>& velocity);
-
-/// Puts an impulse (N s) of an edge contact on its edge and the opposite one on its partners. Edge
-/// contacts exist with the harmonic gain alone, which counts a crossing in N_p by its weights.
-void apply_impulse(const Vec3& impulse, const EdgeContact& contact, std::span<Velocity> velocity);
 
 }  // namespace stiction

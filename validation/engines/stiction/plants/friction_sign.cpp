@@ -31,7 +31,9 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
     contact.friction_force = -contact.friction_force;
   }
   for (EdgeContact& contact : workspace.edges) {
-    apply_impulse(-2.0 * dt * contact.friction_force, contact, workspace.velocity);
+    const Vec3 impulse = -2.0 * dt * contact.friction_force;
+    for (int k = 0; k < 2; ++k) push(contact.vertex[k], contact.own_weight[k], impulse);
+    for (int k = 0; k < 4; ++k) push(contact.partner[k], -contact.weight[k], impulse);
     contact.friction_force = -contact.friction_force;
   }
 }
