@@ -68,7 +68,7 @@ struct ObstacleSide {
   std::size_t contact(std::size_t place) const { return place; }
   void ask_ahead(std::size_t) const {}
   ContactKey key(std::size_t c) const { return contacts.key[c]; }
-  const Vec3& force(std::size_t c) const { return contacts.friction_force[c]; }
+  Vec3 force(std::size_t c) const { return contacts.friction_force[c]; }
   void set_force(std::size_t c, const Vec3& force) const { contacts.friction_force[c] = force; }
   const HalfSpace& obstacle(std::size_t c) const {
     return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
