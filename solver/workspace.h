@@ -183,7 +183,8 @@ struct Workspace {
   FrictionMemory pair_friction;    ///< the memory being written
   EdgeContacts edges;              ///< between crossing edges, of the last step
   FrictionMemory edge_friction;    ///< the memory being written
-  std::vector<ContactStatus> ended, pair_ended, edge_ended;  ///< of `contacts`, `pairs`, `edges`
+  /// The statuses being written, of `contacts`, `pairs` and `edges`.
+  std::vector<ContactStatus> ended, pair_ended, edge_ended;
   ConjugateScratch conjugate, pair_conjugate, edge_conjugate;
   std::vector<Real> load;  ///< per vertex: N_p, or Σ h_jp (see pair_normal_force.h)
   ContactOrder pair_order, obstacle_order, edge_order;  ///< in which forces act

@@ -19,11 +19,9 @@ constexpr std::size_t kChunk = 512;
 // Records of fewer, 3 MiB, stay in a second or third cache.
 constexpr std::size_t kFew = 16384;
 
-constexpr std::size_t kCorners = 5;  // of a contact between bodies
-
-std::int32_t corner(const PairContact& contact, std::size_t k) {
-  return k == 0 ? contact.vertex : contact.partner[k - 1];
-}
+// Of a contact between bodies, as they lie in its record: the vertex in front of the partners.
+constexpr std::size_t kCorners = 5;
+static_assert(offsetof(PairContact, partner) == sizeof(std::int32_t));
 
 }  // namespace
 
@@ -42,7 +40,8 @@ void ContactOrder::remember(const PairContacts& pairs) {
   apart_ = false;
   std::int32_t* known = corner_.data();
   for (const PairContact& contact : pairs) {
-    for (std::size_t k = 0; k < kCorners; ++k) *known++ = corner(contact, k);
+    std::memcpy(known, &contact, kCorners * sizeof(std::int32_t));
+    known += kCorners;
   }
 }
 
@@ -50,8 +49,6 @@ bool ContactOrder::is_of(const PairContacts& pairs) const {
   if (corner_.size() != kCorners * pairs.size()) return false;
   const std::int32_t* known = corner_.data();
   for (const PairContact& contact : pairs) {
-    // As one comparison: the vertex stands in front of the partners.
-    static_assert(offsetof(PairContact, partner) == sizeof(std::int32_t));
     if (std::memcmp(known, &contact, kCorners * sizeof(std::int32_t)) != 0) return false;
     known += kCorners;
   }

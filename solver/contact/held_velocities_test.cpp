@@ -45,6 +45,14 @@ void push(const PairContact& contact, const Vec3& impulse, bool react,
   }
 }
 
+void expect_same(const std::vector<Velocity>& held, const std::vector<Velocity>& wanted,
+                 int width) {
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    EXPECT_EQ(held[v].v, wanted[v].v) << "vertex " << v << ", width " << width;
+    EXPECT_EQ(held[v].inverse_mass, wanted[v].inverse_mass);
+  }
+}
+
 TEST(HeldVelocities, HaveTheBitsOfThoseInMemory) {
   const Vec3 impulse(kImpulse[0], kImpulse[1], kImpulse[2]);
   for (const int width : lane_widths()) {
@@ -63,10 +71,7 @@ TEST(HeldVelocities, HaveTheBitsOfThoseInMemory) {
             });
         EXPECT_EQ(slip, slip_of(contact, wanted));
         push(contact, impulse, react, wanted);
-        for (std::size_t v = 0; v < held.size(); ++v) {
-          EXPECT_EQ(held[v].v, wanted[v].v) << "vertex " << v << ", width " << width;
-          EXPECT_EQ(held[v].inverse_mass, wanted[v].inverse_mass);
-        }
+        expect_same(held, wanted, width);
       }
     }
   }
@@ -103,10 +108,7 @@ TEST(HeldVelocities, OfEdgesHaveTheBitsOfThoseInMemory) {
     };
     for (int k = 0; k < 2; ++k) add(contact.vertex[k], contact.own_weight[k]);
     for (int k = 0; k < 4; ++k) add(contact.partner[k], -contact.weight[k]);
-    for (std::size_t v = 0; v < held.size(); ++v) {
-      EXPECT_EQ(held[v].v, wanted[v].v) << "vertex " << v << ", width " << width;
-      EXPECT_EQ(held[v].inverse_mass, wanted[v].inverse_mass);
-    }
+    expect_same(held, wanted, width);
   }
 }
 

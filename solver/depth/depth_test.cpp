@@ -244,6 +244,24 @@ TEST(Depths, TetrahedralWeightsGiveTheVertexItsPlaceAtTheStartOfTheStep) {
   }
 }
 
+// A vertex that is kept above a surface which has folded may be nearest to a face beside itself.
+TEST(Depths, FindNoContactOfAVertexWithAnElementThatItIsACornerOf) {
+  SceneDescription description = test::stacked_cubes(-1.0);  // apart
+  description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};  // what a kept contact may gape by goes by it
+  description.bodies[0].self_collision = true;
+  const Scene scene = build_scene(description);
+  const Topology::Triangle& beside = scene.topology.triangle[0];
+  State start = initial_state(scene);
+  start.pair_geometry.body_key = {contact_key(beside.vertex[0], 0)};
+  start.pair_geometry.element = {beside.element};
+  start.pair_geometry.triangle = {0};
+  for (const PairWeights weights : {PairWeights::kTriangle, PairWeights::kTetrahedron}) {
+    Options options;
+    options.pairs.weights = weights;
+    EXPECT_TRUE(test::Found(scene, options, start).workspace.pairs.empty());
+  }
+}
+
 TEST(Depths, TheLiteralKeyNamesTheTriangle) {
   const Scene scene = build_scene(test::stacked_cubes(0.05));
   Options options;

@@ -16,8 +16,7 @@ namespace stiction {
 ///   x in tetrahedron, each coordinate of each vertex within s of the reference  ⇒
 ///   x_reference in the tetrahedron's reference box widened by 2s
 ///
-/// It notes how far each body has moved since, `search.moved`, and how far it has gone to get there,
-/// `search.path`. So the lists of two bodies hold until some vertex of either has moved by more than the
+/// How far each body has moved since is noted (follow.h). So the lists of two bodies hold until some vertex of either has moved by more than the
 /// skin s along an axis since they were made; until then a step only tests what they name, and
 /// others' are made anew without them. What is found never
 /// depends on when they were made. They are made from the overlap of two bodies' boxes by spatial

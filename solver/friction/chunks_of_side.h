@@ -11,7 +11,7 @@
 namespace stiction::friction_phase {
 
 // Calls work(k, chunk), a lambda that is always inlined, for the chunks of a side's order (see
-// friction_phase.h), compiled for the registers that the side's vectors go through.
+// sides.h), compiled for the registers that the side's vectors go through.
 template <class Side, class Work>
 void for_each_chunk(const Side& side, const Team* team, const Work& work) {
   const int width = std::is_same_v<typename Side::Vector, PackedVec3> ? lane_width() : 0;

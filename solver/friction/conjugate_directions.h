@@ -30,7 +30,7 @@ STICTION_LANES_INLINE void put(const PackedVec3& force, ForceChange& record) {
 inline void put(const Vec3& force, ForceChange& record) { record.force = force; }
 
 /// Conjugate directions over the sweeps of one step (see conjugate_vector.h), for the contacts of
-/// one kind. `Side` gives access to them, as in friction_phase.h.
+/// one kind. `Side` gives access to them, as in sides.h.
 template <class Side>
 class ConjugateSide {
  public:

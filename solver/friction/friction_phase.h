@@ -16,188 +16,15 @@
 #include <utility>
 #include <vector>
 
-#include "solver/contact/held_velocities.h"
-#include "solver/contact/slip.h"
 #include "solver/demand.h"
 #include "solver/friction/catalog.h"
 #include "solver/friction/chunks_of_side.h"
 #include "solver/friction/conjugate_directions.h"
 #include "solver/friction/friction.h"
+#include "solver/friction/sides.h"
 #include "solver/response/pair_normal_force.h"
 
 namespace stiction::friction_phase {
-
-// A side gives access to the contacts of one kind. It has
-//   order, size()             of its contacts, and how many they are
-//   Vector                    what its forces and slips are reckoned in
-//   kInOrder                  whether its contacts come in the order of their keys
-//   contact(place)            which stands there, and ask_ahead(place) for what comes later
-//   key(c), normal(c), bound(c), inverse_mass(c, velocity): Δt w
-//   force(c), set_force(c, f) friction, N
-//   held(c, velocity)         the velocities that a contact acts on, and their slip()
-//   push(force, held)         a force that is held for the step, on them
-//   slip(c, velocity)         where they are only looked at
-
-// What holds one contact's velocities where they are: in memory.
-template <class Side>
-struct InMemory {
-  const Side& side;
-  std::size_t c;
-  std::span<Velocity> velocity;
-
-  Vec3 slip() const { return side.slip(c, velocity); }
-};
-
-// Writes three numbers and leaves the one behind them.
-STICTION_LANES_INLINE void keep_fourth(const PackedVec3& force, Vec3& place) {
-  force.with_fourth(PackedVec3::load(place.data())).store(place.data());
-}
-
-// The contacts with obstacles, as the sweep sees them.
-template <class Friction>
-struct ObstacleSide {
-  const Scene& scene;
-  Friction mu;
-  Real dt;
-  OneSidedContacts& contacts;
-  const ContactOrder& order;
-
-  using Vector = Vec3;
-  static constexpr bool kInOrder = true;
-  std::size_t size() const { return contacts.size(); }
-  std::size_t contact(std::size_t place) const { return place; }
-  void ask_ahead(std::size_t) const {}
-  ContactKey key(std::size_t c) const { return contacts.key[c]; }
-  Vec3 force(std::size_t c) const { return contacts.friction_force[c]; }
-  void set_force(std::size_t c, const Vec3& force) const { contacts.friction_force[c] = force; }
-  const HalfSpace& obstacle(std::size_t c) const {
-    return scene.half_spaces[static_cast<std::size_t>(contacts.obstacle[c])];
-  }
-  const Vec3& normal(std::size_t c) const { return obstacle(c).normal; }
-  Real bound(std::size_t c) const {
-    return mu.against(obstacle(c), contacts.vertex[c], contacts.obstacle[c]) *
-           contacts.normal_force[c];
-  }
-  Real inverse_mass(std::size_t c, std::span<const Velocity> velocity) const {
-    return dt * velocity[static_cast<std::size_t>(contacts.vertex[c])].inverse_mass;
-  }
-  Vec3 slip(std::size_t c, std::span<const Velocity> velocity) const {
-    const Vec3& v = velocity[static_cast<std::size_t>(contacts.vertex[c])].v;
-    return tangential(v - contacts.obstacle_velocity[c], normal(c));
-  }
-  void push(const Vec3& force, const InMemory<ObstacleSide>& held) const {
-    Velocity& own = held.velocity[static_cast<std::size_t>(contacts.vertex[held.c])];
-    own.v += dt * own.inverse_mass * force;
-  }
-  InMemory<ObstacleSide> held(std::size_t c, std::span<Velocity> velocity) const {
-    return {*this, c, velocity};
-  }
-};
-
-// The contacts between bodies. All that a contact needs is in a copy of its own: what is written to
-// records could be anything else as well, for all that the compiler knows.
-template <class Friction>
-class PairSide {
- public:
-  using Vector = PackedVec3;
-  static constexpr bool kInOrder = false;
-
-  PairSide(const Options& options, const Friction& mu, PairContacts& pairs,
-           const ContactOrder& contacts_order)
-      : order(contacts_order),
-        mu_(mu),
-        pairs_(pairs.data()),
-        size_(pairs.size()),
-        sequence_(contacts_order.sequence()),
-        dt_(options.dt()),
-        react_(options.pairs.friction_reaction),
-        bounds_(options.pairs.literal_bound && options.pairs.gain == NormalGain::kPaper &&
-                        options.pairs.post_correction
-                    ? 2
-                    : 1) {}
-
-  std::size_t size() const { return size_; }
-  std::size_t contact(std::size_t place) const { return sequence_.contact(place); }
-  // For what contacts at places after this one will read.
-  void ask_ahead(std::size_t place) const { sequence_.ask_ahead(pairs_, place); }
-  ContactKey key(std::size_t c) const { return pairs_[c].key(); }
-  STICTION_LANES_INLINE PackedVec3 force(std::size_t c) const {
-    return PackedVec3::load(pairs_[c].friction_force.data());
-  }
-  STICTION_LANES_INLINE void set_force(std::size_t c, const PackedVec3& force) const {
-    keep_fourth(force, pairs_[c].friction_force);
-  }
-  STICTION_LANES_INLINE PackedVec3 normal(std::size_t c) const {
-    return PackedVec3::load(pairs_[c].normal.data());
-  }
-  Real bound(std::size_t c) const {
-    return mu_.between(pairs_[c].vertex, pairs_[c].partner[0]) * bounds_ * pairs_[c].normal_force;
-  }
-  Real inverse_mass(std::size_t c, std::span<const Velocity>) const {
-    return dt_ * pairs_[c].inverse_mass;
-  }
-  Vec3 slip(std::size_t c, std::span<const Velocity> velocity) const {
-    return slip_of(pairs_[c], velocity);
-  }
-  STICTION_LANES_INLINE HeldVelocities held(std::size_t c, std::span<Velocity> velocity) const {
-    return HeldVelocities(pairs_[c], velocity);
-  }
-  STICTION_LANES_INLINE void push(const PackedVec3& force, HeldVelocities& held) const {
-    held.push(dt_ * force, react_);
-  }
-
-  const ContactOrder& order;
-
- private:
-  Friction mu_;
-  PairContact* pairs_;
-  std::size_t size_;
-  ContactOrder::Sequence sequence_;
-  Real dt_;
-  bool react_;
-  Real bounds_;  // of friction, in μ fⁿ
-};
-
-// The contacts of crossing edges.
-template <class Friction>
-struct EdgeSide {
-  Real dt;
-  Friction mu;
-  EdgeContact* edges;
-  std::size_t count;
-  const ContactOrder& order;
-
-  using Vector = PackedVec3;
-  static constexpr bool kInOrder = true;
-  std::size_t size() const { return count; }
-  std::size_t contact(std::size_t place) const { return place; }
-  void ask_ahead(std::size_t) const {}
-  ContactKey key(std::size_t c) const { return edges[c].key; }
-  STICTION_LANES_INLINE PackedVec3 force(std::size_t c) const {
-    return PackedVec3::load(edges[c].friction_force.data());
-  }
-  STICTION_LANES_INLINE void set_force(std::size_t c, const PackedVec3& force) const {
-    keep_fourth(force, edges[c].friction_force);
-  }
-  STICTION_LANES_INLINE PackedVec3 normal(std::size_t c) const {
-    return PackedVec3::load(edges[c].normal.data());
-  }
-  Real bound(std::size_t c) const {
-    return mu.between(edges[c].vertex[0], edges[c].partner[0]) * edges[c].normal_force;
-  }
-  Real inverse_mass(std::size_t c, std::span<const Velocity>) const {
-    return dt * edges[c].inverse_mass;
-  }
-  Vec3 slip(std::size_t c, std::span<const Velocity> velocity) const {
-    return slip_of(edges[c], velocity);
-  }
-  STICTION_LANES_INLINE HeldEdgeVelocities held(std::size_t c, std::span<Velocity> velocity) const {
-    return HeldEdgeVelocities(edges[c], velocity);
-  }
-  STICTION_LANES_INLINE void push(const PackedVec3& force, HeldEdgeVelocities& held) const {
-    held.push(dt * force);
-  }
-};
 
 // Moves the memory of the contacts that persist to their new places, both lists being in the order
 // of their keys, and resets it for the others.
@@ -359,9 +186,9 @@ constexpr bool is_conjugate() {
 }
 
 // What a step leaves for the next.
-inline void remember(FrictionMemory& memory, const std::vector<ContactStatus>& ended,
+inline void remember(FrictionMemory& memory, std::vector<ContactStatus>& ended,
                      FrictionMemory& of_state) {
-  memory.status = ended;
+  std::swap(memory.status, ended);
   std::swap(of_state, memory);
 }
 
@@ -379,8 +206,7 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
   const ObstacleSide<Friction> obstacles{scene, mu, options.dt(), workspace.contacts,
                                          workspace.obstacle_order};
   const PairSide<Friction> pairs(options, mu, workspace.pairs, workspace.pair_order);
-  const EdgeSide<Friction> edges{options.dt(), mu, workspace.edges.data(), workspace.edges.size(),
-                                 workspace.edge_order};
+  const EdgeSide<Friction> edges(options.dt(), mu, workspace.edges, workspace.edge_order);
   workspace.ended.resize(obstacles.size());
   workspace.pair_ended.resize(pairs.size());
   workspace.edge_ended.resize(edges.size());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/response/pair_normal_force.h"
 
+#include <span>
+
 #include "solver/contact/held_velocities.h"
 #include "solver/lanes/lane_width.h"
 #include "solver/response/contact_load.h"
@@ -70,6 +72,13 @@ Real paper_force(Real dt, const Vertices& vertices, const PairContact& contact) 
     effective_mass = mass * partner_mass / (c(contact.vertex) * mass + partner_mass);
   }
   return effective_mass * contact.depth / (dt * dt);
+}
+
+// Puts the normal force of a contact on its vertex and, where bodies react, on its partners.
+STICTION_LANES_INLINE void transmit(Real dt, bool react, const PairContact& contact,
+                                    std::span<Velocity> velocity) {
+  const PackedVec3 normal = PackedVec3::load(contact.normal.data());
+  HeldVelocities(contact, velocity).push(dt * contact.normal_force * normal, react);
 }
 
 // fⁿ of a contact.
@@ -144,14 +153,7 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
 
 void apply_normal_force(const Options& options, const PairContact& contact,
                         std::vector<Velocity>& velocity) {
-  const Vec3 impulse = options.dt() * contact.normal_force * contact.normal;
-  Velocity& own = velocity[static_cast<std::size_t>(contact.vertex)];
-  own.v += own.inverse_mass * impulse;
-  if (!corrects(options.pairs)) return;
-  for (int k = 0; k < 4; ++k) {
-    Velocity& other = velocity[static_cast<std::size_t>(contact.partner[k])];
-    other.v -= contact.weight[k] * other.inverse_mass * impulse;
-  }
+  transmit(options.dt(), corrects(options.pairs), contact, velocity);
 }
 
 }  // namespace stiction

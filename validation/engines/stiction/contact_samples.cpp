@@ -100,16 +100,16 @@ std::vector<ContactSample> contact_samples(const Scene& scene, const State& stat
                        .normal_force = contacts.normal_force[c],
                        .friction_force = contacts.friction_force[c].cast<double>(),
                        .slip = tangential(velocity, obstacle.normal).cast<double>(),
-                       .sticks = workspace.ended[c] == ContactStatus::kStick,
+                       .sticks = state.obstacle_friction.status[c] == ContactStatus::kStick,
                        .position = state.position[v].x.cast<double>()});
   }
   for (std::size_t c = 0; c < workspace.pairs.size(); ++c) {
     samples.push_back(
-        sample_of(scene, state, time_step, workspace.pairs[c], workspace.pair_ended[c]));
+        sample_of(scene, state, time_step, workspace.pairs[c], state.pair_friction.status[c]));
   }
   for (std::size_t c = 0; c < workspace.edges.size(); ++c) {
     samples.push_back(
-        sample_of(scene, state, time_step, workspace.edges[c], workspace.edge_ended[c]));
+        sample_of(scene, state, time_step, workspace.edges[c], state.edge_friction.status[c]));
   }
   return samples;
 }

@@ -18,10 +18,9 @@ bool stuck(const FrictionMemory& last, ContactKey key) {
          last.status[static_cast<std::size_t>(found - last.key.begin())] == ContactStatus::kStick;
 }
 
-void keep_sticking(const FrictionMemory& last, FrictionMemory& memory,
-                   std::vector<ContactStatus>& ended) {
+void keep_sticking(const FrictionMemory& last, FrictionMemory& memory) {
   for (std::size_t c = 0; c < memory.key.size(); ++c) {
-    if (stuck(last, memory.key[c])) memory.status[c] = ended[c] = ContactStatus::kStick;
+    if (stuck(last, memory.key[c])) memory.status[c] = ContactStatus::kStick;
   }
 }
 
@@ -36,9 +35,9 @@ void friction_forces(const Scene& scene, const Options& options, State& state,
   const FrictionMemory obstacles = state.obstacle_friction, pairs = state.pair_friction,
                        edges = state.edge_friction;
   unplanted_friction_forces(scene, kept, state, workspace);
-  keep_sticking(obstacles, state.obstacle_friction, workspace.ended);
-  keep_sticking(pairs, state.pair_friction, workspace.pair_ended);
-  keep_sticking(edges, state.edge_friction, workspace.edge_ended);
+  keep_sticking(obstacles, state.obstacle_friction);
+  keep_sticking(pairs, state.pair_friction);
+  keep_sticking(edges, state.edge_friction);
 }
 
 }  // namespace stiction
