@@ -9,9 +9,10 @@
 
 namespace stiction {
 
-/// Four numbers, aligned as one is.
-using FourNumbersAnywhere =
-    Real __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+/// Four numbers, aligned as one is. (Said of an alias, not of its numbers: there, clang aligns it as
+/// the vector.)
+using FourNumbersAnywhere __attribute__((aligned(sizeof(Real)), may_alias)) = FourNumbers;
+static_assert(alignof(FourNumbersAnywhere) == alignof(Real));
 
 /// A vector of three numbers in one register of four; the fourth goes along, whatever it is. What it
 /// gives has the bits of what Vec3 gives.
