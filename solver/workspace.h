@@ -78,15 +78,20 @@ struct PairSearch {
   std::vector<Candidate> candidate;  ///< the same by key, then element
   std::vector<std::int32_t> holds;   ///< of each group: the element that holds its vertex, or −1
   /// The candidates of one key and, once it is in contact, the triangles that may be nearest.
-  struct Group {
+  struct alignas(64) Group {
     ContactKey key;
     std::int32_t candidate_begin, candidate_end;
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
-    std::int32_t misses = 0;  ///< tests in a row that found no candidate to hold the vertex
+    std::int16_t listings = 0;          ///< how often they have been listed since lists were made
+    std::int16_t misses = 0;  ///< tests in a row that found no candidate to hold the vertex
     Real near_reach;          ///< m: up to this distance at the reference `near` names all
     /// While the paths of both bodies together are below this, m, no candidate holds the vertex.
     double clear_until = -std::numeric_limits<double>::infinity();
+    /// … and while they are below this, the vertex's face is still this triangle (depth/staying.h).
+    double stays_until = -std::numeric_limits<double>::infinity();
+    std::int32_t stays_on = -1;
+    std::int32_t stayed = 0;  ///< steps in a row, since that was last asked
   };
   std::vector<Group> group;  ///< by key
   struct Near {

@@ -9,6 +9,7 @@
 #include "solver/depth/consistent_depth.h"
 #include "solver/depth/face_choice.h"
 #include "solver/depth/same_face.h"
+#include "solver/depth/staying.h"
 #include "solver/detection/detect_pairs.h"
 #include "solver/detection/pair_candidates.h"
 #include "solver/hash.h"
@@ -105,10 +106,9 @@ class Measure {
         options_(options),
         state_(state),
         workspace_(workspace),
-        widest_(static_cast<Real>(
-            options.pairs.hysteresis * options.time_step * options.time_step *
-            scene.gravity.at(static_cast<double>(state.step) * options.time_step).norm())),
-        border_(options.pairs.border_margin * scene.topology.mean_edge) {}
+        limits_(scene, options, state) {}
+
+  const OpenLimits& limits() const { return limits_; }
 
   // For what contacts after the c-th will read, of what lies far apart.
   void ask_ahead(const PairContacts& pairs, std::size_t c) const {
@@ -152,11 +152,12 @@ class Measure {
     if (open) {
       // Kept above or below a face, or a hair beyond its border: beyond that it has left.
       if (!projection.nearest.inside &&
-          projection.nearest.distance2 - height * height > border_ * border_) {
+          projection.nearest.distance2 - height * height > limits_.border * limits_.border) {
         return false;
       }
-      if (height >= widest_) return false;
-      if (-height >= widest_ && !goes_on(scene_.topology, x, last, contact.triangle)) return false;
+      if (height >= limits_.gap) return false;
+      if (-height >= limits_.gap && !goes_on(scene_.topology, x, last, contact.triangle))
+        return false;
       contact.element = triangle.element;
       set_corners(scene_.elements, contact);
       contact.depth = std::max(Real(0), -height);
@@ -174,7 +175,7 @@ class Measure {
     }
     if (resting >= 0) found.note_depth(scene_.topology, contact);
     contact.excess = excess_of(scene_.topology, x, state_.pair_geometry, contact, last,
-                               choice.unexplained - border_ / 3);
+                               choice.unexplained - limits_.border / 3);
     contact.depth -= contact.excess;
     set_partners(triangle, options_, state_, projection, contact);
     // A vertex on an element that it is a corner of, as one that folds may come to, puts on itself what
@@ -197,8 +198,7 @@ class Measure {
   const Options& options_;
   const State& state_;
   Workspace& workspace_;
-  Real widest_;  // gap of a contact that is kept, m
-  Real border_;  // how far beyond the border of its face one is kept, m
+  OpenLimits limits_;
 };
 
 std::vector<PairSearch::Group>::iterator first_group(std::vector<PairSearch::Group>& groups,
@@ -233,32 +233,46 @@ class RangeOfDepths {
       measure_.ask_ahead(pairs, c);
       while (group != groups.end() && group->key < contact.key()) ++group;
       const bool known = group != groups.end() && group->key == contact.key();
-      if (known && most_ > 0 && may_stay_on_face(workspace_.search, contact, *group)) {
-        batch_.contact[batch_.count] = &contact;
-        batch_.group[batch_.count] = &*group;
-        if (++batch_.count == most_) measure_batch();
-      } else {
+      if (!(known && most_ > 0 && put_in_batch(contact, *group))) {
         measure_one(contact, known ? &*group : nullptr);
       }
+      if (batch_.count == most_) measure_batch();
     }
     measure_batch();
     return found_;
   }
 
  private:
+  bool put_in_batch(PairContact& contact, PairSearch::Group& group) {
+    const PairSearch& search = workspace_.search;
+    const bool stays = stays_on_face(scene_.topology, options_, search, contact, group);
+    if (!stays && !may_stay_on_face(search, contact, group)) return false;
+    if (stays) {
+      batch_.stays |= 1U << batch_.count;
+      contact.triangle = group.stays_on;
+    }
+    batch_.contact[batch_.count] = &contact;
+    batch_.group[batch_.count] = &group;
+    ++batch_.count;
+    return true;
+  }
+
   void measure_one(PairContact& contact, PairSearch::Group* group) {
     if (!measure_(contact, group, found_)) {
       contact.vertex = kDropped;
       found_.dropped = true;
-    } else if (contact.inverse_mass == 0.0) {
-      found_.immovable = true;
+      return;
+    }
+    if (contact.inverse_mass == 0.0) found_.immovable = true;
+    if (group != nullptr && most_ > 0) {
+      note_staying(scene_.topology, options_, workspace_.search, contact, *group);
     }
   }
 
   void measure_batch() {
     if (batch_.count == 0) return;
-    const unsigned left =
-        measure_on_same_face(scene_, options_, state_, workspace_, width_, batch_);
+    const unsigned left = measure_on_same_face(scene_, options_, state_, workspace_,
+                                               measure_.limits(), width_, batch_);
     for (int k = 0; k < batch_.count; ++k) {
       PairContact& contact = *batch_.contact[k];
       if ((left >> k & 1U) != 0) {
@@ -269,6 +283,7 @@ class RangeOfDepths {
       if (contact.inverse_mass == 0.0) found_.immovable = true;
     }
     batch_.count = 0;
+    batch_.stays = 0;
   }
 
   const Measure& measure_;
@@ -287,9 +302,7 @@ void list_all_nearest(const Topology& topology, const PairContacts& pairs, PairS
   for (const PairContact& contact : pairs) {
     while (group != search.group.end() && group->key < contact.key()) ++group;
     if (group == search.group.end()) return;
-    if (group->key == contact.key() && group->near_element < 0) {
-      list_nearest(topology, contact.element, *group, search);
-    }
+    if (group->key == contact.key()) list_nearest(topology, contact.element, *group, search);
   }
 }
 

@@ -90,9 +90,6 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
 
 bool can_rest_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t vertex,
                  const Vec3& normal) {
-  // Sine of the angle by which an edge may lead behind the plane: surfaces bend, and a face that
-  // is the wrong one stands across.
-  constexpr Real kBehind = 0.5;
   const auto v = static_cast<std::size_t>(vertex);
   for (std::int32_t k = topology.neighbour_begin[v]; k < topology.neighbour_begin[v + 1]; ++k) {
     const Vec3 edge =
@@ -114,9 +111,7 @@ Projection project_on(const Topology& topology, const std::vector<Vec3>& x, cons
 
 Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
                    const Vec3& point, const PairContact& contact, std::int32_t resting) {
-  if (group != nullptr && group->near_element < 0) {
-    list_nearest(topology, contact.element, *group, search);
-  }
+  if (group != nullptr) list_nearest(topology, contact.element, *group, search);
   const bool listed = group != nullptr && group->near_element == contact.element;
   Projection best{{}, -1};
   if (listed) best = project_by_list(topology, search, *group, point, contact, resting);

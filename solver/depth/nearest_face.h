@@ -25,6 +25,10 @@ inline Vec3 outward_normal(const Topology::Triangle& triangle, const std::vector
   return (b - a).cross(c - a).normalized();
 }
 
+/// Sine of the angle by which an edge may lead behind a face's plane: surfaces bend, and a face that
+/// is the wrong one stands across.
+inline constexpr Real kBehind = 0.5;
+
 /// Whether the vertex can rest on a face with this outward normal: its own surface lies before the
 /// face's plane, in so far as the edges of that surface that end at the vertex do.
 bool can_rest_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t vertex,

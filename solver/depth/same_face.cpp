@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstring>
 
+#include "solver/depth/lane_triangle.h"
 #include "solver/depth/nearest_face.h"
+#include "solver/detection/detect_pairs.h"
 #include "solver/lanes/lane_width.h"
 
 namespace stiction {
@@ -17,29 +19,8 @@ struct Step {
   const PairOptions& options;
   const State& state;
   const Workspace& workspace;
+  const OpenLimits& limits;
 };
-
-// A field of the vertices at one vertex a lane.
-template <class Number, class VertexOf>
-STICTION_LANES_INLINE LaneVector<Number> at_vertices(const std::vector<Vec3>& field,
-                                                     const VertexOf& vertex_of) {
-  const Real* record[Number::kCount];
-  for (int lane = 0; lane < Number::kCount; ++lane) {
-    record[lane] = field[static_cast<std::size_t>(vertex_of(lane))].data();
-  }
-  Number columns[3];
-  load_triples(record, columns);
-  return {columns[0], columns[1], columns[2]};
-}
-
-// A scalar product that sums as Eigen does of three numbers: (x + y) + z in double precision, where
-// two go in a register, else x + (y + z).
-template <class Number>
-STICTION_LANES_INLINE Number dot_as_eigen(const LaneVector<Number>& a,
-                                          const LaneVector<Number>& b) {
-  if constexpr (sizeof(Real) == sizeof(double)) return (a.x * b.x + a.y * b.y) + a.z * b.z;
-  return dot(a, b);
-}
 
 // `barycentric` (detect_pairs.h), lane by lane, with its bits.
 template <class Number>
@@ -56,36 +37,6 @@ struct LaneWeights {
     of[2] = dot_as_eigen(ab, cross(ap, ad)) / volume;
     of[3] = dot_as_eigen(ab, cross(ac, ap)) / volume;
     of[0] = Number(Real(1)) - of[1] - of[2] - of[3];
-  }
-};
-
-// `nearest_on_triangle` (nearest.h) of points whose projection falls inside, and `outward_normal`.
-template <class Number>
-struct LaneProjection {
-  typename Number::Mask inside;
-  Number weight[3];
-  Number distance2;
-  LaneVector<Number> normal;
-
-  STICTION_LANES_INLINE LaneProjection(const LaneVector<Number>& p, const LaneVector<Number>& a,
-                                       const LaneVector<Number>& b, const LaneVector<Number>& c) {
-    const Number zero(Real(0)), one(Real(1));
-    const LaneVector<Number> ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const Number d1 = dot_as_eigen(ab, ap), d2 = dot_as_eigen(ac, ap), d3 = dot_as_eigen(ab, bp),
-                 d4 = dot_as_eigen(ac, bp), d5 = dot_as_eigen(ab, cp), d6 = dot_as_eigen(ac, cp);
-    const Number vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    const LaneVector<Number> across = cross(ab, ac);
-    const Number length2 = dot_as_eigen(across, across);
-    // Of none of the corners, of none of the edges; and a number.
-    inside = ((zero < d1) | (zero < d2)) & ((d3 < zero) | (d3 < d4)) & ((d6 < zero) | (d6 < d5)) &
-             (zero < va) & (zero < vb) & (zero < vc) & (zero < length2);
-    const Number sum = va + vb + vc;
-    weight[1] = vb / sum;
-    weight[2] = vc / sum;
-    weight[0] = one - weight[1] - weight[2];
-    const LaneVector<Number> off = weight[0] * a + weight[1] * b + weight[2] * c - p;
-    distance2 = dot_as_eigen(off, off);
-    normal = across / sqrt(length2);
   }
 };
 
@@ -114,86 +65,186 @@ STICTION_LANES_INLINE Lanes<Bytes> inverse_masses(const std::vector<Velocity>& v
   return load_numbers<Bytes>(of);
 }
 
+bool has_corner(const std::int32_t* corner, int count, std::int32_t vertex) {
+  return std::find(corner, corner + count, vertex) != corner + count;
+}
+
+// Measures the contacts of a batch on their own triangles.
+template <int Bytes>
+class Measured {
+ public:
+  using Number = Lanes<Bytes>;
+  using Mask = typename Number::Mask;
+  static constexpr int kCount = Number::kCount;
+
+  STICTION_LANES_INLINE Measured(const Step& step, const FaceBatch& batch)
+      : step_(step),
+        batch_(batch),
+        count_(std::min(batch.count, kCount)),
+        point_(at_vertices<Number>(x(), [&](int lane) { return batch.contact[lane]->vertex; })),
+        face_(triangle_of([&](int lane) { return batch.contact[lane]->triangle; })),
+        normal_(face_.normal()),
+        height_(dot_as_eigen(normal_, point_ - face_.a)),
+        nearest_(point_, face_),
+        distance_(sqrt(nearest_.distance2)) {}
+
+  unsigned all_of_batch() const { return (1U << count_) - 1; }
+
+  // Those that are left, a bit each.
+  STICTION_LANES_INLINE unsigned left() {
+    const PairSearch& search = step_.workspace.search;
+    const Number gap(step_.limits.gap), border2(step_.limits.border * step_.limits.border);
+    const Number off_plane2 = nearest_.distance2 - height_ * height_;
+    unsigned on_itself = 0, open = 0;
+    Real least_width[kCount], moved_by_bodies[kCount];
+    for (int lane = 0; lane < kCount; ++lane) {
+      const PairContact& contact = *batch_.contact[lane];
+      const auto body = static_cast<std::size_t>(contact.other);
+      least_width[lane] = topology().least_width[body];
+      moved_by_bodies[lane] = search.moved[body];
+      open |= unsigned{contact.open} << lane;
+      on_itself |= unsigned{is_on_itself(contact)} << lane;
+    }
+    open_ = Mask::of(open);
+    const Number deepest = Number(kSqueezed) * numbers(least_width);
+    // A number, and one that is not too deep to be sure.
+    const Mask near = (nearest_.distance2 < deepest * deepest) & (height_ <= height_);
+    const Mask kept = open_ & (height_ < gap) & (off_plane2 <= border2);
+    const Mask sure = near & (kept | (nearest_.inside & (~open_ | (height_ < gap))));
+    unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
+
+    const LaneVector<Number> way = point_ - at_vertices<Number>(search.reference, [&](int lane) {
+                                     return batch_.contact[lane]->vertex;
+                                   });
+    const Number rounding = Number(list_rounding(search, 1) - list_rounding(search, 0));
+    const Number moved = sqrt(dot_as_eigen(way, way)) + numbers(moved_by_bodies) +
+                         Number(list_rounding(search, 0)) +
+                         rounding * sqrt(dot_as_eigen(point_, point_));
+    Real distance[kCount], far[kCount];
+    store(distance_, distance);
+    store(moved, far);
+    for (int lane = 0; lane < count_; ++lane) {
+      if (((left | batch_.stays) >> lane & 1U) == 0 &&
+          !is_nearest(search, *batch_.group[lane], batch_.contact[lane]->triangle, distance[lane],
+                      far[lane])) {
+        left |= 1U << lane;
+      }
+    }
+    return left;
+  }
+
+  STICTION_LANES_INLINE void write(unsigned left) {
+    const auto stays = [left](int lane) { return (left >> lane & 1U) == 0; };
+    Number weight[4] = {nearest_.weight[0], nearest_.weight[1], nearest_.weight[2],
+                        Number(Real(0))};
+    for (int lane = 0; lane < count_; ++lane) {
+      if (stays(lane)) set_partners(*batch_.contact[lane]);
+    }
+    if (!of_faces()) {
+      const LaneWeights<Number> weights(start([](const PairContact& c) { return c.vertex; }),
+                                        start([](const PairContact& c) { return c.partner[0]; }),
+                                        start([](const PairContact& c) { return c.partner[1]; }),
+                                        start([](const PairContact& c) { return c.partner[2]; }),
+                                        start([](const PairContact& c) { return c.partner[3]; }));
+      for (int k = 0; k < 4; ++k) weight[k] = weights.of[k];
+    }
+    const std::vector<Velocity>& velocity = step_.workspace.velocity;
+    Number inverse_mass = inverse_masses<Bytes>(velocity, batch_);
+    for (int k = 0; step_.options.friction_reaction && k < 4; ++k) {
+      inverse_mass += weight[k] * weight[k] * inverse_masses<Bytes>(velocity, batch_, k);
+    }
+    FourNumbers plane[kCount], weights[kCount];
+    store_records(normal_.x, normal_.y, normal_.z, depth(), plane);
+    store_records(weight[0], weight[1], weight[2], weight[3], weights);
+    static_assert(offsetof(PairContact, depth) == offsetof(PairContact, normal) + 3 * sizeof(Real));
+    for (int lane = 0; lane < count_; ++lane) {
+      if (!stays(lane)) continue;
+      PairContact& contact = *batch_.contact[lane];
+      std::memcpy(contact.normal.data(), &plane[lane], sizeof plane[lane]);  // and depth
+      std::memcpy(contact.weight, &weights[lane], sizeof weights[lane]);
+      contact.inverse_mass = inverse_mass[lane];
+      contact.excess = 0.0;
+    }
+  }
+
+ private:
+  STICTION_LANES_INLINE Number depth() const {
+    const Number zero(Real(0)), below = -height_;
+    const Number sunk = choose(zero < below, below, zero);
+    return choose(open_, sunk, distance_);
+  }
+
+  // Partners that open contacts and those of triangles get.
+  void set_partners(PairContact& contact) const {
+    if (contact.open) {
+      contact.element = triangle(contact).element;
+      set_corners(step_.scene.elements, contact);
+    }
+    if (!of_faces()) return;
+    for (int k = 0; k < 4; ++k) contact.partner[k] = triangle(contact).vertex[std::min(k, 2)];
+  }
+  // Whether it would be among its own partners.
+  bool is_on_itself(const PairContact& contact) const {
+    if (of_faces()) return has_corner(triangle(contact).vertex, 3, contact.vertex);
+    const std::int32_t element = contact.open ? triangle(contact).element : contact.element;
+    const auto& corner = step_.scene.elements[static_cast<std::size_t>(element)].vertex;
+    return has_corner(&corner[0], 4, contact.vertex);
+  }
+
+  STICTION_LANES_INLINE static Number numbers(const Real* of) {
+    Number all;
+    std::memcpy(&all.value, of, Bytes);
+    return all;
+  }
+  STICTION_LANES_INLINE static void store(const Number& all, Real* to) {
+    std::memcpy(to, &all.value, Bytes);
+  }
+  template <class TriangleOf>
+  STICTION_LANES_INLINE LaneTriangle<Number> triangle_of(const TriangleOf& of) const {
+    const auto corner = [&](int k) __attribute__((always_inline)) {
+      return at_vertices<Number>(x(), [&](int lane) {
+        return topology().triangle[static_cast<std::size_t>(of(lane))].vertex[k];
+      });
+    };
+    return {corner(0), corner(1), corner(2)};
+  }
+  // Of a vertex of each contact, at the start of the step.
+  template <class VertexOf>
+  STICTION_LANES_INLINE LaneVector<Number> start(const VertexOf& vertex_of) const {
+    const Real* record[kCount];
+    for (int lane = 0; lane < kCount; ++lane) {
+      const auto v = static_cast<std::size_t>(vertex_of(*batch_.contact[lane]));
+      record[lane] = reinterpret_cast<const Real*>(&step_.state.position[v]);
+    }
+    Number columns[4];
+    load_records(record, columns);
+    return {columns[0], columns[1], columns[2]};
+  }
+
+  bool of_faces() const { return step_.options.weights == PairWeights::kTriangle; }
+  const Topology& topology() const { return step_.scene.topology; }
+  const std::vector<Vec3>& x() const { return step_.workspace.search.predicted; }
+  const Topology::Triangle& triangle(const PairContact& contact) const {
+    return topology().triangle[static_cast<std::size_t>(contact.triangle)];
+  }
+
+  const Step& step_;
+  const FaceBatch& batch_;
+  int count_;
+  LaneVector<Number> point_;
+  LaneTriangle<Number> face_;
+  LaneVector<Number> normal_;
+  Number height_;
+  LaneNearest<Number> nearest_;
+  Number distance_;
+  Mask open_;
+};
+
 template <int Bytes>
 STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch) {
-  using Number = Lanes<Bytes>;
-  constexpr int kCount = Number::kCount;
-  const Topology& topology = step.scene.topology;
-  const PairOptions& options = step.options;
-  const std::vector<Velocity>& velocity = step.workspace.velocity;
-  const PairSearch& search = step.workspace.search;
-  const auto& triangles = topology.triangle;
-  const int count = std::min(batch.count, kCount);
-  const auto of_triangle = [&](int k) __attribute__((always_inline)) {
-    return at_vertices<Number>(search.predicted, [&](int lane) {
-      return triangles[static_cast<std::size_t>(batch.contact[lane]->triangle)].vertex[k];
-    });
-  };
-  const auto vertex = [&](int lane) { return batch.contact[lane]->vertex; };
-  const LaneVector<Number> point = at_vertices<Number>(search.predicted, vertex);
-  const LaneVector<Number> moved = point - at_vertices<Number>(search.reference, vertex);
-  const LaneProjection<Number> projection(point, of_triangle(0), of_triangle(1), of_triangle(2));
-  const Number distance = sqrt(projection.distance2), moved_by = sqrt(dot_as_eigen(moved, moved)),
-               far = sqrt(dot_as_eigen(point, point));
-  unsigned left = 0;
-  for (int lane = 0; lane < count; ++lane) {
-    const PairContact& contact = *batch.contact[lane];
-    const auto body = static_cast<std::size_t>(contact.other);
-    const Real deepest = kSqueezed * topology.least_width[body];
-    const bool stays =
-        projection.inside[lane] && projection.distance2[lane] < deepest * deepest &&
-        is_nearest(search, *batch.group[lane], contact.triangle, distance[lane],
-                   moved_by[lane] + search.moved[body] + list_rounding(search, far[lane]));
-    if (!stays) left |= 1U << lane;
-  }
-  if (left + 1 == 1U << count) return left;
-
-  Number weight[4];
-  const bool of_faces = options.weights == PairWeights::kTriangle;
-  if (of_faces) {
-    for (int k = 0; k < 3; ++k) weight[k] = projection.weight[k];
-    weight[3] = Number(Real(0));
-    for (int lane = 0; lane < count; ++lane) {
-      if ((left >> lane & 1U) != 0) continue;
-      PairContact& contact = *batch.contact[lane];
-      const auto& corner = triangles[static_cast<std::size_t>(contact.triangle)].vertex;
-      for (int k = 0; k < 4; ++k) contact.partner[k] = corner[std::min(k, 2)];
-    }
-  } else {
-    const auto x = [&](const auto& vertex_of) __attribute__((always_inline)) {
-      const Real* record[kCount];
-      for (int lane = 0; lane < kCount; ++lane) {
-        const auto v = static_cast<std::size_t>(vertex_of(*batch.contact[lane]));
-        record[lane] = reinterpret_cast<const Real*>(&step.state.position[v]);
-      }
-      Number columns[4];
-      load_records(record, columns);
-      return LaneVector<Number>{columns[0], columns[1], columns[2]};
-    };
-    const auto corner = [&](int k) __attribute__((always_inline)) {
-      return x([k](const PairContact& contact) { return contact.partner[k]; });
-    };
-    const LaneWeights<Number> weights(x([](const PairContact& contact) { return contact.vertex; }),
-                                      corner(0), corner(1), corner(2), corner(3));
-    for (int k = 0; k < 4; ++k) weight[k] = weights.of[k];
-  }
-  Number inverse_mass = inverse_masses<Bytes>(velocity, batch);
-  for (int k = 0; options.friction_reaction && k < 4; ++k) {
-    inverse_mass += weight[k] * weight[k] * inverse_masses<Bytes>(velocity, batch, k);
-  }
-
-  FourNumbers plane[kCount], weights[kCount];
-  store_records(projection.normal.x, projection.normal.y, projection.normal.z, distance, plane);
-  store_records(weight[0], weight[1], weight[2], weight[3], weights);
-  static_assert(offsetof(PairContact, depth) == offsetof(PairContact, normal) + 3 * sizeof(Real));
-  for (int lane = 0; lane < count; ++lane) {
-    if ((left >> lane & 1U) != 0) continue;
-    PairContact& contact = *batch.contact[lane];
-    std::memcpy(contact.normal.data(), &plane[lane], sizeof plane[lane]);  // and depth
-    std::memcpy(contact.weight, &weights[lane], sizeof weights[lane]);
-    contact.inverse_mass = inverse_mass[lane];
-    contact.excess = 0.0;
-  }
+  Measured<Bytes> measured(step, batch);
+  const unsigned left = measured.left();
+  if (left != measured.all_of_batch()) measured.write(left);
   return left;
 }
 
@@ -207,11 +258,18 @@ STICTION_TARGET_8 unsigned measure_8(const Step& step, const FaceBatch& batch) {
 
 }  // namespace
 
+OpenLimits::OpenLimits(const Scene& scene, const Options& options, const State& state)
+    : gap(static_cast<Real>(
+          options.pairs.hysteresis * options.time_step * options.time_step *
+          scene.gravity.at(static_cast<double>(state.step) * options.time_step).norm())),
+      border(options.pairs.border_margin * scene.topology.mean_edge) {}
+
 unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, const State& state,
-                              const Workspace& workspace, int width, FaceBatch& batch) {
+                              const Workspace& workspace, const OpenLimits& limits, int width,
+                              FaceBatch& batch) {
   std::fill(batch.contact + batch.count, batch.contact + kMostLanes, batch.contact[0]);
   std::fill(batch.group + batch.count, batch.group + kMostLanes, batch.group[0]);
-  const Step step{scene, options, state, workspace};
+  const Step step{scene, options, state, workspace, limits};
   return width == 8   ? measure_8(step, batch)
          : width == 4 ? measure_4(step, batch)
                       : measure_2(step, batch);

@@ -3,25 +3,46 @@
 
 #include "solver/contact/pair_contacts.h"
 #include "solver/contact/pair_options.h"
+#include "solver/detection/pair_candidates.h"
 #include "solver/lanes/lanes.h"
+#include "solver/options.h"
 #include "solver/scene/scene.h"
+#include "solver/state.h"
 #include "solver/workspace.h"
 
 namespace stiction {
+
+/// How far a contact that has opened may stand from its face, m.
+struct OpenLimits {
+  Real gap;     ///< above it
+  Real border;  ///< beyond its border
+  OpenLimits(const Scene& scene, const Options& options, const State& state);
+};
 
 /// Contacts that may have stayed on their face of the last step, to be measured side by side.
 struct FaceBatch {
   int count = 0;
   PairContact* contact[kMostLanes];
   PairSearch::Group* group[kMostLanes];  ///< of the contact's key
+  unsigned stays = 0;                    ///< those whose triangle is known, a bit each
 };
 
-/// Whether it belongs in a batch: inside an element that the triangles near it are listed of, with a
-/// triangle of the last step, to which no other was as near when the list was made: a vertex over a
-/// corner or an edge has several.
+/// Whether it is known which triangle `choose_face` chooses, of those near the contact's element: that
+/// of the last step, or where it doesn't look at that, the one that was found (staying.h).
+inline bool stays_on_face(const Topology& topology, const PairOptions& options,
+                          const PairSearch& search, const PairContact& contact,
+                          const PairSearch::Group& group) {
+  const bool looks_back = options.face == PairFace::kOpposed || options.tie_margin > 0.0;
+  return group.stays_on >= 0 && group.near_element == contact.element &&
+         (contact.triangle == group.stays_on || (contact.triangle < 0 && !looks_back)) &&
+         paths(topology, search, group.key) < group.stays_until;
+}
+
+/// Whether no other triangle was as near as that of the last step when those near the contact's element
+/// were listed. (Of a vertex over a corner or an edge others were.)
 inline bool may_stay_on_face(const PairSearch& search, const PairContact& contact,
                              const PairSearch::Group& group) {
-  if (contact.open || contact.triangle < 0 || group.near_element != contact.element) return false;
+  if (contact.triangle < 0 || group.near_element != contact.element) return false;
   const std::int32_t listed = group.near_end - group.near_begin;
   if (listed == 0) return false;
   const PairSearch::Near* const near = &search.near[static_cast<std::size_t>(group.near_begin)];
@@ -30,11 +51,13 @@ inline bool may_stay_on_face(const PairSearch& search, const PairContact& contac
          (listed == 1 || near[1].distance - near[0].distance > 2 * search.moved[body]);
 }
 
-/// Measures those of a batch, one at least, whose point falls inside their triangle of the last step, none being as
-/// near: depth, normal, weights and inverse mass, as `depths` does one at a time, to the bit. Returns
-/// the rest, a bit each: it has left them as they were. `width`: of registers, in doubles
+/// Measures those of a batch, one at least, that stay on their triangle of the last step, or to which no other is
+/// as near: depth, normal, weights and inverse mass, as `depths` does one at a time, to the bit. Returns the rest,
+/// a bit each: it has left them as they were; so are those that are too deep to be sure, that have left, and those
+/// whose vertex is beside the triangle, for which it matters by which others it is. `width`: of registers, in doubles
 /// (lane_width.h), at least the number in the batch.
 unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, const State& state,
-                              const Workspace& workspace, int width, FaceBatch& batch);
+                              const Workspace& workspace, const OpenLimits& limits, int width,
+                              FaceBatch& batch);
 
 }  // namespace stiction

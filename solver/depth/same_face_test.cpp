@@ -4,20 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "solver/lanes/lane_width.h"
 #include "solver/testing/test_pairs.h"
 
 namespace stiction {
 namespace {
-
-auto numbers_of(const PairContact& c) {
-  const auto& [p, w, n] = std::tie(c.partner, c.weight, c.normal);
-  return std::tuple(std::tuple(c.vertex, c.triangle, c.element, p[0], p[1], p[2], p[3]),
-                    std::tuple(w[0], w[1], w[2], w[3], c.inverse_mass, c.excess),
-                    std::tuple(n.x(), n.y(), n.z(), c.depth));
-}
 
 // A jittered block that slides over another, some steps on; their contacts as detection leaves them.
 struct Sliding {
@@ -75,7 +67,7 @@ TEST_P(SameFace, InABatchHasTheBitsOfOneAtATime) {
   ASSERT_GT(alone.size(), 50u);
   ASSERT_EQ(alone.size(), together.size());
   for (std::size_t c = 0; c < alone.size(); ++c) {
-    EXPECT_EQ(numbers_of(alone[c]), numbers_of(together[c])) << c;
+    EXPECT_EQ(test::numbers_of(alone[c]), test::numbers_of(together[c])) << c;
   }
 }
 
@@ -83,14 +75,16 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
   const auto [weights, reaction] = GetParam();
   Sliding sliding(weights, reaction);
   const PairContacts alone = sliding.measured(true);
+  const OpenLimits limits(sliding.scene, sliding.options, sliding.state);
   std::vector<PairSearch::Group>& groups = sliding.workspace.search.group;
   for (const int width : lane_widths()) {
     PairContacts pairs = sliding.workspace.pairs;
     std::size_t measured = 0, asked = 0;
     FaceBatch batch;
     const auto measure = [&] {
-      const unsigned left = measure_on_same_face(sliding.scene, sliding.options.pairs,
-                                                 sliding.state, sliding.workspace, width, batch);
+      const unsigned left =
+          measure_on_same_face(sliding.scene, sliding.options.pairs, sliding.state,
+                               sliding.workspace, limits, width, batch);
       for (int k = 0; k < batch.count; ++k) {
         const auto was = std::find_if(alone.begin(), alone.end(), [&](const PairContact& one) {
           return one.key() == batch.contact[k]->key();
@@ -98,7 +92,7 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
         const bool done = (left >> k & 1U) == 0;
         measured += done;
         if (!done) continue;
-        EXPECT_EQ(numbers_of(*batch.contact[k]), numbers_of(*was)) << "width " << width;
+        EXPECT_EQ(test::numbers_of(*batch.contact[k]), test::numbers_of(*was)) << "width " << width;
       }
       asked += static_cast<std::size_t>(batch.count);
       batch.count = 0;
@@ -128,14 +122,16 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
   Sliding sliding(PairWeights::kTetrahedron, true);
   PairContacts pairs = sliding.workspace.pairs;
   PairSearch& search = sliding.workspace.search;
+  const OpenLimits limits(sliding.scene, sliding.options, sliding.state);
   std::size_t tried = 0;
   for (PairContact& contact : pairs) {
     const auto group =
         std::find_if(search.group.begin(), search.group.end(),
                      [&](const PairSearch::Group& one) { return one.key == contact.key(); });
-    if (group == search.group.end() || !may_stay_on_face(search, contact, *group)) continue;
+    if (group == search.group.end() || !may_stay_on_face(sliding.workspace.search, contact, *group))
+      continue;
     ++tried;
-    const auto before = numbers_of(contact);
+    const auto before = test::numbers_of(contact);
     Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];
     const Vec3 was = point;
     FaceBatch batch;
@@ -147,9 +143,9 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
       point = elsewhere;
       for (const int width : lane_widths()) {
         EXPECT_EQ(measure_on_same_face(sliding.scene, sliding.options.pairs, sliding.state,
-                                       sliding.workspace, width, batch),
+                                       sliding.workspace, limits, width, batch),
                   1u);
-        EXPECT_EQ(numbers_of(contact), before);
+        EXPECT_EQ(test::numbers_of(contact), before);
       }
     }
     point = was;

@@ -114,13 +114,6 @@ Real clearance(const Scene& scene, const PairSearch& search, const PairSearch::G
   return least;
 }
 
-// Of the two bodies of a key, m.
-double paths(const Topology& topology, const PairSearch& search, ContactKey key) {
-  const auto own = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
-  return search.path[static_cast<std::size_t>(own)] +
-         search.path[static_cast<std::size_t>(second_of(key))];
-}
-
 // Tests the candidates of all groups.
 void find_elements(const Scene& scene, const PairGeometry& last, Real margin, const Team* team,
                    PairSearch& search) {

@@ -295,6 +295,8 @@ void group_candidates(const Topology& topology, PairSearch& search) {
       group.near_end = static_cast<std::int32_t>(search.near.size());
       group.near_element = old->near_element;
       group.near_reach = old->near_reach;
+      group.stays_until = old->stays_until;
+      group.stays_on = old->stays_on;
     }
     search.group.push_back(group);
   }
@@ -318,6 +320,8 @@ bool update_candidates(const Scene& scene, Real dt, const State& state,
 
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
                   PairSearch& search) {
+  if (group.near_element == element || group.listings == kMostListings) return;
+  ++group.listings;
   const Real moves = std::sqrt(Real(3)) * search.skin;
   const Vec3& x = search.reference[static_cast<std::size_t>(first_of(group.key))];
   const auto e = static_cast<std::size_t>(element);
@@ -352,6 +356,7 @@ void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Gr
             [](const PairSearch::Near& a, const PairSearch::Near& b) {
               return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
             });
+  group.stays_on = -1;
   group.near_element = element;
   group.near_reach = farthest;
   group.near_begin = static_cast<std::int32_t>(first);

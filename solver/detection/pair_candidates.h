@@ -25,14 +25,24 @@ namespace stiction {
 bool update_candidates(const Scene& scene, Real dt, const State& state,
                        const std::vector<Velocity>& velocity, const Team* team, PairSearch& search);
 
+/// Paths of the two bodies of a key together, m.
+inline double paths(const Topology& topology, const PairSearch& search, ContactKey key) {
+  const auto own = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
+  return search.path[static_cast<std::size_t>(own)] +
+         search.path[static_cast<std::size_t>(second_of(key))];
+}
+
 /// Lists the triangles near an element to which the group's vertex may be nearest while the lists
 /// hold, as it is in that element:
 ///
 ///   d ≤ D + 4√3 s
 ///
 /// with the distance d of the triangle and D of the nearest one at the reference; vertex and
-/// triangles each move by at most √3 s. Lists nothing when no triangle is near the element.
+/// triangles each move by at most √3 s. Lists nothing when no triangle is near the element; nor when
+/// those near it are listed already, or the group's have been listed kMostListings times since lists
+/// were made: a vertex on a joint of elements may change from one to another and back in each step.
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
                   PairSearch& search);
+inline constexpr int kMostListings = 8;
 
 }  // namespace stiction

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "solver/real.h"
@@ -35,6 +36,20 @@ struct LaneRegister<64> {
   using Numbers = Real __attribute__((vector_size(64)));
 };
 
+/// Of `kCount` whole numbers, their bits together.
+template <int kCount, class Flags>
+STICTION_LANES_INLINE auto either(const Flags& flags) {
+  if constexpr (kCount == 2) {
+    return flags[0] | flags[1];
+  } else {
+    return [&]<std::size_t... kLane>(std::index_sequence<kLane...>) __attribute__((always_inline)) {
+      return either<kCount / 2>(__builtin_shufflevector(flags, flags, kLane...) |
+                                __builtin_shufflevector(flags, flags, (kCount / 2 + kLane)...));
+    }
+    (std::make_index_sequence<kCount / 2>());
+  }
+}
+
 /// As many numbers as a register of `Bytes` bytes holds, that go through the same operations side by
 /// side: one formula handles as many elements. Each lane has the bits that a single number would
 /// have, at every width: nothing is fused, and no sum goes across lanes.
@@ -45,7 +60,17 @@ struct Lanes {
 
   /// Where something holds, lane by lane.
   struct Mask {
-    decltype(Register{} < Register{}) value;
+    using Flags = decltype(Register{} < Register{});
+    Flags value;
+
+    /// From and to a bit a lane, that of lane 0 the lowest.
+    STICTION_LANES_INLINE static Mask of(unsigned bits) {
+      using Flag = std::remove_reference_t<decltype(Flags{}[0])>;
+      return {((Flags{} + static_cast<Flag>(bits)) & bit_of_lane().value) != Flags{}};
+    }
+    STICTION_LANES_INLINE unsigned bits() const {
+      return static_cast<unsigned>(either<kCount>(value & bit_of_lane().value));
+    }
 
     STICTION_LANES_INLINE friend Mask operator&(const Mask& a, const Mask& b) {
       return {a.value & b.value};
@@ -53,13 +78,20 @@ struct Lanes {
     STICTION_LANES_INLINE friend Mask operator|(const Mask& a, const Mask& b) {
       return {a.value | b.value};
     }
-    STICTION_LANES_INLINE friend bool all(const Mask& where) { return where.count() == kCount; }
-    STICTION_LANES_INLINE friend bool none(const Mask& where) { return where.count() == 0; }
+    STICTION_LANES_INLINE Mask operator~() const { return {~value}; }
+    STICTION_LANES_INLINE friend bool all(const Mask& where) {
+      return where.bits() == (1U << kCount) - 1;
+    }
+    STICTION_LANES_INLINE friend bool none(const Mask& where) { return where.bits() == 0; }
     STICTION_LANES_INLINE bool operator[](int lane) const { return value[lane] != 0; }
-    STICTION_LANES_INLINE int count() const {
-      int count = 0;
-      for (int lane = 0; lane < kCount; ++lane) count += value[lane] != 0;
-      return count;
+
+   private:
+    STICTION_LANES_INLINE static Mask bit_of_lane() {
+      return [&]<std::size_t... kLane>(std::index_sequence<kLane...>)
+          __attribute__((always_inline)) {
+        return Mask{Flags{(1 << kLane)...}};
+      }
+      (std::make_index_sequence<kCount>());
     }
   };
 
@@ -99,6 +131,9 @@ struct Lanes {
   STICTION_LANES_INLINE friend Lanes operator-(const Lanes& a) { return of(-a.value); }
   STICTION_LANES_INLINE friend Mask operator<(const Lanes& a, const Lanes& b) {
     return {a.value < b.value};
+  }
+  STICTION_LANES_INLINE friend Mask operator<=(const Lanes& a, const Lanes& b) {
+    return {a.value <= b.value};
   }
   /// `yes` where it holds, else `no`.
   STICTION_LANES_INLINE friend Lanes choose(const Mask& where, const Lanes& yes, const Lanes& no) {

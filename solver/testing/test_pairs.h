@@ -3,6 +3,8 @@
 
 // Two-sided contacts for the unit tests of the solver.
 
+#include <tuple>
+
 #include "solver/depth/depth.h"
 #include "solver/detection/detect_pairs.h"
 #include "solver/motion/predict.h"
@@ -40,6 +42,14 @@ inline Vec3 momentum(const Scene& scene, const std::vector<Velocity>& velocity) 
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 0; k < velocity.size(); ++k) sum += scene.mass[k] * velocity[k].v;
   return sum;
+}
+
+/// All that `depths` says of a contact, to compare.
+inline auto numbers_of(const PairContact& c) {
+  const auto& [p, w, n] = std::tie(c.partner, c.weight, c.normal);
+  return std::tuple(std::tuple(c.vertex, c.triangle, c.element, p[0], p[1], p[2], p[3]),
+                    std::tuple(w[0], w[1], w[2], w[3], c.inverse_mass, c.excess),
+                    std::tuple(n.x(), n.y(), n.z(), c.depth));
 }
 
 }  // namespace stiction::test

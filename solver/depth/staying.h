@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "solver/contact/pair_options.h"
+#include "solver/depth/nearest_face.h"
+
+namespace stiction {
+
+/// How far vertex and triangles may still move, both together, m, while `choose_face` (face_choice.h)
+/// still chooses the triangle that a contact is on, of those near its element, which must be listed
+/// in its group; negative or 0 where that is not known.
+///
+///   own distance d₀, another triangle's d, margin of a tie m:   ((1 + m) d − d₀)/(2 + m)
+///
+/// since both distances change by no more than is moved. Where the vertex can't rest on the other, but
+/// can on its own, a share of edges and heights by which neither changes: no direction of these turns
+/// by so much.
+Real stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
+                  const PairSearch::Group& group, const PairContact& contact);
+
+/// Keeps count of the steps in which a contact has stayed on its triangle, and after a few of them
+/// asks for how long it will.
+void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
+                  const PairContact& contact, PairSearch::Group& group);
+
+}  // namespace stiction

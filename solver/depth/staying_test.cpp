@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/depth/staying.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "solver/depth/face_choice.h"
+#include "solver/depth/same_face.h"
+#include "solver/detection/pair_candidates.h"
+#include "solver/testing/test_pairs.h"
+
+namespace stiction {
+namespace {
+
+Options quiet() { return {}; }
+
+// Of the paper: the nearest face, whichever it was before.
+Options nearest() {
+  Options options;
+  options.pairs.face = PairFace::kNearest;
+  options.pairs.tie_margin = 0.0;
+  options.pairs.hysteresis = 0.0;
+  options.pairs.border_margin = 0.0;
+  return options;
+}
+
+struct Motion {
+  Vec3 shift;      // of the upper cube from where it stands flush on the lower one, m
+  Vec3 each_step;  // m
+  double tremble;  // m
+};
+
+// A cube stands on another, goes its way and trembles. Each step is measured by what is known of
+// those before, and by asking everything anew. Returns how many contacts were known to stay where
+// their lists alone don't tell.
+std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) {
+  const Scene scene = build_scene(test::stacked_cubes(1e-3, motion.shift));
+  const Body& upper = scene.bodies[1];
+  Options options = base;
+  options.time_step = 0.1 * scene.stable_time_step;
+  State state = initial_state(scene);
+  Workspace kept;
+  kept.velocity = state.velocity;
+  std::size_t known = 0;
+  for (unsigned k = 0; k < 300; ++k) {
+    const Eigen::Matrix3Xd noise = test::noise(scene.vertex_count(), motion.tremble, 40 + k);
+    for (int v = 0; v < scene.vertex_count(); ++v) {
+      const Vec3 way = v < upper.first_vertex ? Vec3::Zero() : Vec3(k * motion.each_step);
+      state.position[static_cast<std::size_t>(v)].x =
+          (scene.rest_position.col(v) + noise.col(v)).cast<Real>() + way;
+    }
+    detect_pairs(scene, options, state, kept);
+    for (const PairContact& contact : kept.pairs) {
+      const auto group =
+          std::find_if(kept.search.group.begin(), kept.search.group.end(),
+                       [&](const PairSearch::Group& one) { return one.key == contact.key(); });
+      if (group == kept.search.group.end()) continue;
+      known += stays_on_face(scene.topology, options.pairs, kept.search, contact, *group) &&
+               !may_stay_on_face(kept.search, contact, *group);
+    }
+    Workspace asked = kept;
+    for (PairSearch::Group& group : asked.search.group) group.stays_on = -1;
+    State one_at_a_time = state;
+    one_at_a_time.pair_geometry.excess.assign(1, {contact_key(1 << 20, 1 << 20), 0.0});
+    depths(scene, options, one_at_a_time, asked);
+    depths(scene, options, state, kept);
+    const bool same = std::equal(asked.pairs.begin(), asked.pairs.end(), kept.pairs.begin(),
+                                 kept.pairs.end(), [](const auto& one, const auto& other) {
+                                   return test::numbers_of(one) == test::numbers_of(other);
+                                 });
+    EXPECT_TRUE(same) << "step " << k;
+    if (!same) break;
+    remember_pairs(kept.pairs, scene.topology, state.pair_geometry);
+  }
+  return known;
+}
+
+TEST(Staying, IsKnownOfCubesThatStandAndTremble) {
+  for (const Options& options : {quiet(), nearest()}) {
+    std::size_t known = 0;
+    for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(0.21, 0.13, 0), Vec3(1e-4, 0, 0)}) {
+      for (const double tremble : {0.0, 1e-12, 1e-9}) {
+        SCOPED_TRACE(testing::Message() << shift.transpose() << ", " << tremble);
+        known += expect_what_asking_finds(options, {shift, Vec3::Zero(), tremble});
+      }
+    }
+    EXPECT_GT(known, 10000u);
+  }
+}
+
+TEST(Staying, EndsInTimeWhereACubeGoesOverEdgesAndCorners) {
+  for (const Options& options : {quiet(), nearest()}) {
+    std::size_t known = 0;
+    for (const Vec3& way : {Vec3(1e-6, 0, 0), Vec3(2e-5, 1e-5, 0), Vec3(-3e-4, 1e-4, 1e-6),
+                            Vec3(0, 0, 1e-5), Vec3(4e-3, -3e-3, 0), Vec3(1e-4, 0, -1e-4)}) {
+      for (const double tremble : {0.0, 1e-7, 1e-5}) {
+        SCOPED_TRACE(testing::Message() << way.transpose() << ", " << tremble);
+        known += expect_what_asking_finds(options, {Vec3(-0.004, 0.003, 0), way, tremble});
+      }
+    }
+    EXPECT_GT(known, 10000u);
+  }
+}
+
+// A cube that stands on a corner or an edge of its, somewhere near the rim of a rough one.
+Scene tumbled(unsigned seed) {
+  SceneDescription description = test::stacked_cubes(0.0, Vec3::Zero());
+  const Eigen::Matrix3Xd random = test::noise(3, 1.0, seed);
+  Eigen::Matrix3Xd& upper = description.bodies[1].mesh.vertices;
+  const Eigen::Vector3d centre = upper.rowwise().mean();
+  const Eigen::Matrix3d turned =
+      Eigen::AngleAxisd(3.14 * random(0, 0), random.col(1).normalized()).toRotationMatrix();
+  upper = (turned * (upper.colwise() - centre)).eval();
+  Eigen::Index lowest = 0;
+  upper.row(2).minCoeff(&lowest);
+  const Eigen::Vector3d foot(0.02 * random(0, 2), 0.5 + 0.5 * random(1, 2), 0.99);
+  upper.colwise() += (foot - upper.col(lowest)).eval();
+  for (BodyDescription& body : description.bodies) {
+    body.mesh.vertices += test::noise(body.mesh.vertices.cols(), 0.02, 1000 + seed);
+  }
+  return build_scene(description);
+}
+
+// Moves what a bound says may move, in many directions, and asks again.
+TEST(Staying, IsABoundOnWhatMayMove) {
+  std::size_t moved = 0;
+  std::vector<unsigned> seeds(500);
+  std::iota(seeds.begin(), seeds.end(), 0U);
+  // In these the vertex can only just rest on its own face.
+  seeds.insert(seeds.end(), {1202, 10688, 10961, 11734});
+  for (const unsigned seed : seeds) {
+    const Scene scene = tumbled(seed);
+    for (Options options : {quiet(), nearest()}) {
+      options.time_step = 0.1 * scene.stable_time_step;
+      State state = initial_state(scene);
+      Workspace workspace;
+      workspace.velocity = state.velocity;
+      for (int k = 0; k < 3; ++k) {
+        detect_pairs(scene, options, state, workspace);
+        depths(scene, options, state, workspace);
+        remember_pairs(workspace.pairs, scene.topology, state.pair_geometry);
+      }
+      PairContacts found = workspace.pairs;
+      detect_pairs(scene, options, state, workspace);
+      PairSearch& search = workspace.search;
+      for (PairContact& contact : workspace.pairs) {
+        const auto group =
+            std::find_if(search.group.begin(), search.group.end(),
+                         [&](const PairSearch::Group& one) { return one.key == contact.key(); });
+        const auto was = std::find_if(found.begin(), found.end(), [&](const PairContact& one) {
+          return one.key() == contact.key();
+        });
+        if (was == found.end() || group->near_element != contact.element) continue;
+        if (contact.triangle < 0) contact.triangle = was->triangle;
+        const Real within = std::min(
+            stays_within(scene.topology, options.pairs, search, *group, contact), search.skin);
+        if (!(within > 0.0)) continue;
+        for (unsigned k = 0; k < 60; ++k) {
+          PairSearch other = search;
+          const Eigen::Matrix3Xd way =
+              test::noise(scene.vertex_count(), 1.0, 7 + k).colwise().normalized();
+          const Real share = Real(0.5) * (k % 3);  // of the vertex
+          const auto& lower = scene.bodies[static_cast<std::size_t>(contact.other)];
+          const int own = contact.vertex;
+          for (int v = 0; v < scene.vertex_count(); ++v) {
+            const bool of_lower =
+                v >= lower.first_vertex && v < lower.first_vertex + lower.vertex_count;
+            const Real by = Real(0.999) * within * (of_lower ? 1 - share : share);
+            other.predicted[static_cast<std::size_t>(v)] += by * way.col(v).cast<Real>();
+          }
+          other.moved[static_cast<std::size_t>(contact.other)] += within;
+          const Choice choice = choose_face(scene.topology, state, other, nullptr,
+                                            other.predicted[static_cast<std::size_t>(own)], contact,
+                                            options.pairs.tie_margin,
+                                            options.pairs.face == PairFace::kOpposed ? own : -1);
+          ++moved;
+          EXPECT_EQ(choice.projection.triangle, contact.triangle)
+              << "seed " << seed << ", vertex " << own << ", within " << within;
+        }
+      }
+    }
+  }
+  EXPECT_GT(moved, 10000u);
+}
+
+}  // namespace
+}  // namespace stiction
