@@ -144,10 +144,18 @@ struct PairSearch {
     Box3 box;
     std::int32_t edge, body;
   };
-  std::vector<EdgeBox> edge_box;           ///< scratch of the search for edges that cross
-  bool edges_listed = false;               ///< whether the next are of the present lists
-  std::vector<ContactKey> edge_candidate;  ///< pairs of sharp edges, in order
-  std::vector<Vec3> start;                 ///< x_t0 of the vertices at such edges, m
+  std::vector<EdgeBox> edge_box;  ///< scratch of the search for edges that cross
+  bool edges_listed = false;      ///< whether the next are of the present lists
+  /// Two sharp edges that may come to cross.
+  struct EdgePair {
+    ContactKey key;
+    std::uint32_t body_a, body_b;
+    /// While the paths of both bodies together are below this, m, they can't touch (edge_pair.h).
+    double apart_until = -std::numeric_limits<double>::infinity();
+    int misses = 0;  ///< steps in a row in which they couldn't
+  };
+  std::vector<EdgePair> edge_candidate;  ///< in the order of their keys
+  std::vector<Vec3> start;               ///< x_t0 of the vertices at such edges, m
   /// A sharp edge as it lies at the predicted positions of a step: made once, for all its crossings.
   struct EdgeFrame {
     Real length;   ///< m

@@ -65,8 +65,11 @@ STICTION_LANES_INLINE Lanes<Bytes> inverse_masses(const std::vector<Velocity>& v
   return load_numbers<Bytes>(of);
 }
 
-bool has_corner(const std::int32_t* corner, int count, std::int32_t vertex) {
-  return std::find(corner, corner + count, vertex) != corner + count;
+template <int kCorners>
+bool has_corner(const std::int32_t* corner, std::int32_t vertex) {
+  bool has = false;
+  for (int k = 0; k < kCorners; ++k) has |= corner[k] == vertex;
+  return has;
 }
 
 // Measures the contacts of a batch on their own triangles.
@@ -183,12 +186,12 @@ class Measured {
     if (!of_faces()) return;
     for (int k = 0; k < 4; ++k) contact.partner[k] = triangle(contact).vertex[std::min(k, 2)];
   }
-  // Whether it would be among its own partners.
+  // Whether it would be among its own partners. (Detection left those of its element.)
   bool is_on_itself(const PairContact& contact) const {
-    if (of_faces()) return has_corner(triangle(contact).vertex, 3, contact.vertex);
-    const std::int32_t element = contact.open ? triangle(contact).element : contact.element;
-    const auto& corner = step_.scene.elements[static_cast<std::size_t>(element)].vertex;
-    return has_corner(&corner[0], 4, contact.vertex);
+    if (of_faces()) return has_corner<3>(triangle(contact).vertex, contact.vertex);
+    if (!contact.open) return has_corner<4>(contact.partner, contact.vertex);
+    const auto element = static_cast<std::size_t>(triangle(contact).element);
+    return has_corner<4>(&step_.scene.elements[element].vertex[0], contact.vertex);
   }
 
   STICTION_LANES_INLINE static Number numbers(const Real* of) {
@@ -270,6 +273,8 @@ unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, co
   std::fill(batch.contact + batch.count, batch.contact + kMostLanes, batch.contact[0]);
   std::fill(batch.group + batch.count, batch.group + kMostLanes, batch.group[0]);
   const Step step{scene, options, state, workspace, limits};
+  // Each width gives the same bits: no wider than for what there is.
+  while (width > 2 && batch.count <= lanes_of(width / 2)) width /= 2;
   return width == 8   ? measure_8(step, batch)
          : width == 4 ? measure_4(step, batch)
                       : measure_2(step, batch);

@@ -11,9 +11,6 @@ namespace stiction {
 
 namespace {
 
-// It takes longer to ask than to choose a face.
-constexpr std::int32_t kStepsToAsk = 4;
-
 // Where edges and heights of triangles change by less than this share each, directions turn by less
 // than kTurns, rad: an edge by asin(2σ), a triangle's normal by asin(2σ/(1 − 2σ)).
 constexpr Real kShare = 0.02, kTurns = 0.09;

@@ -130,7 +130,7 @@ TEST(Staying, IsABoundOnWhatMayMove) {
   std::size_t moved = 0;
   std::vector<unsigned> seeds(500);
   std::iota(seeds.begin(), seeds.end(), 0U);
-  // In these the vertex can only just rest on its own face.
+  // Of 20000 those in which the vertex can only just rest on its own face.
   seeds.insert(seeds.end(), {1202, 10688, 10961, 11734});
   for (const unsigned seed : seeds) {
     const Scene scene = tumbled(seed);

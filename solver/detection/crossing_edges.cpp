@@ -7,17 +7,12 @@
 
 #include "solver/depth/depth.h"
 #include "solver/detection/detect_pairs.h"
+#include "solver/detection/edge_pair.h"
+#include "solver/detection/pair_candidates.h"
 
 namespace stiction {
 
 namespace {
-
-// Sine of the least angle between edges that cross.
-constexpr Real kParallel = 0.087;
-
-// Sine of the angle by which a face may stand before the plane between the bodies: as for vertices
-// (nearest_face.cpp).
-constexpr Real kBehind = 0.5;
 
 // In mean edges: a crossing that is deeper when it is first seen is one of another kind.
 constexpr Real kDeepest = 1e-2;
@@ -37,24 +32,6 @@ constexpr Real kNearing = 0.3;
 // in it, and as much again for the step before, in which they may have met beyond the corner.
 constexpr Real kJustNow = 2.0;
 
-const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
-  return x[static_cast<std::size_t>(v)];
-}
-
-using EdgeFrame = PairSearch::EdgeFrame;
-
-EdgeFrame frame_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge) {
-  EdgeFrame frame;
-  const Vec3 whole = at(x, edge.vertex[1]) - at(x, edge.vertex[0]);
-  const Vec3 along = whole.normalized();
-  frame.length = whole.norm();
-  for (int face = 0; face < 2; ++face) {
-    const Vec3 to = at(x, edge.opposite[face]) - at(x, edge.vertex[0]);
-    frame.into[face] = (to - along.dot(to) * along).normalized();
-  }
-  return frame;
-}
-
 // The frames of edges, each made when it is first asked for.
 class EdgeFrames {
  public:
@@ -63,7 +40,7 @@ class EdgeFrames {
     search.edge_frame.resize(topology.sharp_edge.size());
     search.edge_framed_at.resize(topology.sharp_edge.size(), 0);
   }
-  const EdgeFrame& operator()(std::int32_t edge) const {
+  const PairSearch::EdgeFrame& operator()(std::int32_t edge) const {
     const auto e = static_cast<std::size_t>(edge);
     if (search_.edge_framed_at[e] != search_.edge_calls) {
       search_.edge_framed_at[e] = search_.edge_calls;
@@ -76,60 +53,6 @@ class EdgeFrames {
   const Topology& topology_;
   PairSearch& search_;
 };
-
-// How far a crossing must be from an edge's end, m, where the edge goes on and where it does not.
-struct EndMargins {
-  Real joint, corner;
-};
-
-// How far the crossing lies beyond such margins of one edge, m; negative outside.
-Real inside_ends(const Topology::SharpEdge& edge, Real length, Real along,
-                 const EndMargins& margins) {
-  const auto margin = [&](int end) { return edge.goes_on[end] ? margins.joint : margins.corner; };
-  return std::min(along * length - margin(0), (1 - along) * length - margin(1));
-}
-
-// The lines of two edges.
-struct LinePair {
-  Vec3 between;  // from the first end of a to that of b, m
-  Vec3 across;   // (edge a) × (edge b), m²
-  Real across2;  // its square, m⁴
-};
-
-// Whether the edges can cross as far as their lines tell, and where: not parallel, not far beyond
-// their ends.
-bool meet(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a, std::int32_t b,
-          LinePair& lines, EdgeCrossing& crossing) {
-  const auto& edge_a = topology.sharp_edge[static_cast<std::size_t>(a)];
-  const auto& edge_b = topology.sharp_edge[static_cast<std::size_t>(b)];
-  const Vec3 u = at(x, edge_a.vertex[1]) - at(x, edge_a.vertex[0]);
-  const Vec3 v = at(x, edge_b.vertex[1]) - at(x, edge_b.vertex[0]);
-  const Vec3 across = u.cross(v);
-  const Real across2 = across.squaredNorm();
-  if (!(across2 > kParallel * kParallel * u.squaredNorm() * v.squaredNorm())) return false;
-  const Vec3 between = at(x, edge_b.vertex[0]) - at(x, edge_a.vertex[0]);
-  crossing.along_a = between.cross(v).dot(across) / across2;
-  crossing.along_b = between.cross(u).dot(across) / across2;
-  lines = {between, across, across2};
-  return !(std::abs(crossing.along_a - Real(0.5)) > 1.0 ||
-           std::abs(crossing.along_b - Real(0.5)) > 1.0);
-}
-
-// … and as far as the faces beside them tell.
-bool face(const LinePair& lines, const EdgeFrame& a, const EdgeFrame& b, EdgeCrossing& crossing) {
-  crossing.normal = lines.across / std::sqrt(lines.across2);
-  if (crossing.normal.dot(b.into[0] + b.into[1]) > 0.0) crossing.normal = -crossing.normal;
-  const auto before = [&](const EdgeFrame& edge, int k) {
-    return crossing.normal.dot(edge.into[k]);
-  };
-  if (std::max(before(b, 0), before(b, 1)) > kBehind) return false;
-  if (crossing.normal.dot(a.into[0] + a.into[1]) <= 0.0 ||
-      std::min(before(a, 0), before(a, 1)) < -kBehind) {
-    return false;
-  }
-  crossing.gap = -crossing.normal.dot(lines.between);
-  return true;
-}
 
 struct Found {
   ContactKey key;
@@ -222,15 +145,6 @@ bool with_edges(const Options& options) {
          options.pairs.gain == NormalGain::kHarmonic;
 }
 
-bool crossing_of(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
-                 std::int32_t b, EdgeCrossing& crossing) {
-  LinePair lines;
-  const auto frame = [&](std::int32_t e) {
-    return frame_of(x, topology.sharp_edge[static_cast<std::size_t>(e)]);
-  };
-  return meet(topology, x, a, b, lines, crossing) && face(lines, frame(a), frame(b), crossing);
-}
-
 void crossing_edges(const Scene& scene, const Options& options, const State& state,
                     Workspace& workspace) {
   const Topology& topology = scene.topology;
@@ -276,7 +190,11 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   };
   const EdgeFrames frame(topology, workspace.search);
   std::vector<Found> found;
-  for (const ContactKey key : workspace.search.edge_candidate) {
+  for (PairSearch::EdgePair& candidate : workspace.search.edge_candidate) {
+    const double path =
+        workspace.search.path[candidate.body_a] + workspace.search.path[candidate.body_b];
+    if (path < candidate.apart_until) continue;
+    const ContactKey key = candidate.key;
     Found pair{key, first_of(key), second_of(key), {}};
     const auto lies_within = [&](const EndMargins& margins) {
       const auto inside = [&](std::int32_t e, Real along) {
@@ -288,8 +206,13 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
     LinePair lines;
     if (!meet(topology, x, pair.a, pair.b, lines, pair.crossing) || !lies_within(lasts) ||
         !face(lines, frame(pair.a), frame(pair.b), pair.crossing)) {
+      if (++candidate.misses == kStepsToAsk) {
+        candidate.misses = 0;
+        candidate.apart_until = path + apart_within(topology, x, pair.a, pair.b, lasts);
+      }
       continue;
     }
+    candidate.misses = 0;
     const Real gap = pair.crossing.gap;
     const auto touches = [&] {
       if (std::binary_search(last.begin(), last.end(), key)) return gap < widest;

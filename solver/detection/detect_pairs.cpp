@@ -29,10 +29,6 @@ constexpr Real kInside = by_precision(1e-9, 1e-4);
 // In skins: what a vertex must be clear by beyond that, far above the rounding of paths.
 constexpr Real kClear = 1e-3;
 
-// So often no candidate holds a vertex before it is asked how far from all it is, which takes as long
-// as the test: where bodies move on before that helps, it is asked in vain.
-constexpr std::int32_t kMissesToKnow = 4;
-
 PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
                        std::int32_t triangle, bool open) {
   PairContact contact;
@@ -146,7 +142,7 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
           find_element(scene, search, group, persists ? last.element[old] : -1, margin);
       if (search.holds[g] >= 0) {
         group.misses = 0;
-      } else if (++group.misses == kMissesToKnow) {
+      } else if (++group.misses == kStepsToAsk) {
         group.misses = 0;
         group.clear_until = path + clearance(scene, search, group) - kClear * search.skin;
       }

@@ -36,11 +36,15 @@ void find_edge_candidates(const Scene& scene, PairSearch& search) {
         continue;
       }
       // Edges are numbered body by body.
-      const auto [a, b] = std::minmax(boxes[i].edge, boxes[j].edge);
-      search.edge_candidate.push_back(contact_key(a, b));
+      const bool in_order = boxes[i].edge < boxes[j].edge;
+      const auto &a = boxes[in_order ? i : j], &b = boxes[in_order ? j : i];
+      search.edge_candidate.push_back({.key = contact_key(a.edge, b.edge),
+                                       .body_a = static_cast<std::uint32_t>(a.body),
+                                       .body_b = static_cast<std::uint32_t>(b.body)});
     }
   }
-  std::sort(search.edge_candidate.begin(), search.edge_candidate.end());
+  std::sort(search.edge_candidate.begin(), search.edge_candidate.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
 }
 
 }  // namespace stiction

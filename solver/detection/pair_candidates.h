@@ -25,6 +25,10 @@ namespace stiction {
 bool update_candidates(const Scene& scene, Real dt, const State& state,
                        const std::vector<Velocity>& velocity, const Team* team, PairSearch& search);
 
+/// So many steps in a row something is as it was before it is asked for how long it will be, which takes
+/// longer than to find it once more: where bodies move on before that helps, it is asked in vain.
+inline constexpr int kStepsToAsk = 4;
+
 /// Paths of the two bodies of a key together, m.
 inline double paths(const Topology& topology, const PairSearch& search, ContactKey key) {
   const auto own = topology.vertex_body[static_cast<std::size_t>(first_of(key))];

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/detection/edge_pair.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace stiction {
+
+namespace {
+
+// Sine of the least angle between edges that cross.
+constexpr Real kParallel = 0.087;
+
+// Sine of the angle by which a face may stand before the plane between the bodies: as for vertices
+// (nearest_face.cpp).
+constexpr Real kBehind = 0.5;
+
+const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
+  return x[static_cast<std::size_t>(v)];
+}
+
+using EdgeFrame = PairSearch::EdgeFrame;
+
+// An edge as a bound on what it may do sees it.
+struct Edge {
+  const Topology::SharpEdge& sharp;
+  const std::vector<Vec3>& x;
+  EdgeFrame frame;
+  Vec3 along;  // unit
+
+  Edge(const Topology& topology, const std::vector<Vec3>& positions, std::int32_t e)
+      : sharp(topology.sharp_edge[static_cast<std::size_t>(e)]),
+        x(positions),
+        frame(frame_of(positions, sharp)),
+        along((end(1) - end(0)) / frame.length) {}
+
+  const Vec3& end(int k) const { return at(x, sharp.vertex[k]); }
+  // Of it and of the triangles beside it, m.
+  Real least_height() const {
+    Real least = frame.length;
+    for (const std::int32_t v : sharp.opposite) {
+      const Vec3 to_end[2] = {end(0) - at(x, v), end(1) - at(x, v)};
+      const Real longest = std::max({frame.length, to_end[0].norm(), to_end[1].norm()});
+      least = std::min(least, to_end[0].cross(to_end[1]).norm() / longest);
+    }
+    return least;
+  }
+};
+
+// While nothing moves by more than a share σ of the edges' lengths, the sine φ of their angle changes by no more than
+// both turn together, 2.02 σ.
+Real parallel_within(Real sine, const Edge& a, const Edge& b) {
+  constexpr Real kShare = 0.01, kChange = 0.03;
+  return sine < kParallel - kChange ? kShare * std::min(a.frame.length, b.frame.length) : 0;
+}
+
+// The crossing stands s from an end of `a`, beyond it by D = −s:
+//
+//   s = w·(û − (û·v̂) v̂) / sin²φ,   w from that end to any point of `b`'s line,   û, v̂ along a, b
+//
+// When all moves by δ, w does, and û and v̂ turn by ε = 2.02 δ/l together, l the shorter edge. With
+// ε ≤ sin φ/10 that moves s by no more than  1.24 δ (1.2 + 4.1 |w|/l + 4.3 |s|/l) / sin²φ.
+Real beyond_within(Real sine, const Edge& a, const Edge& b, Real along, const EndMargins& margins) {
+  constexpr Real kLeastSine = 0.2, kSure = 1.5;
+  if (!(sine > kLeastSine)) return 0;
+  const Real shorter = std::min(a.frame.length, b.frame.length);
+  Real within = 0;
+  for (int k = 0; k < 2; ++k) {
+    const Real s = (k == 0 ? along : 1 - along) * a.frame.length;
+    const Real beyond = (a.sharp.goes_on[k] ? margins.joint : margins.corner) - s;
+    const Real w = (b.end(0) - a.end(k)).norm();
+    const Real moves = kSure * (Real(1.2) * shorter + Real(4.1) * w + Real(4.3) * std::abs(s));
+    within =
+        std::max(within, std::min(beyond * sine * sine * shorter / moves, sine * shorter / 21));
+  }
+  return within;
+}
+
+// While nothing moves by more than 0.02 of all lengths and heights, the normal of both edges turns by
+// less than asin(0.041/sin φ), and the directions into the faces by less than 0.083.
+Real turned_within(Real sine, const Edge& a, const Edge& b) {
+  constexpr Real kLeastSine = 0.5, kShare = 0.02, kChange = 0.2, kChangeOfSum = 0.4;
+  if (!(sine > kLeastSine)) return 0;
+  Vec3 normal = a.along.cross(b.along) / sine;
+  const Real side = normal.dot(b.frame.into[0] + b.frame.into[1]);
+  if (!(std::abs(side) > kChangeOfSum)) return 0;
+  if (side > 0) normal = -normal;
+  const Real of_a[2] = {normal.dot(a.frame.into[0]), normal.dot(a.frame.into[1])};
+  const Real of_b[2] = {normal.dot(b.frame.into[0]), normal.dot(b.frame.into[1])};
+  const bool turned = std::max(of_b[0], of_b[1]) > kBehind + kChange ||
+                      std::min(of_a[0], of_a[1]) < -kBehind - kChange ||
+                      of_a[0] + of_a[1] < -kChangeOfSum;
+  return turned ? kShare * std::min(a.least_height(), b.least_height()) : 0;
+}
+
+}  // namespace
+
+EdgeFrame frame_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge) {
+  EdgeFrame frame;
+  const Vec3 whole = at(x, edge.vertex[1]) - at(x, edge.vertex[0]);
+  const Vec3 along = whole.normalized();
+  frame.length = whole.norm();
+  for (int face = 0; face < 2; ++face) {
+    const Vec3 to = at(x, edge.opposite[face]) - at(x, edge.vertex[0]);
+    frame.into[face] = (to - along.dot(to) * along).normalized();
+  }
+  return frame;
+}
+
+Real inside_ends(const Topology::SharpEdge& edge, Real length, Real along,
+                 const EndMargins& margins) {
+  const auto margin = [&](int end) { return edge.goes_on[end] ? margins.joint : margins.corner; };
+  return std::min(along * length - margin(0), (1 - along) * length - margin(1));
+}
+
+bool meet(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a, std::int32_t b,
+          LinePair& lines, EdgeCrossing& crossing) {
+  const auto& edge_a = topology.sharp_edge[static_cast<std::size_t>(a)];
+  const auto& edge_b = topology.sharp_edge[static_cast<std::size_t>(b)];
+  const Vec3 u = at(x, edge_a.vertex[1]) - at(x, edge_a.vertex[0]);
+  const Vec3 v = at(x, edge_b.vertex[1]) - at(x, edge_b.vertex[0]);
+  const Vec3 across = u.cross(v);
+  const Real across2 = across.squaredNorm();
+  if (!(across2 > kParallel * kParallel * u.squaredNorm() * v.squaredNorm())) return false;
+  const Vec3 between = at(x, edge_b.vertex[0]) - at(x, edge_a.vertex[0]);
+  crossing.along_a = between.cross(v).dot(across) / across2;
+  crossing.along_b = between.cross(u).dot(across) / across2;
+  lines = {between, across, across2};
+  return !(std::abs(crossing.along_a - Real(0.5)) > 1.0 ||
+           std::abs(crossing.along_b - Real(0.5)) > 1.0);
+}
+
+bool face(const LinePair& lines, const EdgeFrame& a, const EdgeFrame& b, EdgeCrossing& crossing) {
+  crossing.normal = lines.across / std::sqrt(lines.across2);
+  if (crossing.normal.dot(b.into[0] + b.into[1]) > 0.0) crossing.normal = -crossing.normal;
+  const auto before = [&](const EdgeFrame& edge, int k) {
+    return crossing.normal.dot(edge.into[k]);
+  };
+  if (std::max(before(b, 0), before(b, 1)) > kBehind) return false;
+  if (crossing.normal.dot(a.into[0] + a.into[1]) <= 0.0 ||
+      std::min(before(a, 0), before(a, 1)) < -kBehind) {
+    return false;
+  }
+  crossing.gap = -crossing.normal.dot(lines.between);
+  return true;
+}
+
+bool crossing_of(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
+                 std::int32_t b, EdgeCrossing& crossing) {
+  LinePair lines;
+  const auto frame = [&](std::int32_t e) {
+    return frame_of(x, topology.sharp_edge[static_cast<std::size_t>(e)]);
+  };
+  return meet(topology, x, a, b, lines, crossing) && face(lines, frame(a), frame(b), crossing);
+}
+
+Real apart_within(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
+                  std::int32_t b, const EndMargins& margins) {
+  const Edge edge_a(topology, x, a), edge_b(topology, x, b);
+  const Real sine = edge_a.along.cross(edge_b.along).norm();
+  LinePair lines;
+  EdgeCrossing crossing;
+  if (const Real within = parallel_within(sine, edge_a, edge_b); within > 0) return within;
+  if (!(sine > 2 * kParallel)) return 0;
+  meet(topology, x, a, b, lines, crossing);
+  return std::max({turned_within(sine, edge_a, edge_b),
+                   beyond_within(sine, edge_a, edge_b, crossing.along_a, margins),
+                   beyond_within(sine, edge_b, edge_a, crossing.along_b, margins)});
+}
+
+}  // namespace stiction
