@@ -83,15 +83,17 @@ struct PairSearch {
     std::int32_t candidate_begin, candidate_end;
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
-    std::int16_t listings = 0;          ///< how often they have been listed since lists were made
-    std::int16_t misses = 0;  ///< tests in a row that found no candidate to hold the vertex
-    Real near_reach;          ///< m: up to this distance at the reference `near` names all
-    /// While the paths of both bodies together are below this, m, no candidate holds the vertex.
-    double clear_until = -std::numeric_limits<double>::infinity();
-    /// … and while they are below this, the vertex's face is still this triangle (depth/staying.h).
-    double stays_until = -std::numeric_limits<double>::infinity();
+    Real near_reach;  ///< m: up to this distance at the reference `near` names all
+    /// What the test of the candidates has found, as detect_pairs.cpp writes it, and will find while
+    /// the paths of both bodies together are below `holds_until`, m.
+    std::int32_t verdict = 0;
+    /// The vertex's face, which it still is while the paths are below `stays_until`, m (depth/staying.h).
     std::int32_t stays_on = -1;
-    std::int32_t stayed = 0;  ///< steps in a row, since that was last asked
+    double holds_until = -std::numeric_limits<double>::infinity();
+    double stays_until = -std::numeric_limits<double>::infinity();
+    // Steps in a row with the same verdict, and on the same face, since it was last asked for how long;
+    // and how often triangles have been listed since the lists were made.
+    std::int8_t held = 0, stayed = 0, listings = 0;
   };
   std::vector<Group> group;  ///< by key
   struct Near {

@@ -37,11 +37,6 @@ bool can_rest_on(const Topology& topology, const std::vector<Vec3>& x, std::int3
 /// An element is taken not to be squeezed to less than this share of its least width.
 inline constexpr Real kSqueezed = 0.5;
 
-/// Far above the round-off of a distance of the lists, for a vertex so far from the origin, m.
-inline Real list_rounding(const PairSearch& search, Real from_origin) {
-  return by_precision(1e-9, 1e-5) * search.skin + round_off(1e-14) * from_origin;
-}
-
 Projection project_on(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
                       std::int32_t t);
 

@@ -85,7 +85,7 @@ class Measured {
         batch_(batch),
         count_(std::min(batch.count, kCount)),
         point_(at_vertices<Number>(x(), [&](int lane) { return batch.contact[lane]->vertex; })),
-        face_(triangle_of([&](int lane) { return batch.contact[lane]->triangle; })),
+        face_{corner(0), corner(1), corner(2)},
         normal_(face_.normal()),
         height_(dot_as_eigen(normal_, point_ - face_.a)),
         nearest_(point_, face_),
@@ -202,14 +202,9 @@ class Measured {
   STICTION_LANES_INLINE static void store(const Number& all, Real* to) {
     std::memcpy(to, &all.value, Bytes);
   }
-  template <class TriangleOf>
-  STICTION_LANES_INLINE LaneTriangle<Number> triangle_of(const TriangleOf& of) const {
-    const auto corner = [&](int k) __attribute__((always_inline)) {
-      return at_vertices<Number>(x(), [&](int lane) {
-        return topology().triangle[static_cast<std::size_t>(of(lane))].vertex[k];
-      });
-    };
-    return {corner(0), corner(1), corner(2)};
+  STICTION_LANES_INLINE LaneVector<Number> corner(int k) const {
+    return at_vertices<Number>(x(),
+                               [&](int lane) { return triangle(*batch_.contact[lane]).vertex[k]; });
   }
   // Of a vertex of each contact, at the start of the step.
   template <class VertexOf>

@@ -29,16 +29,19 @@ Options nearest() {
 }
 
 struct Motion {
-  Vec3 shift;      // of the upper cube from where it stands flush on the lower one, m
-  Vec3 each_step;  // m
-  double tremble;  // m
+  Vec3 shift;           // of the upper cube from where it stands flush on the lower one, m
+  Vec3 each_step;       // m
+  double tremble;       // m
+  double depth = 1e-3;  // in which it begins, m
 };
 
 // A cube stands on another, goes its way and trembles. Each step is measured by what is known of
 // those before, and by asking everything anew. Returns how many contacts were known to stay where
 // their lists alone don't tell.
 std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) {
-  const Scene scene = build_scene(test::stacked_cubes(1e-3, motion.shift));
+  SceneDescription description = test::stacked_cubes(motion.depth, motion.shift);
+  description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
+  const Scene scene = build_scene(description);
   const Body& upper = scene.bodies[1];
   Options options = base;
   options.time_step = 0.1 * scene.stable_time_step;
@@ -99,7 +102,9 @@ TEST(Staying, EndsInTimeWhereACubeGoesOverEdgesAndCorners) {
                             Vec3(0, 0, 1e-5), Vec3(4e-3, -3e-3, 0), Vec3(1e-4, 0, -1e-4)}) {
       for (const double tremble : {0.0, 1e-7, 1e-5}) {
         SCOPED_TRACE(testing::Message() << way.transpose() << ", " << tremble);
-        known += expect_what_asking_finds(options, {Vec3(-0.004, 0.003, 0), way, tremble});
+        const Vec3 shift(-0.004, 0.003, 0);
+        known += expect_what_asking_finds(options, {shift, way, tremble});
+        known += expect_what_asking_finds(options, {shift, 1e-2 * way, 1e-2 * tremble, 1e-6});
       }
     }
     EXPECT_GT(known, 10000u);

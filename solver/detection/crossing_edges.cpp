@@ -208,7 +208,10 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
         !face(lines, frame(pair.a), frame(pair.b), pair.crossing)) {
       if (++candidate.misses == kStepsToAsk) {
         candidate.misses = 0;
-        candidate.apart_until = path + apart_within(topology, x, pair.a, pair.b, lasts);
+        const auto& edge = topology.sharp_edge[static_cast<std::size_t>(pair.a)];
+        candidate.apart_until =
+            path + apart_within(topology, x, pair.a, pair.b, lasts) -
+            list_rounding(workspace.search, x[static_cast<std::size_t>(edge.vertex[0])].norm());
       }
       continue;
     }

@@ -26,9 +26,6 @@ constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);
 // far above round-off, far below any depth.
 constexpr Real kInside = by_precision(1e-9, 1e-4);
 
-// In skins: what a vertex must be clear by beyond that, far above the rounding of paths.
-constexpr Real kClear = 1e-3;
-
 PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
                        std::int32_t triangle, bool open) {
   PairContact contact;
@@ -95,19 +92,45 @@ Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner) {
   return most;
 }
 
-// The same of all candidates of a group.
-Real clearance(const Scene& scene, const PairSearch& search, const PairSearch::Group& group) {
+// How far the point and the corners of a tetrahedron that holds it may move, those as far as δₐ and
+// these as far as δ_b, δₐ + δ_b, m, while it still holds it as surely. With w the smallest weight and r
+// the radius of the inscribed sphere: each height is at least 2 (r − δ) by then, so that no weight has
+// changed by more than δ/(2 (r − δ)).
+Real held_within(const Vec3& point, const std::array<Vec3, 4>& corner) {
+  const Real sure =
+      barycentric(point, corner[0], corner[1], corner[2], corner[3]).minCoeff() - 2 * kInside;
+  const Vec3 ab = corner[1] - corner[0], ac = corner[2] - corner[0], ad = corner[3] - corner[0];
+  const Real surface = ab.cross(ac).norm() + ac.cross(ad).norm() + ad.cross(ab).norm() +
+                       (ac - ab).cross(ad - ab).norm();
+  const Real radius = std::abs(ab.dot(ac.cross(ad))) / surface;
+  return 2 * sure * radius / (1 + 2 * sure);
+}
+
+// For how long what the candidates say of the group's vertex lasts, m, `last` being where it was in the
+// last step or −1, and `found` what holds it.
+Real lasts_within(const Scene& scene, const PairSearch& search, const PairSearch::Group& group,
+                  std::int32_t last, std::int32_t found) {
   const auto x = [&](std::int32_t v) -> const Vec3& {
     return search.predicted[static_cast<std::size_t>(v)];
   };
-  Real least = std::numeric_limits<Real>::infinity();
+  const Vec3& point = x(first_of(group.key));
+  const auto corners = [&](std::int32_t e) -> std::array<Vec3, 4> {
+    const auto& v = scene.elements[static_cast<std::size_t>(e)].vertex;
+    return {x(v[0]), x(v[1]), x(v[2]), x(v[3])};
+  };
+  const Real rounding = list_rounding(search, point.norm());
+  if (found >= 0) return found == last ? held_within(point, corners(found)) - rounding : 0;
+  Real least = last >= 0 ? clearance(point, corners(last)) : std::numeric_limits<Real>::infinity();
   for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
     const std::int32_t element = search.candidate[static_cast<std::size_t>(k)].element;
-    const auto& v = scene.elements[static_cast<std::size_t>(element)].vertex;
-    least =
-        std::min(least, clearance(x(first_of(group.key)), {x(v[0]), x(v[1]), x(v[2]), x(v[3])}));
+    least = std::min(least, clearance(point, corners(element)));
   }
-  return least;
+  return least - rounding;
+}
+
+// What was found of a vertex that was in `last`, or in none (−1): as one number.
+std::int32_t verdict_of(std::int32_t last, std::int32_t found) {
+  return found >= 0 ? found : -2 - last;
 }
 
 // Tests the candidates of all groups.
@@ -124,8 +147,10 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
       while (old < last.body_key.size() && last.body_key[old] < group.key) ++old;
       const bool persists = old < last.body_key.size() && last.body_key[old] == group.key;
       const double path = paths(scene.topology, search, group.key);
-      if (!persists && path < group.clear_until) {
-        search.holds[g] = -1;
+      const std::int32_t in = persists ? last.element[old] : -1;
+      if (path < group.holds_until &&
+          (group.verdict == verdict_of(in, -1) || (persists && group.verdict == in))) {
+        search.holds[g] = group.verdict >= 0 ? in : -1;
         continue;
       }
       // Twice as far ahead as elsewhere: less is done between.
@@ -138,13 +163,16 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
           ask_for(&search.predicted[static_cast<std::size_t>(v)]);
         }
       }
-      search.holds[g] =
-          find_element(scene, search, group, persists ? last.element[old] : -1, margin);
-      if (search.holds[g] >= 0) {
-        group.misses = 0;
-      } else if (++group.misses == kStepsToAsk) {
-        group.misses = 0;
-        group.clear_until = path + clearance(scene, search, group) - kClear * search.skin;
+      const std::int32_t found = find_element(scene, search, group, in, margin);
+      search.holds[g] = found;
+      const std::int32_t verdict = verdict_of(in, found);
+      if (verdict != group.verdict) {
+        group.verdict = verdict;
+        group.held = 0;
+        group.holds_until = -std::numeric_limits<double>::infinity();
+      } else if (++group.held == kStepsToAsk) {
+        group.held = 0;
+        group.holds_until = path + lasts_within(scene, search, group, in, found);
       }
     }
   };

@@ -140,7 +140,8 @@ TEST(DetectPairs, LooksAtNoVertexThatIsKnownToBeClearAndMissesNoneThatComesIn) {
       SCOPED_TRACE(k);
       expect_what_fresh_lists_find(scene, options, at_rest_at(scene, position), kept);
       for (const PairSearch::Group& group : kept.search.group) {
-        clear += group.clear_until > kept.search.path[0] + kept.search.path[1];
+        clear +=
+            group.verdict == -1 && group.holds_until > kept.search.path[0] + kept.search.path[1];
       }
       none += kept.pairs.empty();
       most = std::max(most, kept.pairs.size());
@@ -151,6 +152,49 @@ TEST(DetectPairs, LooksAtNoVertexThatIsKnownToBeClearAndMissesNoneThatComesIn) {
       EXPECT_GT(clear, 400u) << "some are known to be clear";
     }
   }
+}
+
+// A cube stands on another, goes its way and trembles: where it
+// is known what holds a vertex, or that nothing has held it again, no test is made, and each time what is
+// found is what fresh lists find.
+TEST(DetectPairs, KnowsForHowLongAVertexIsHeldOrOpen) {
+  std::size_t held = 0, open = 0;
+  for (const double depth : {3e-7, 1e-3}) {
+    for (const Vec3& way : {Vec3(0, 0, 0), Vec3(1e-6, 0, 0), Vec3(2e-4, -1e-4, 0),
+                            Vec3(1e-3, 0, 1e-8), Vec3(0, 0, 1e-8), Vec3(0, 0, -1e-6)}) {
+      for (const double tremble : {0.0, 1e-10, 1e-7, 1e-4}) {
+        SceneDescription description = test::stacked_cubes(depth, Vec3(0.15, 0.0, 0.0));
+        description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
+        const Scene scene = build_scene(description);
+        const Body& upper = scene.bodies[1];
+        Workspace kept;
+        Options options;
+        options.pairs.hysteresis = 1e3;
+        PairGeometry memory;
+        for (unsigned k = 0; k < 120; ++k) {
+          Eigen::Matrix3Xd position =
+              scene.rest_position + test::noise(scene.vertex_count(), tremble, 77 + k);
+          position.middleCols(upper.first_vertex, upper.vertex_count).colwise() +=
+              static_cast<double>(k) * way.cast<double>();
+          SCOPED_TRACE(testing::Message()
+                       << depth << ", " << way.transpose() << ", " << tremble << ", step " << k);
+          State state = at_rest_at(scene, position);
+          state.pair_geometry = memory;
+          for (const PairSearch::Group& group : kept.search.group) {
+            if (group.holds_until > kept.search.path[0] + kept.search.path[1]) {
+              held += group.verdict >= 0;
+              open += group.verdict < -1;
+            }
+          }
+          expect_what_fresh_lists_find(scene, options, state, kept);
+          if (HasFailure()) return;
+          remember_pairs(kept.pairs, scene.topology, memory);
+        }
+      }
+    }
+  }
+  EXPECT_GT(held, 10000u);
+  EXPECT_GT(open, 1000u);
 }
 
 // Of four cubes on each other one after the other moves: lists of the others stay, and each time what

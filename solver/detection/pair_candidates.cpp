@@ -285,8 +285,9 @@ void group_candidates(const Topology& topology, PairSearch& search) {
     const bool lasts = old != search.old_group.end() && old->key == key &&
                        !is_renewed(search, other, second_of(key));
     if (lasts) {
-      group.misses = old->misses;
-      group.clear_until = old->clear_until;
+      group.verdict = old->verdict;
+      group.held = old->held;
+      group.holds_until = old->holds_until;
     }
     if (lasts && old->near_element >= 0) {
       group.near_begin = static_cast<std::int32_t>(search.near.size());

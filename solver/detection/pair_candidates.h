@@ -25,6 +25,11 @@ namespace stiction {
 bool update_candidates(const Scene& scene, Real dt, const State& state,
                        const std::vector<Velocity>& velocity, const Team* team, PairSearch& search);
 
+/// Far above the round-off of a distance of the lists, for a vertex so far from the origin, m.
+inline Real list_rounding(const PairSearch& search, Real from_origin) {
+  return by_precision(1e-9, 1e-5) * search.skin + round_off(1e-14) * from_origin;
+}
+
 /// So many steps in a row something is as it was before it is asked for how long it will be, which takes
 /// longer than to find it once more: where bodies move on before that helps, it is asked in vain.
 inline constexpr int kStepsToAsk = 4;

@@ -55,6 +55,11 @@ TYPED_TEST(EachRegister, CountsWhereSomethingHolds) {
   EXPECT_TRUE(none(below & above));
   EXPECT_TRUE(all(below | above));
   for (int lane = 0; lane < L::kCount; ++lane) EXPECT_EQ(below[lane], lane == 0);
+  constexpr unsigned kAll = (1U << L::kCount) - 1;
+  EXPECT_EQ(below.bits(), 1U);
+  EXPECT_EQ((~below).bits(), kAll - 1);
+  EXPECT_EQ((a <= L(Real(1))).bits(), 3U & kAll);
+  for (unsigned bits = 0; bits <= kAll; ++bits) EXPECT_EQ(L::Mask::of(bits).bits(), bits);
   for (int lane = 0; lane < L::kCount; ++lane) {
     L one(Real(0));
     one.value[lane] = 1;
