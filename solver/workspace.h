@@ -12,6 +12,7 @@
 #include "solver/contact/contacts.h"
 #include "solver/contact/edge_contacts.h"
 #include "solver/contact/pair_contacts.h"
+#include "solver/contact/pair_options.h"
 #include "solver/depth/consistent_scratch.h"
 #include "solver/detection/spatial_hash.h"
 #include "solver/elasticity/element_shares.h"
@@ -83,18 +84,21 @@ struct PairSearch {
     std::int32_t candidate_begin, candidate_end;
     std::int32_t near_begin, near_end;  ///< in `near`
     std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
+    std::int8_t listings = 0;  ///< how often they have been listed since the lists were made
+    // Steps in a row with the same verdict, and on the same face, since it was last asked for how long.
+    std::int8_t held = 0, stayed = 0;
     Real near_reach;  ///< m: up to this distance at the reference `near` names all
-    /// What the test of the candidates has found, as detect_pairs.cpp writes it, and will find while
-    /// the paths of both bodies together are below `holds_until`, m.
-    std::int32_t verdict = 0;
-    /// The vertex's face, which it still is while the paths are below `stays_until`, m (depth/staying.h).
+    /// What the test of the candidates has found, and will find while the paths of both bodies together
+    /// are below `holds_until`, m: ≥ 0, the element that holds the vertex, and held it before; −2 − e:
+    /// none, and it was with e in the last step; −1: none, and it was with none.
+    std::int32_t verdict = std::numeric_limits<std::int32_t>::max();
+    /// The vertex's face, which it still is while the paths are below `stays_until`, m
+    /// (depth/staying.h).
     std::int32_t stays_on = -1;
     double holds_until = -std::numeric_limits<double>::infinity();
     double stays_until = -std::numeric_limits<double>::infinity();
-    // Steps in a row with the same verdict, and on the same face, since it was last asked for how long;
-    // and how often triangles have been listed since the lists were made.
-    std::int8_t held = 0, stayed = 0, listings = 0;
   };
+  static_assert(sizeof(Group) == 64);
   std::vector<Group> group;  ///< by key
   struct Near {
     Real distance;  ///< of the group's vertex at the reference, m
@@ -147,7 +151,13 @@ struct PairSearch {
     std::int32_t edge, body;
   };
   std::vector<EdgeBox> edge_box;  ///< scratch of the search for edges that cross
-  bool edges_listed = false;      ///< whether the next are of the present lists
+  /// The options that what is known of faces and edges depends on.
+  struct KnownFor {
+    PairFace face = PairFace::kOpposed;
+    Real tie_margin = 0.0, border_margin = 0.0;
+    bool operator==(const KnownFor&) const = default;
+  } known_for;
+  bool edges_listed = false;  ///< whether the next are of the present lists
   /// Two sharp edges that may come to cross.
   struct EdgePair {
     ContactKey key;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solver/lanes/lane_matrix.h"
-#include "solver/scene/gravity.h"
+#include "solver/real.h"
 
 namespace stiction {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "solver/scene/gravity.h"
+#include "solver/real.h"
 
 namespace stiction {
 

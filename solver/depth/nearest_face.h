@@ -25,8 +25,8 @@ inline Vec3 outward_normal(const Topology::Triangle& triangle, const std::vector
   return (b - a).cross(c - a).normalized();
 }
 
-/// Sine of the angle by which an edge may lead behind a face's plane: surfaces bend, and a face that
-/// is the wrong one stands across.
+/// Sine of the angle by which an edge may lead behind a face's plane, and a face beside an edge before
+/// the plane between two bodies: surfaces bend, and a face that is the wrong one stands across.
 inline constexpr Real kBehind = 0.5;
 
 /// Whether the vertex can rest on a face with this outward normal: its own surface lies before the

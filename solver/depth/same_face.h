@@ -51,11 +51,11 @@ inline bool may_stay_on_face(const PairSearch& search, const PairContact& contac
          (listed == 1 || near[1].distance - near[0].distance > 2 * search.moved[body]);
 }
 
-/// Measures those of a batch, one at least, that stay on their triangle of the last step, or to which no other is
-/// as near: depth, normal, weights and inverse mass, as `depths` does one at a time, to the bit. Returns the rest,
-/// a bit each: it has left them as they were; so are those that are too deep to be sure, that have left, and those
-/// whose vertex is beside the triangle, for which it matters by which others it is. `width`: of registers, in doubles
-/// (lane_width.h), at least the number in the batch.
+/// Measures those of a batch, one at least, whose triangle is known (`stays`) or to which no other is as
+/// near as that of the last step: depth, normal, weights and inverse mass, as `depths` does one at a
+/// time, to the bit. Returns the rest, a bit each, which it leaves as they were: those too deep to be
+/// sure, those that have left, and those beside their triangle, where it matters what else is near.
+/// `width`: of registers, in doubles (lane_width.h), at least the number in the batch.
 unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, const State& state,
                               const Workspace& workspace, const OpenLimits& limits, int width,
                               FaceBatch& batch);

@@ -63,6 +63,12 @@ Real stays_within(const Topology& topology, const PairOptions& options, const Pa
   const auto rests = [&](std::int32_t t, bool can_rest) {
     return rests_within(topology, x, contact.vertex, t, can_rest);
   };
+  const auto begin = search.near.begin() + group.near_begin;
+  const auto end = search.near.begin() + group.near_end;
+  if (std::none_of(begin, end,
+                   [&](const auto& near) { return near.triangle == contact.triangle; })) {
+    return 0.0;
+  }
   const Real own = distance(contact.triangle);
   const auto farther_within = [&](Real other) {
     return ((1 + options.tie_margin) * other - own) / (2 + options.tie_margin) - rounding;
@@ -70,13 +76,12 @@ Real stays_within(const Topology& topology, const PairOptions& options, const Pa
   // Of those that the list does not name.
   Real least = farther_within(group.near_reach - moved);
   bool passes_over = false;
-  for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
-    const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
-    if (near.triangle == contact.triangle) continue;
-    if (farther_within(near.distance - moved) >= least) break;
-    Real within = farther_within(distance(near.triangle));
+  for (auto near = begin; near != end; ++near) {
+    if (near->triangle == contact.triangle) continue;
+    if (farther_within(near->distance - moved) >= least) break;
+    Real within = farther_within(distance(near->triangle));
     if (options.face == PairFace::kOpposed) {
-      const Real over = rests(near.triangle, false);
+      const Real over = rests(near->triangle, false);
       passes_over = passes_over || over > within;
       within = std::max(within, over);
     }

@@ -8,7 +8,7 @@ namespace stiction {
 
 /// How far vertex and triangles may still move, both together, m, while `choose_face` (face_choice.h)
 /// still chooses the triangle that a contact is on, of those near its element, which must be listed
-/// in its group; negative or 0 where that is not known.
+/// in its group; 0 or less where that is not known, or it is not among them.
 ///
 ///   own distance d₀, another triangle's d, margin of a tie m:   ((1 + m) d − d₀)/(2 + m)
 ///

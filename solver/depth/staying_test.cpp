@@ -66,7 +66,7 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
                !may_stay_on_face(kept.search, contact, *group);
     }
     Workspace asked = kept;
-    for (PairSearch::Group& group : asked.search.group) group.stays_on = -1;
+    // A depth that is not answered yet, of a contact that there is not, has it ask for each.
     State one_at_a_time = state;
     one_at_a_time.pair_geometry.excess.assign(1, {contact_key(1 << 20, 1 << 20), 0.0});
     depths(scene, options, one_at_a_time, asked);
@@ -109,6 +109,35 @@ TEST(Staying, EndsInTimeWhereACubeGoesOverEdgesAndCorners) {
     }
     EXPECT_GT(known, 10000u);
   }
+}
+
+// What is known of faces that vertices can rest on is not known of the nearest.
+TEST(Staying, IsForgottenWithOtherOptions) {
+  const Scene scene = build_scene(test::stacked_cubes(1e-3, Vec3(-8e-4, 0.05, 0)));
+  Options options = nearest();
+  options.time_step = 0.1 * scene.stable_time_step;
+  State state = initial_state(scene);
+  Workspace kept;
+  std::vector<Vec3> normals;
+  for (const PairFace face : {PairFace::kOpposed, PairFace::kNearest, PairFace::kOpposed}) {
+    options.pairs.face = face;
+    for (int k = 0; k < 12; ++k) {
+      Workspace fresh;
+      for (Workspace* workspace : {&fresh, &kept}) {
+        workspace->velocity = state.velocity;
+        detect_pairs(scene, options, state, *workspace);
+        depths(scene, options, state, *workspace);
+      }
+      ASSERT_EQ(fresh.pairs.size(), kept.pairs.size());
+      for (std::size_t c = 0; c < fresh.pairs.size(); ++c) {
+        EXPECT_EQ(test::numbers_of(fresh.pairs[c]), test::numbers_of(kept.pairs[c])) << k;
+        normals.push_back(fresh.pairs[c].normal);
+      }
+      remember_pairs(kept.pairs, scene.topology, state.pair_geometry);
+    }
+  }
+  const auto sideways = [](const Vec3& normal) { return std::abs(normal.x()) > 0.5; };
+  EXPECT_GT(std::count_if(normals.begin(), normals.end(), sideways), 12) << "the nearest is a side";
 }
 
 // A cube that stands on a corner or an edge of its, somewhere near the rim of a rough one.
@@ -159,7 +188,9 @@ TEST(Staying, IsABoundOnWhatMayMove) {
         const auto was = std::find_if(found.begin(), found.end(), [&](const PairContact& one) {
           return one.key() == contact.key();
         });
-        if (was == found.end() || group->near_element != contact.element) continue;
+        if (was == found.end() || group == search.group.end() ||
+            group->near_element != contact.element)
+          continue;
         if (contact.triangle < 0) contact.triangle = was->triangle;
         const Real within = std::min(
             stays_within(scene.topology, options.pairs, search, *group, contact), search.skin);

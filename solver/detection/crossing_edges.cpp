@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/detection/crossing_edges.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "solver/depth/depth.h"
 #include "solver/detection/detect_pairs.h"

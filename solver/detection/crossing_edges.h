@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "solver/options.h"
 #include "solver/scene/scene.h"
 #include "solver/state.h"

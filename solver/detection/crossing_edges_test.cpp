@@ -180,5 +180,53 @@ TEST(CrossingEdges, NearACornerAreThoseThatAreShallow) {
   EXPECT_EQ(edge_on_bar(1e-6, 0.1 * Vec3::UnitY()).size(), 2u) << "however it moves";
 }
 
+// Two crossed bars go their ways and tremble: pairs of edges that are known not to touch are not looked at,
+// and what is found is what fresh lists find.
+TEST(CrossingEdges, AreThoseOfFreshListsWhereSomeAreKnownNotToTouch) {
+  std::size_t known = 0, found = 0;
+  for (const double yaw : {0.2, 0.8, 1.5707}) {
+    for (const Vec3& way : {Vec3(0, 0, 0), Vec3(2e-6, 1e-6, -1e-6), Vec3(3e-4, 2e-4, 0),
+                            Vec3(-5e-4, 0, 1e-6), Vec3(0, 0, -2e-5), Vec3(0, 0, 1e-6)}) {
+      for (const double tremble : {0.0, 1e-8, 1e-5}) {
+        const Scene scene = crossed(yaw, 1e-5);
+        const Body& upper = scene.bodies[1];
+        const Options options;
+        Workspace kept;
+        FrictionMemory memory;
+        for (unsigned k = 0; k < 150; ++k) {
+          Eigen::Matrix3Xd position =
+              scene.rest_position + test::noise(scene.vertex_count(), tremble, 31 + k);
+          position.middleCols(upper.first_vertex, upper.vertex_count).colwise() +=
+              static_cast<double>(k) * way.cast<double>();
+          State state =
+              test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+          state.edge_friction.key = memory.key;
+          for (const PairSearch::EdgePair& pair : kept.search.edge_candidate) {
+            known += pair.apart_until > kept.search.path[0] + kept.search.path[1];
+          }
+          Workspace fresh;
+          for (Workspace* workspace : {&kept, &fresh}) {
+            workspace->velocity = state.velocity;
+            detect_pairs(scene, options, state, *workspace);
+            depths(scene, options, state, *workspace);
+            crossing_edges(scene, options, state, *workspace);
+          }
+          memory.key.clear();
+          ASSERT_EQ(kept.edges.size(), fresh.edges.size()) << "step " << k;
+          for (std::size_t c = 0; c < kept.edges.size(); ++c) {
+            EXPECT_EQ(kept.edges[c].key, fresh.edges[c].key);
+            EXPECT_EQ(kept.edges[c].depth, fresh.edges[c].depth);
+            EXPECT_EQ(kept.edges[c].normal, fresh.edges[c].normal);
+            memory.key.push_back(kept.edges[c].key);
+          }
+          found += kept.edges.size();
+        }
+      }
+    }
+  }
+  EXPECT_GT(known, 10000u);
+  EXPECT_GT(found, 1000u);
+}
+
 }  // namespace
 }  // namespace stiction

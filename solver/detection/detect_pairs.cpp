@@ -92,13 +92,14 @@ Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner) {
   return most;
 }
 
-// How far the point and the corners of a tetrahedron that holds it may move, those as far as δₐ and
-// these as far as δ_b, δₐ + δ_b, m, while it still holds it as surely. With w the smallest weight and r
-// the radius of the inscribed sphere: each height is at least 2 (r − δ) by then, so that no weight has
-// changed by more than δ/(2 (r − δ)).
+// How far the point may move, as far as δₐ, and the corners of a tetrahedron, as far as δ_b, δₐ + δ_b, m,
+// while all weights are above kInside; 0 unless they are. With w the smallest weight and r the radius
+// of the inscribed sphere: each height is at least 2 (r − δ) by then, so that no weight has changed by
+// more than δ/(2 (r − δ)).
 Real held_within(const Vec3& point, const std::array<Vec3, 4>& corner) {
   const Real sure =
       barycentric(point, corner[0], corner[1], corner[2], corner[3]).minCoeff() - 2 * kInside;
+  if (!(sure > 0.0)) return 0;
   const Vec3 ab = corner[1] - corner[0], ac = corner[2] - corner[0], ad = corner[3] - corner[0];
   const Real surface = ab.cross(ac).norm() + ac.cross(ad).norm() + ad.cross(ab).norm() +
                        (ac - ab).cross(ad - ab).norm();
@@ -128,7 +129,7 @@ Real lasts_within(const Scene& scene, const PairSearch& search, const PairSearch
   return least - rounding;
 }
 
-// What was found of a vertex that was in `last`, or in none (−1): as one number.
+// What was found of a vertex that was with `last`, or with none (−1), as PairSearch::Group says it.
 std::int32_t verdict_of(std::int32_t last, std::int32_t found) {
   return found >= 0 ? found : -2 - last;
 }
@@ -149,7 +150,7 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
       const double path = paths(scene.topology, search, group.key);
       const std::int32_t in = persists ? last.element[old] : -1;
       if (path < group.holds_until &&
-          (group.verdict == verdict_of(in, -1) || (persists && group.verdict == in))) {
+          (group.verdict == in || group.verdict == verdict_of(in, -1))) {
         search.holds[g] = group.verdict >= 0 ? in : -1;
         continue;
       }
@@ -260,6 +261,15 @@ void merge_with_kept(const Scene& scene, const PairSearch& search, const PairGeo
   });
 }
 
+// Other options, other faces and edges: what is known of them is forgotten.
+void begin_options(const PairOptions& options, PairSearch& search) {
+  const PairSearch::KnownFor now{options.face, options.tie_margin, options.border_margin};
+  if (now == search.known_for) return;
+  search.known_for = now;
+  search.edges_listed = false;
+  for (PairSearch::Group& group : search.group) group.stays_on = -1;
+}
+
 }  // namespace
 
 void set_corners(const std::vector<Element>& elements, PairContact& contact) {
@@ -282,6 +292,7 @@ Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
 void detect_pairs(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace) {
   PairSearch& search = workspace.search;
+  begin_options(options.pairs, search);
   if (update_candidates(scene, options.dt(), state, workspace.velocity, workspace.team, search)) {
     search.edges_listed = false;
     if (options.pairs.face == PairFace::kOpposed) {

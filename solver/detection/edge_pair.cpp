@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/depth/nearest_face.h"
+
 namespace stiction {
 
 namespace {
 
 // Sine of the least angle between edges that cross.
 constexpr Real kParallel = 0.087;
-
-// Sine of the angle by which a face may stand before the plane between the bodies: as for vertices
-// (nearest_face.cpp).
-constexpr Real kBehind = 0.5;
 
 const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
   return x[static_cast<std::size_t>(v)];

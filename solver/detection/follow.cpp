@@ -54,7 +54,9 @@ bool follow(const Scene& scene, Real dt, const State& state, const std::vector<V
     const double way = std::sqrt(3.0) * static_cast<double>(search.longest[b]);
     search.renewed[b] = renewed;
     search.moved[b] = renewed ? 0 : std::sqrt(Real(3)) * search.farthest[b];
-    search.path[b] = renewed ? 0 : search.path[b] + way;
+    // Rounded up: what a body trembles adds up however far it has come.
+    if (way > 0.0) search.path[b] = std::nextafter(search.path[b] + way, HUGE_VAL);
+    if (renewed) search.path[b] = 0.0;
     any = any || renewed;
   }
   return any;

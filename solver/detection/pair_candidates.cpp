@@ -322,13 +322,13 @@ bool update_candidates(const Scene& scene, Real dt, const State& state,
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
                   PairSearch& search) {
   if (group.near_element == element || group.listings == kMostListings) return;
-  ++group.listings;
   const Real moves = std::sqrt(Real(3)) * search.skin;
   const Vec3& x = search.reference[static_cast<std::size_t>(first_of(group.key))];
   const auto e = static_cast<std::size_t>(element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
   const auto end = topology.near.begin() + topology.near_begin[e + 1];
   if (begin == end) return;
+  ++group.listings;
   const auto ball = [&](std::int32_t t) -> const PairSearch::Ball& {
     return search.ball[static_cast<std::size_t>(t)];
   };
