@@ -164,7 +164,7 @@ struct PairSearch {
     std::uint32_t body_a, body_b;
     /// While the paths of both bodies together are below this, m, they can't touch (edge_pair.h).
     double apart_until = -std::numeric_limits<double>::infinity();
-    int misses = 0;  ///< steps in a row in which they couldn't
+    std::int8_t apart = 0;  ///< steps in a row in which they couldn't
   };
   std::vector<EdgePair> edge_candidate;  ///< in the order of their keys
   std::vector<Vec3> start;               ///< x_t0 of the vertices at such edges, m

@@ -156,8 +156,9 @@ class Measure {
         return false;
       }
       if (height >= limits_.gap) return false;
-      if (-height >= limits_.gap && !goes_on(scene_.topology, x, last, contact.triangle))
+      if (-height >= limits_.gap && !goes_on(scene_.topology, x, last, contact.triangle)) {
         return false;
+      }
       contact.element = triangle.element;
       set_corners(scene_.elements, contact);
       contact.depth = std::max(Real(0), -height);

@@ -2,10 +2,19 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 #include "solver/real.h"
 
 namespace stiction {
+
+/// Height of a triangle over its longest edge, m.
+inline Real least_height(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Real longest2 =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return (b - a).cross(c - a).norm() / std::sqrt(longest2);
+}
 
 /// Nearest point of a triangle to a point, as barycentric weights of its corners (they sum to 1).
 struct NearestOnTriangle {

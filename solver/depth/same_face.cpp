@@ -8,6 +8,7 @@
 #include "solver/depth/lane_triangle.h"
 #include "solver/depth/nearest_face.h"
 #include "solver/detection/detect_pairs.h"
+#include "solver/detection/pair_candidates.h"
 #include "solver/lanes/lane_width.h"
 
 namespace stiction {
@@ -95,16 +96,13 @@ class Measured {
 
   // Those that are left, a bit each.
   STICTION_LANES_INLINE unsigned left() {
-    const PairSearch& search = step_.workspace.search;
     const Number gap(step_.limits.gap), border2(step_.limits.border * step_.limits.border);
     const Number off_plane2 = nearest_.distance2 - height_ * height_;
     unsigned on_itself = 0, open = 0;
-    Real least_width[kCount], moved_by_bodies[kCount];
+    Real least_width[kCount];
     for (int lane = 0; lane < kCount; ++lane) {
       const PairContact& contact = *batch_.contact[lane];
-      const auto body = static_cast<std::size_t>(contact.other);
-      least_width[lane] = topology().least_width[body];
-      moved_by_bodies[lane] = search.moved[body];
+      least_width[lane] = topology().least_width[static_cast<std::size_t>(contact.other)];
       open |= unsigned{contact.open} << lane;
       on_itself |= unsigned{is_on_itself(contact)} << lane;
     }
@@ -114,26 +112,9 @@ class Measured {
     const Mask near = (nearest_.distance2 < deepest * deepest) & (height_ <= height_);
     const Mask kept = open_ & (height_ < gap) & (off_plane2 <= border2);
     const Mask sure = near & (kept | (nearest_.inside & (~open_ | (height_ < gap))));
-    unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
-
-    const LaneVector<Number> way = point_ - at_vertices<Number>(search.reference, [&](int lane) {
-                                     return batch_.contact[lane]->vertex;
-                                   });
-    const Number rounding = Number(list_rounding(search, 1) - list_rounding(search, 0));
-    const Number moved = sqrt(dot_as_eigen(way, way)) + numbers(moved_by_bodies) +
-                         Number(list_rounding(search, 0)) +
-                         rounding * sqrt(dot_as_eigen(point_, point_));
-    Real distance[kCount], far[kCount];
-    store(distance_, distance);
-    store(moved, far);
-    for (int lane = 0; lane < count_; ++lane) {
-      if (((left | batch_.stays) >> lane & 1U) == 0 &&
-          !is_nearest(search, *batch_.group[lane], batch_.contact[lane]->triangle, distance[lane],
-                      far[lane])) {
-        left |= 1U << lane;
-      }
-    }
-    return left;
+    const unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
+    const unsigned asked = all_of_batch() & ~(left | batch_.stays);
+    return asked == 0 ? left : left | outdone(asked);
   }
 
   STICTION_LANES_INLINE void write(unsigned left) {
@@ -171,6 +152,29 @@ class Measured {
   }
 
  private:
+  // Those of the asked to which another triangle may be as near as their own.
+  STICTION_LANES_INLINE unsigned outdone(unsigned asked) const {
+    const PairSearch& search = step_.workspace.search;
+    const LaneVector<Number> way = point_ - at_vertices<Number>(search.reference, [&](int lane) {
+                                     return batch_.contact[lane]->vertex;
+                                   });
+    Real distance[kCount], moved[kCount], far[kCount];
+    store(distance_, distance);
+    store(sqrt(dot_as_eigen(way, way)), moved);
+    store(sqrt(dot_as_eigen(point_, point_)), far);
+    unsigned outdone = 0;
+    for (int lane = 0; lane < count_; ++lane) {
+      if ((asked >> lane & 1U) == 0) continue;
+      const PairContact& contact = *batch_.contact[lane];
+      const Real by_body = search.moved[static_cast<std::size_t>(contact.other)];
+      if (!is_nearest(search, *batch_.group[lane], contact.triangle, distance[lane],
+                      moved[lane] + by_body + list_rounding(search, far[lane]))) {
+        outdone |= 1U << lane;
+      }
+    }
+    return outdone;
+  }
+
   STICTION_LANES_INLINE Number depth() const {
     const Number zero(Real(0)), below = -height_;
     const Number sunk = choose(zero < below, below, zero);
@@ -255,12 +259,6 @@ STICTION_TARGET_8 unsigned measure_8(const Step& step, const FaceBatch& batch) {
 }
 
 }  // namespace
-
-OpenLimits::OpenLimits(const Scene& scene, const Options& options, const State& state)
-    : gap(static_cast<Real>(
-          options.pairs.hysteresis * options.time_step * options.time_step *
-          scene.gravity.at(static_cast<double>(state.step) * options.time_step).norm())),
-      border(options.pairs.border_margin * scene.topology.mean_edge) {}
 
 unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, const State& state,
                               const Workspace& workspace, const OpenLimits& limits, int width,

@@ -3,21 +3,14 @@
 
 #include "solver/contact/pair_contacts.h"
 #include "solver/contact/pair_options.h"
-#include "solver/detection/pair_candidates.h"
+#include "solver/depth/open_limits.h"
+#include "solver/detection/lasting.h"
 #include "solver/lanes/lanes.h"
-#include "solver/options.h"
 #include "solver/scene/scene.h"
 #include "solver/state.h"
 #include "solver/workspace.h"
 
 namespace stiction {
-
-/// How far a contact that has opened may stand from its face, m.
-struct OpenLimits {
-  Real gap;     ///< above it
-  Real border;  ///< beyond its border
-  OpenLimits(const Scene& scene, const Options& options, const State& state);
-};
 
 /// Contacts that may have stayed on their face of the last step, to be measured side by side.
 struct FaceBatch {

@@ -128,8 +128,7 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
     const auto group =
         std::find_if(search.group.begin(), search.group.end(),
                      [&](const PairSearch::Group& one) { return one.key == contact.key(); });
-    if (group == search.group.end() || !may_stay_on_face(sliding.workspace.search, contact, *group))
-      continue;
+    if (group == search.group.end() || !may_stay_on_face(search, contact, *group)) continue;
     ++tried;
     const auto before = test::numbers_of(contact);
     Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "solver/detection/lasting.h"
 #include "solver/detection/pair_candidates.h"
 
 namespace stiction {
@@ -15,18 +15,6 @@ namespace {
 // than kTurns, rad: an edge by asin(2σ), a triangle's normal by asin(2σ/(1 − 2σ)).
 constexpr Real kShare = 0.02, kTurns = 0.09;
 
-// Height of a triangle over its longest edge, m.
-Real least_height(const Topology::Triangle& triangle, const std::vector<Vec3>& x) {
-  const auto corner = [&](int k) -> const Vec3& {
-    return x[static_cast<std::size_t>(triangle.vertex[k % 3])];
-  };
-  Real longest2 = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    longest2 = std::max(longest2, (corner(k + 1) - corner(k)).squaredNorm());
-  }
-  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / std::sqrt(longest2);
-}
-
 // How far a vertex and a triangle may move, m, while it can rest on it or can't, as it is now
 // (can_rest_on in nearest_face.h); 0 where that is not sure.
 Real rests_within(const Topology& topology, const std::vector<Vec3>& x, std::int32_t vertex,
@@ -34,7 +22,10 @@ Real rests_within(const Topology& topology, const std::vector<Vec3>& x, std::int
   const Topology::Triangle& triangle = topology.triangle[static_cast<std::size_t>(t)];
   const Vec3 normal = outward_normal(triangle, x);
   const auto v = static_cast<std::size_t>(vertex);
-  Real least = least_height(triangle, x);
+  const auto corner = [&](int k) -> const Vec3& {
+    return x[static_cast<std::size_t>(triangle.vertex[k])];
+  };
+  Real least = least_height(corner(0), corner(1), corner(2));
   Real behind = -1.0;  // sine of the largest angle by which an edge leads behind the plane
   for (std::int32_t k = topology.neighbour_begin[v]; k < topology.neighbour_begin[v + 1]; ++k) {
     const Vec3 edge =
@@ -93,15 +84,10 @@ Real stays_within(const Topology& topology, const PairOptions& options, const Pa
 
 void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
                   const PairContact& contact, PairSearch::Group& group) {
-  if (contact.triangle != group.stays_on || group.near_element != contact.element) {
-    group.stays_on = contact.triangle;
-    group.stays_until = -std::numeric_limits<double>::infinity();
-    group.stayed = 0;
-  } else if (++group.stayed == kStepsToAsk) {
-    group.stays_until = paths(topology, search, group.key) +
-                        stays_within(topology, options, search, group, contact);
-    group.stayed = 0;
-  }
+  const bool same = contact.triangle == group.stays_on && group.near_element == contact.element;
+  group.stays_on = contact.triangle;
+  note_lasting(same, paths(topology, search, group.key), group.stayed, group.stays_until,
+               [&] { return stays_within(topology, options, search, group, contact); });
 }
 
 }  // namespace stiction

@@ -42,7 +42,6 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
   SceneDescription description = test::stacked_cubes(motion.depth, motion.shift);
   description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
   const Scene scene = build_scene(description);
-  const Body& upper = scene.bodies[1];
   Options options = base;
   options.time_step = 0.1 * scene.stable_time_step;
   State state = initial_state(scene);
@@ -50,12 +49,7 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
   kept.velocity = state.velocity;
   std::size_t known = 0;
   for (unsigned k = 0; k < 300; ++k) {
-    const Eigen::Matrix3Xd noise = test::noise(scene.vertex_count(), motion.tremble, 40 + k);
-    for (int v = 0; v < scene.vertex_count(); ++v) {
-      const Vec3 way = v < upper.first_vertex ? Vec3::Zero() : Vec3(k * motion.each_step);
-      state.position[static_cast<std::size_t>(v)].x =
-          (scene.rest_position.col(v) + noise.col(v)).cast<Real>() + way;
-    }
+    state.position = test::on_its_way(scene, k, motion.each_step, motion.tremble).position;
     detect_pairs(scene, options, state, kept);
     for (const PairContact& contact : kept.pairs) {
       const auto group =

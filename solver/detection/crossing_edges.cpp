@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "solver/depth/depth.h"
+#include "solver/depth/open_limits.h"
 #include "solver/detection/detect_pairs.h"
 #include "solver/detection/edge_pair.h"
+#include "solver/detection/lasting.h"
 #include "solver/detection/pair_candidates.h"
 
 namespace stiction {
@@ -147,13 +149,9 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
                     Workspace& workspace) {
   const Topology& topology = scene.topology;
   const std::vector<Vec3>& x = workspace.search.predicted;
-  const double dt = options.time_step;
   const Real deepest = kDeepest * topology.mean_edge;
-  const Real border = options.pairs.border_margin * topology.mean_edge;
-  const EndMargins lasts{-border, -border};
-  const auto widest =
-      static_cast<Real>(options.pairs.hysteresis * dt * dt *
-                        scene.gravity.at(static_cast<double>(state.step) * dt).norm());
+  const OpenLimits limits(scene, options, state);
+  const EndMargins lasts{-limits.border, -limits.border};
   const std::vector<ContactKey>& last = state.edge_friction.key;
   const auto was_apart = [&](const Found& pair) {
     std::vector<Vec3>& start = workspace.search.start;
@@ -202,21 +200,18 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
       return inside(pair.a, pair.crossing.along_a) && inside(pair.b, pair.crossing.along_b);
     };
     LinePair lines;
-    if (!meet(topology, x, pair.a, pair.b, lines, pair.crossing) || !lies_within(lasts) ||
-        !face(lines, frame(pair.a), frame(pair.b), pair.crossing)) {
-      if (++candidate.misses == kStepsToAsk) {
-        candidate.misses = 0;
-        const auto& edge = topology.sharp_edge[static_cast<std::size_t>(pair.a)];
-        candidate.apart_until =
-            path + apart_within(topology, x, pair.a, pair.b, lasts) -
-            list_rounding(workspace.search, x[static_cast<std::size_t>(edge.vertex[0])].norm());
-      }
-      continue;
-    }
-    candidate.misses = 0;
+    const bool apart = !meet(topology, x, pair.a, pair.b, lines, pair.crossing) ||
+                       !lies_within(lasts) ||
+                       !face(lines, frame(pair.a), frame(pair.b), pair.crossing);
+    note_lasting(apart, path, candidate.apart, candidate.apart_until, [&] {
+      const auto& edge = topology.sharp_edge[static_cast<std::size_t>(pair.a)];
+      return apart_within(topology, x, pair.a, pair.b, lasts) -
+             list_rounding(workspace.search, x[static_cast<std::size_t>(edge.vertex[0])].norm());
+    });
+    if (apart) continue;
     const Real gap = pair.crossing.gap;
     const auto touches = [&] {
-      if (std::binary_search(last.begin(), last.end(), key)) return gap < widest;
+      if (std::binary_search(last.begin(), last.end(), key)) return gap < limits.gap;
       if (!(gap < 0.0)) return false;
       const EndMargins begins{-kOnJoint * topology.mean_edge, std::min(deepest, kFarther * -gap)};
       return lies_within(begins) ? gap >= -deepest || was_apart(pair) : came_in(pair);

@@ -189,18 +189,12 @@ TEST(CrossingEdges, AreThoseOfFreshListsWhereSomeAreKnownNotToTouch) {
                             Vec3(-5e-4, 0, 1e-6), Vec3(0, 0, -2e-5), Vec3(0, 0, 1e-6)}) {
       for (const double tremble : {0.0, 1e-8, 1e-5}) {
         const Scene scene = crossed(yaw, 1e-5);
-        const Body& upper = scene.bodies[1];
         const Options options;
         Workspace kept;
-        FrictionMemory memory;
+        std::vector<ContactKey> last;
         for (unsigned k = 0; k < 150; ++k) {
-          Eigen::Matrix3Xd position =
-              scene.rest_position + test::noise(scene.vertex_count(), tremble, 31 + k);
-          position.middleCols(upper.first_vertex, upper.vertex_count).colwise() +=
-              static_cast<double>(k) * way.cast<double>();
-          State state =
-              test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
-          state.edge_friction.key = memory.key;
+          State state = test::on_its_way(scene, k, way, tremble);
+          state.edge_friction.key = last;
           for (const PairSearch::EdgePair& pair : kept.search.edge_candidate) {
             known += pair.apart_until > kept.search.path[0] + kept.search.path[1];
           }
@@ -211,13 +205,13 @@ TEST(CrossingEdges, AreThoseOfFreshListsWhereSomeAreKnownNotToTouch) {
             depths(scene, options, state, *workspace);
             crossing_edges(scene, options, state, *workspace);
           }
-          memory.key.clear();
+          last.clear();
           ASSERT_EQ(kept.edges.size(), fresh.edges.size()) << "step " << k;
           for (std::size_t c = 0; c < kept.edges.size(); ++c) {
             EXPECT_EQ(kept.edges[c].key, fresh.edges[c].key);
             EXPECT_EQ(kept.edges[c].depth, fresh.edges[c].depth);
             EXPECT_EQ(kept.edges[c].normal, fresh.edges[c].normal);
-            memory.key.push_back(kept.edges[c].key);
+            last.push_back(kept.edges[c].key);
           }
           found += kept.edges.size();
         }

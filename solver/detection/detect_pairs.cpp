@@ -10,6 +10,8 @@
 
 #include "solver/detection/crossing_edges.h"
 #include "solver/detection/edge_candidates.h"
+#include "solver/detection/holding.h"
+#include "solver/detection/lasting.h"
 #include "solver/detection/outrun.h"
 #include "solver/detection/pair_candidates.h"
 #include "solver/prefetch.h"
@@ -17,14 +19,6 @@
 namespace stiction {
 
 namespace {
-
-// Round-off of weights of order one: a point on a shared face must not fall between its two
-// elements.
-constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);
-
-// With weights above this the point is inside this tetrahedron and no other of an unfolded body:
-// far above round-off, far below any depth.
-constexpr Real kInside = by_precision(1e-9, 1e-4);
 
 PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
                        std::int32_t triangle, bool open) {
@@ -72,39 +66,6 @@ std::int32_t find_element(const Scene& scene, const PairSearch& search,
     }
   }
   return found >= 0 && margin > 0.0 && in_last >= -margin ? last : found;
-}
-
-// How far the point is at least from where it would be held by the tetrahedron: above the plane of one of
-// its faces, less what the test forgives and what rounding adds, m; negative inside.
-Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner) {
-  Real most = -std::numeric_limits<Real>::infinity();
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vec3 &a = corner[(k + 1) % 4], &b = corner[(k + 2) % 4], &c = corner[(k + 3) % 4];
-    const Vec3 normal = (b - a).cross(c - a);
-    const Real size = normal.norm(), inwards = normal.dot(corner[k] - a);
-    if (!(size > 0.0) || inwards == 0.0) continue;
-    const Real above = (inwards > 0.0 ? -1 : 1) * normal.dot(point - a) / size;
-    const Real length2 = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(),
-                                   (corner[k] - a).squaredNorm(), (point - a).squaredNorm()});
-    const Real rounding = round_off(1e-14) * std::sqrt(length2) * length2 / size;
-    most = std::max(most, above + kOnBoundary * std::abs(inwards) / size - rounding);
-  }
-  return most;
-}
-
-// How far the point may move, as far as δₐ, and the corners of a tetrahedron, as far as δ_b, δₐ + δ_b, m,
-// while all weights are above kInside; 0 unless they are. With w the smallest weight and r the radius
-// of the inscribed sphere: each height is at least 2 (r − δ) by then, so that no weight has changed by
-// more than δ/(2 (r − δ)).
-Real held_within(const Vec3& point, const std::array<Vec3, 4>& corner) {
-  const Real sure =
-      barycentric(point, corner[0], corner[1], corner[2], corner[3]).minCoeff() - 2 * kInside;
-  if (!(sure > 0.0)) return 0;
-  const Vec3 ab = corner[1] - corner[0], ac = corner[2] - corner[0], ad = corner[3] - corner[0];
-  const Real surface = ab.cross(ac).norm() + ac.cross(ad).norm() + ad.cross(ab).norm() +
-                       (ac - ab).cross(ad - ab).norm();
-  const Real radius = std::abs(ab.dot(ac.cross(ad))) / surface;
-  return 2 * sure * radius / (1 + 2 * sure);
 }
 
 // For how long what the candidates say of the group's vertex lasts, m, `last` being where it was in the
@@ -167,14 +128,10 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
       const std::int32_t found = find_element(scene, search, group, in, margin);
       search.holds[g] = found;
       const std::int32_t verdict = verdict_of(in, found);
-      if (verdict != group.verdict) {
-        group.verdict = verdict;
-        group.held = 0;
-        group.holds_until = -std::numeric_limits<double>::infinity();
-      } else if (++group.held == kStepsToAsk) {
-        group.held = 0;
-        group.holds_until = path + lasts_within(scene, search, group, in, found);
-      }
+      const bool same = verdict == group.verdict;
+      group.verdict = verdict;
+      note_lasting(same, path, group.held, group.holds_until,
+                   [&] { return lasts_within(scene, search, group, in, found); });
     }
   };
   for_ranges(team, search.group.size(), kContactsToShare, find);
@@ -275,18 +232,6 @@ void begin_options(const PairOptions& options, PairSearch& search) {
 void set_corners(const std::vector<Element>& elements, PairContact& contact) {
   const auto& corner = elements[static_cast<std::size_t>(contact.element)].vertex;
   std::copy(corner, corner + 4, contact.partner);
-}
-
-Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 ab = b - a, ac = c - a, ad = d - a, ap = point - a;
-  const Vec3 ac_ad = ac.cross(ad);
-  const Real volume = ab.dot(ac_ad);
-  Vec4 weight;
-  weight[1] = ap.dot(ac_ad) / volume;
-  weight[2] = ab.dot(ap.cross(ad)) / volume;
-  weight[3] = ab.dot(ac.cross(ap)) / volume;
-  weight[0] = 1 - weight[1] - weight[2] - weight[3];
-  return weight;
 }
 
 void detect_pairs(const Scene& scene, const Options& options, const State& state,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "solver/detection/holding.h"
 #include "solver/options.h"
 #include "solver/scene/scene.h"
 #include "solver/state.h"
@@ -22,9 +23,5 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
 
 /// Makes the corners of the contact's element its partners.
 void set_corners(const std::vector<Element>& elements, PairContact& contact);
-
-/// Barycentric weights of a point in a tetrahedron with the given corners, dimensionless; they sum
-/// to 1. Precondition: its volume is not zero.
-Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 }  // namespace stiction

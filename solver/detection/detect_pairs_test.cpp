@@ -167,20 +167,15 @@ TEST(DetectPairs, KnowsForHowLongAVertexIsHeldOrOpen) {
         SceneDescription description = test::stacked_cubes(depth, Vec3(0.15, 0.0, 0.0));
         description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
         const Scene scene = build_scene(description);
-        const Body& upper = scene.bodies[1];
         Workspace kept;
         Options options;
         options.pairs.hysteresis = 1e3;
         options.pairs.tie_margin = tie_margin;
         PairGeometry memory;
         for (unsigned k = 0; k < 300; ++k) {
-          Eigen::Matrix3Xd position =
-              scene.rest_position + test::noise(scene.vertex_count(), tremble, 77 + k);
-          position.middleCols(upper.first_vertex, upper.vertex_count).colwise() +=
-              static_cast<double>(k) * way.cast<double>();
           SCOPED_TRACE(testing::Message()
                        << depth << ", " << way.transpose() << ", " << tremble << ", step " << k);
-          State state = at_rest_at(scene, position);
+          State state = test::on_its_way(scene, k, way, tremble);
           state.pair_geometry = memory;
           for (const PairSearch::Group& group : kept.search.group) {
             if (group.holds_until > kept.search.path[0] + kept.search.path[1]) {

@@ -20,7 +20,7 @@ const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
 
 using EdgeFrame = PairSearch::EdgeFrame;
 
-// An edge as a bound on what it may do sees it.
+// An edge with what bounds ask of it.
 struct Edge {
   const Topology::SharpEdge& sharp;
   const std::vector<Vec3>& x;
@@ -38,16 +38,14 @@ struct Edge {
   Real least_height() const {
     Real least = frame.length;
     for (const std::int32_t v : sharp.opposite) {
-      const Vec3 to_end[2] = {end(0) - at(x, v), end(1) - at(x, v)};
-      const Real longest = std::max({frame.length, to_end[0].norm(), to_end[1].norm()});
-      least = std::min(least, to_end[0].cross(to_end[1]).norm() / longest);
+      least = std::min(least, stiction::least_height(end(0), end(1), at(x, v)));
     }
     return least;
   }
 };
 
-// While nothing moves by more than a share σ of the edges' lengths, the sine φ of their angle changes by no more than
-// both turn together, 2.02 σ.
+// While nothing moves by more than a share σ of the edges' lengths, the sine of their angle φ changes
+// by no more than both turn together, 2.02 σ.
 Real parallel_within(Real sine, const Edge& a, const Edge& b) {
   constexpr Real kShare = 0.01, kChange = 0.03;
   return sine < kParallel - kChange ? kShare * std::min(a.frame.length, b.frame.length) : 0;

@@ -30,17 +30,6 @@ inline Real list_rounding(const PairSearch& search, Real from_origin) {
   return by_precision(1e-9, 1e-5) * search.skin + round_off(1e-14) * from_origin;
 }
 
-/// So many steps in a row something is as it was before it is asked for how long it will be, which takes
-/// longer than to find it once more: where bodies move on before that helps, it is asked in vain.
-inline constexpr int kStepsToAsk = 4;
-
-/// Paths of the two bodies of a key together, m.
-inline double paths(const Topology& topology, const PairSearch& search, ContactKey key) {
-  const auto own = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
-  return search.path[static_cast<std::size_t>(own)] +
-         search.path[static_cast<std::size_t>(second_of(key))];
-}
-
 /// Lists the triangles near an element to which the group's vertex may be nearest while the lists
 /// hold, as it is in that element:
 ///

@@ -44,6 +44,17 @@ inline Vec3 momentum(const Scene& scene, const std::vector<Velocity>& velocity) 
   return sum;
 }
 
+/// At rest in a step of a motion: the last body has gone `each_step` (m) so many times, and all vertices
+/// tremble by as much as `tremble` (m).
+inline State on_its_way(const Scene& scene, unsigned step, const Vec3& each_step, double tremble) {
+  const Body& body = scene.bodies.back();
+  Eigen::Matrix3Xd position =
+      scene.rest_position.template cast<double>() + noise(scene.vertex_count(), tremble, 77 + step);
+  position.middleCols(body.first_vertex, body.vertex_count).colwise() +=
+      Eigen::Vector3d(static_cast<double>(step) * each_step.cast<double>());
+  return state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+}
+
 /// All that `depths` says of a contact, to compare.
 inline auto numbers_of(const PairContact& c) {
   const auto& [p, w, n] = std::tie(c.partner, c.weight, c.normal);

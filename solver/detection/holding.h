@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "solver/real.h"
+
+namespace stiction {
+
+/// Barycentric weights of a point in a tetrahedron with the given corners, dimensionless; they sum
+/// to 1. Precondition: its volume is not zero.
+Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Round-off of weights of order one: a point on a shared face must not fall between its two
+/// elements. A tetrahedron holds a point with no weight below this.
+inline constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);
+
+/// With weights above this the point is inside this tetrahedron and no other of an unfolded body:
+/// far above round-off, far below any depth.
+inline constexpr Real kInside = by_precision(1e-9, 1e-4);
+
+/// How far a point, as far as δₐ, and the corners of a tetrahedron, as far as δ_b, may move, δₐ + δ_b,
+/// m, while it doesn't hold it: how far the point is above the plane of one of its faces, less what
+/// kOnBoundary forgives and what rounding adds; negative inside.
+Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner);
+
+/// How far they may move while all weights are above kInside; 0 unless they are. With w the smallest
+/// weight and r the radius of the inscribed sphere: each height is at least 2 (r − δ) by then, so that
+/// no weight has changed by more than δ/(2 (r − δ)).
+Real held_within(const Vec3& point, const std::array<Vec3, 4>& corner);
+
+}  // namespace stiction

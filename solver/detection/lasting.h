@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "solver/scene/scene.h"
+#include "solver/workspace.h"
+
+namespace stiction {
+
+/// Paths of the two bodies of a key together, m.
+inline double paths(const Topology& topology, const PairSearch& search, ContactKey key) {
+  const auto own = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
+  return search.path[static_cast<std::size_t>(own)] +
+         search.path[static_cast<std::size_t>(second_of(key))];
+}
+
+/// So many steps in a row something is as it was before it is asked for how long it will be, which takes
+/// longer than to find it once more: where bodies move on before that helps, it is asked in vain.
+inline constexpr int kStepsToAsk = 4;
+
+/// Something was found at paths of so much, m, as it was in the last step or not (`same`). Counts the
+/// steps in a row, and after a few of them asks `within` by how much paths may grow, m, while it is
+/// still so: known until then.
+template <class Within>
+void note_lasting(bool same, double path, std::int8_t& steps, double& until, const Within& within) {
+  if (!same) {
+    steps = 0;
+    until = -std::numeric_limits<double>::infinity();
+  } else if (++steps == kStepsToAsk) {
+    steps = 0;
+    until = path + within();
+  }
+}
+
+}  // namespace stiction
