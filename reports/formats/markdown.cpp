@@ -18,8 +18,6 @@
 namespace stiction {
 namespace {
 
-constexpr auto kRight = MarkdownTable::Align::kRight;
-
 bool needs_attention(const Record& record) {
   return record.verdict == Verdict::kFail || record.verdict == Verdict::kError;
 }

@@ -17,8 +17,6 @@
 namespace stiction {
 namespace {
 
-constexpr auto kRight = MarkdownTable::Align::kRight;
-
 // Distinct texts in the order they came, each with the labels of the cases that have it.
 class SharedTexts {
  public:

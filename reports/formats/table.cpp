@@ -41,13 +41,13 @@ std::size_t quantity_width(const Screen& screen) {
   return std::max(kLeastQuantity, screen.width > others ? screen.width - others : 0);
 }
 
-struct Cells {
+struct CheckCells {
   std::string verdict;  // padded already: it may hold colour codes, which take no columns
   std::vector<std::string> quantity;  // lines
   std::string value, expected, error, digits, share;
 };
 
-std::string check_line(const Cells& cells, const Screen& screen) {
+std::string check_line(const CheckCells& cells, const Screen& screen) {
   const auto [gap, digits, share] = layout_of(screen);
   const std::array<std::string, 7> columns = {
       cells.verdict,

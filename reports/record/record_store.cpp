@@ -25,7 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr mode_t kFolderMode = 0777;  // less what the umask takes
-constexpr mode_t kFileMode = 0666;
 constexpr const char* kLatest = "latest";
 
 std::string cause(int error) { return std::generic_category().message(error); }

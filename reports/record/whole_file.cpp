@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t kFileMode = 0666;  // less what the umask takes
-
 // Never destroyed: threads that write may outlive main.
 std::shared_mutex& gate() {
   static std::shared_mutex* const one = new std::shared_mutex;

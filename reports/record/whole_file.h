@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <shared_mutex>
 #include <string_view>
 
 namespace stiction {
+
+/// Of files that are made here, less what the umask takes.
+inline constexpr mode_t kFileMode = 0666;
 
 /// Whether the disk is waited for.
 enum class Wait { kNo, kYes };

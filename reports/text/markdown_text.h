@@ -43,5 +43,6 @@ class MarkdownTable {
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
 };
+inline constexpr auto kRight = MarkdownTable::Align::kRight;  ///< of columns of numbers
 
 }  // namespace stiction

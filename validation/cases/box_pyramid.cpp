@@ -19,7 +19,7 @@ namespace stiction {
 
 namespace {
 
-constexpr const char* kSource = "[Lazarevych2009], Fig. 5 (right column) and sec. 5";
+constexpr const char* kPyramidSource = "[Lazarevych2009], Fig. 5 (right column) and sec. 5";
 
 // Whether the run is that of the paper's left column: its own method without the stabilisation.
 bool is_without_memory(const CaseRun& run) {
@@ -31,19 +31,19 @@ void check_rest(CaseRun& run, const PyramidSetup& setup, const PyramidAtRest& fo
   const bool whole = !found.slips.empty();
   const auto measured = [&](double value) { return whole ? value : std::nan(""); };
   const double slip = kStaticSlip * window;
-  run.check(zero_claim(kSource, "slip downhill at rest", "m",
+  run.check(zero_claim(kPyramidSource, "slip downhill at rest", "m",
                        fmt::format("no joint of a pyramid at rest slips down in {} s", window),
                        slip, "the paper's 1e-9 m/s over the window"),
             measured(whole ? found.downhill() : 0.0));
-  run.check(zero_claim(kSource, "slip uphill at rest", "m", "… nor up", slip,
+  run.check(zero_claim(kPyramidSource, "slip uphill at rest", "m", "… nor up", slip,
                        "the paper's 1e-9 m/s over the window"),
             measured(whole ? found.uphill() : 0.0));
-  run.check(zero_claim(kSource, "kinetic energy at rest", "J", "a pyramid at rest has none",
+  run.check(zero_claim(kPyramidSource, "kinetic energy at rest", "J", "a pyramid at rest has none",
                        0.5 * setup.box_mass * box_count(setup) * kStaticSlip * kStaticSlip,
                        "½ m v² of all boxes at the paper's 1e-9 m/s"),
             measured(found.kinetic));
-  run.check(zero_claim(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
-                       kStaticSlip, "the paper's own figure"),
+  run.check(zero_claim(kPyramidSource, "fastest contact slip", "m/s",
+                       "static contacts end with 1e-9 m/s", kStaticSlip, "the paper's own figure"),
             measured(found.fastest));
 }
 
@@ -83,7 +83,7 @@ void check_against_no_memory(CaseRun& run, const PyramidSetup& setup, const Pyra
              .unit = "1",
              .statement = "the stabilisation stops the creep that Fig. 5 shows without it",
              .formula = "max |slip| ≤ 0.2 max |slip with ξ = 1|",
-             .source = kSource,
+             .source = kPyramidSource,
              .kind = ReferenceKind::kExternal,
              .expected = 0.0,
              .tolerance = 0.2,
@@ -96,7 +96,7 @@ void run_figure(CaseRun& run, const PyramidSetup& setup, double window, double f
   PyramidSeries series;
   const PyramidAtRest found = pyramid_at_rest(run, setup, window, finer, &series);
   run.check(
-      zero_claim(kSource, "displacement", "m",
+      zero_claim(kPyramidSource, "displacement", "m",
                  "the pyramid does not fall apart: farthest box from its place", 0.5 * setup.width,
                  "half a box's width, where a run ends as broken; where it is whole elastic "
                  "sag and shear are most of it, 1 to 1.5 mm, and what slips is judged below"),

@@ -14,7 +14,7 @@ namespace stiction {
 
 namespace {
 
-constexpr const char* kSource = "[Lazarevych2009], Fig. 3(a) and sec. 5";
+constexpr const char* kClampSource = "[Lazarevych2009], Fig. 3(a) and sec. 5";
 
 // Fig. 3: coarse, narrow bars at different heights. The couple of the two offset pressures wants to
 // turn the box, so that it needs the friction of both sides in full.
@@ -54,12 +54,12 @@ void note_mechanism(CaseRun& run, const ClampSetup& setup, const Engine& engine,
 // Seen from before gravity: what a reader of the figure would see.
 void check_figure(CaseRun& run, const ClampSetup& setup, const Pose& from, const Pose& to) {
   run.check(
-      zero_claim(kSource, "displacement", "m", "the clamped box doesn't slip out",
+      zero_claim(kClampSource, "displacement", "m", "the clamped box doesn't slip out",
                  0.01 * setup.width,
                  "a hundredth of the box's width, about what the figure can show; the elastic "
                  "sag of box and bars under the weight is part of it"),
       to.height - from.height);
-  run.check(zero_claim(kSource, "rotation", "°", "the clamped box doesn't turn", 1.0,
+  run.check(zero_claim(kClampSource, "rotation", "°", "the clamped box doesn't turn", 1.0,
                        "about what the figure can show; elastic rotation under the weight is part "
                        "of it"),
             to.angle - from.angle);
@@ -69,19 +69,20 @@ void check_rest(CaseRun& run, const ClampSetup& setup, const Engine& engine, con
                 double window) {
   const Pose to = pose_of(engine, 0);
   const double slip = kStaticSlip * window;
-  run.check(zero_claim(kSource, "drift at rest", "m", "once settled it stays for 5 s", slip,
+  run.check(zero_claim(kClampSource, "drift at rest", "m", "once settled it stays for 5 s", slip,
                        "the paper's 1e-9 m/s over the window"),
             to.height - from.height);
-  run.check(zero_claim(kSource, "turn at rest", "°", "once settled it doesn't turn for 5 s",
+  run.check(zero_claim(kClampSource, "turn at rest", "°", "once settled it doesn't turn for 5 s",
                        slip / (0.5 * setup.width) * 180.0 / M_PI,
                        "the paper's 1e-9 m/s over the window, at half the width"),
             to.angle - from.angle);
-  run.check(zero_claim(kSource, "kinetic energy at rest", "J", "a clamped box has none after 7 s",
-                       0.5 * setup.box_mass * kStaticSlip * kStaticSlip,
-                       "½ m v² of the box at the paper's 1e-9 m/s"),
-            engine.energies().kinetic);
-  run.check(zero_claim(kSource, "fastest contact slip", "m/s", "static contacts end with 1e-9 m/s",
-                       kStaticSlip, "the paper's own figure"),
+  run.check(
+      zero_claim(kClampSource, "kinetic energy at rest", "J", "a clamped box has none after 7 s",
+                 0.5 * setup.box_mass * kStaticSlip * kStaticSlip,
+                 "½ m v² of the box at the paper's 1e-9 m/s"),
+      engine.energies().kinetic);
+  run.check(zero_claim(kClampSource, "fastest contact slip", "m/s",
+                       "static contacts end with 1e-9 m/s", kStaticSlip, "the paper's own figure"),
             fastest_slip(engine));
 }
 

@@ -16,7 +16,7 @@ namespace stiction {
 
 namespace {
 
-const char* const kSource =
+const char* const kCoupleSource =
     "Coulomb's law: the friction of a turning body, over its contacts' places and forces";
 
 struct Turn {
@@ -87,7 +87,7 @@ void run_above(CaseRun& run, TurnedBoxSetup setup) {
        .unit = "1/s²",
        .statement = "no pressure holds more than μ m g a/√2: the box spins up",
        .formula = "(τ − μ m g a/√2)/J ≤ α ≤ τ/J",
-       .source = kSource,
+       .source = kCoupleSource,
        .kind = ReferenceKind::kAnalytic,
        .expected = 0.5 * (least + most),
        .tolerance = 0.5 * (most - least) + 1e-9 * most,
@@ -114,7 +114,7 @@ void run_threshold(CaseRun& run, TurnedBoxSetup setup) {
              .unit = "N m",
              .statement = "no couple above μ m g a/√2 is held",
              .formula = "max(0, τ − μ m g a/√2) = 0",
-             .source = kSource,
+             .source = kCoupleSource,
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
              .relative = true,
@@ -130,7 +130,7 @@ void run_threshold(CaseRun& run, TurnedBoxSetup setup) {
   if (!run.engine().manifest.contacts) return;
   const Claim common{.unit = "N m",
                      .formula = "τ = min over c of Σ μ N |p − c|",
-                     .source = kSource,
+                     .source = kCoupleSource,
                      .kind = ReferenceKind::kExactComputed,
                      .relative = true,
                      .scale = held.held};

@@ -11,47 +11,48 @@ namespace stiction {
 
 namespace {
 
-const char* const kSource = "its centre of mass can come to lie below what carries it";
+const char* const kBalanceSource = "its centre of mass can come to lie below what carries it";
 
-using Setups = std::vector<BalanceSetup>;
+using BalanceSetups = std::vector<BalanceSetup>;
 
-std::vector<RestOutcome> rest(CaseRun& run, const Setups& setups, const std::string& claim) {
+std::vector<RestOutcome> rest(CaseRun& run, const BalanceSetups& setups, const std::string& claim) {
   std::vector<std::pair<std::string, Problem>> scenes;
   for (const BalanceSetup& setup : setups) {
     scenes.emplace_back(balance_words(setup), balance_problem(setup));
   }
-  return check_gauntlet_rest(run, scenes, {.claim = claim, .source = kSource, .settled = 4.0});
+  return check_gauntlet_rest(run, scenes,
+                             {.claim = claim, .source = kBalanceSource, .settled = 4.0});
 }
 
-Case balance(const char* name, const char* title, CaseSet set, const Setups& setups,
+Case balance(const char* name, const char* title, CaseSet set, const BalanceSetups& setups,
              const std::string& claim) {
   return {.name = name, .title = title, .set = set, .suite = "stability", .run = [=](CaseRun& run) {
             rest(run, setups, claim);
           }};
 }
 
-Setups vertex_on_flat() {
+BalanceSetups vertex_on_flat() {
   return {{.foot = Foot::kSpike, .offset = {7e-3, 4e-3}},
           {.foot = Foot::kSpike, .offset = {6e-3, 0.0}, .foot_yaw = 20.0},
           {.foot = Foot::kSpike}};
 }
 
-Setups spike_on_spike() {
+BalanceSetups spike_on_spike() {
   return {{.perch = Perch::kSpike},
           {.perch = Perch::kSpike, .offset = {2e-3, 1e-3}, .foot_yaw = 20.0}};
 }
 
-Setups spike_in_wedge(double friction) {
+BalanceSetups spike_in_wedge(double friction) {
   return {{.perch = Perch::kValley, .friction = friction},
           {.perch = Perch::kValley, .foot_yaw = 10.0, .perch_yaw = 40.0, .friction = friction}};
 }
 
-Setups wedge_on_wedge() {
+BalanceSetups wedge_on_wedge() {
   return {{.foot = Foot::kRidge, .perch = Perch::kRidge, .perch_yaw = 90.0},
           {.foot = Foot::kRidge, .perch = Perch::kRidge, .foot_yaw = 15.0, .perch_yaw = 65.0}};
 }
 
-Setups hook() {
+BalanceSetups hook() {
   return {{.foot = Foot::kNone, .perch = Perch::kRidge},
           {.foot = Foot::kNone, .perch = Perch::kRidge, .offset = {-2e-3, 0.0}},
           {.foot = Foot::kNone, .perch = Perch::kRidge, .foot_yaw = 12.0, .perch_yaw = 20.0}};

@@ -7,9 +7,9 @@ namespace stiction {
 
 namespace {
 
-using Setups = std::vector<SpikeBedSetup>;
+using BedSetups = std::vector<SpikeBedSetup>;
 
-Case bed(const char* name, const char* title, const Setups& setups, const char* source,
+Case bed(const char* name, const char* title, const BedSetups& setups, const char* source,
          const char* claim) {
   return {
       .name = name,
@@ -27,11 +27,11 @@ Case bed(const char* name, const char* title, const Setups& setups, const char* 
       }};
 }
 
-Setups box() { return {{}, {.shift = {3e-3, 2e-3}, .yaw = 20.0}}; }
+BedSetups box() { return {{}, {.shift = {3e-3, 2e-3}, .yaw = 20.0}}; }
 
 // Tip over the corner of four pads, the steeper spike in the blunter ones' valley; and turned, so
 // that nothing fits.
-Setups spikes() {
+BedSetups spikes() {
   const Vec2 valley(0.5 * kBedPad, 0.0);
   return {{.spikes = true, .shift = valley, .drop = -kBedHeight},
           {.spikes = true, .height = 0.015, .shift = valley, .drop = -0.015},

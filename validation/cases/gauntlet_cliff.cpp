@@ -9,7 +9,8 @@ namespace stiction {
 
 namespace {
 
-const char* const kSource = "statics: a box stays iff its centre of mass lies over the support";
+const char* const kCliffSource =
+    "statics: a box stays iff its centre of mass lies over the support";
 
 void run_stays(CaseRun& run) {
   std::vector<std::pair<std::string, Problem>> scenes;
@@ -19,7 +20,7 @@ void run_stays(CaseRun& run) {
   }
   check_gauntlet_rest(run, scenes,
                       {.claim = "a box partly over an edge stays",
-                       .source = kSource,
+                       .source = kCliffSource,
                        .settled = 2.2,
                        .given_up = 0.005});
 }
@@ -49,7 +50,7 @@ void run_falls(CaseRun& run) {
              .unit = "1",
              .statement = "a box whose centre of mass lies beyond the edge tips over it",
              .formula = "tilt ≥ 0.5 rad within 1 s",
-             .source = kSource,
+             .source = kCliffSource,
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
              .tolerance = 0.0,

@@ -15,7 +15,7 @@ namespace stiction {
 
 namespace {
 
-const char* const kSource = "Coulomb's law and the balance of momenta in an impact";
+const char* const kImpactSource = "Coulomb's law and the balance of momenta in an impact";
 
 struct Impact {
   double lost = 0.0;    // of v_t, m/s
@@ -49,7 +49,7 @@ Claim claim_of(const std::string& quantity, const std::string& unit, const std::
           .unit = unit,
           .statement = statement,
           .formula = formula,
-          .source = kSource,
+          .source = kImpactSource,
           .kind = ReferenceKind::kAnalytic,
           .expected = expected,
           .relative = true,

@@ -13,13 +13,13 @@ namespace {
 // Window in which the mean acceleration is read, s: vibrations of the landing have decayed.
 constexpr double kFrom = 1.0, kTo = 2.0;
 
-struct Slide {
+struct Sliding {
   double speed_before;
   double speed_after;
   double acceleration() const { return (speed_after - speed_before) / (kTo - kFrom); }
 };
 
-Slide slide(CaseRun& run, const InclineSetup& setup) {
+Sliding slide(CaseRun& run, const InclineSetup& setup) {
   InclineRun incline(run, setup, incline_problem(setup));
   InclineSeries series;
   advance_sampled(incline, kFrom, 100, series);
@@ -32,7 +32,7 @@ Slide slide(CaseRun& run, const InclineSetup& setup) {
 void run_above(CaseRun& run, const InclineSetup& setup) {
   const reference::Incline incline{std::atan(setup.tan_slope), setup.friction, kStandardGravity};
   const double expected = reference::sliding_acceleration(incline);
-  const Slide result = slide(run, setup);
+  const Sliding result = slide(run, setup);
   run.check({.quantity = "acceleration",
              .unit = "m/s²",
              .statement = "above the critical slope a box accelerates",
@@ -49,7 +49,7 @@ void run_above(CaseRun& run, const InclineSetup& setup) {
 }
 
 void run_critical(CaseRun& run, const InclineSetup& setup) {
-  const Slide result = slide(run, setup);
+  const Sliding result = slide(run, setup);
   run.check({.quantity = "speed after 1 s",
              .unit = "m/s",
              .statement = "at the critical slope a sliding box keeps its speed",

@@ -14,7 +14,7 @@ namespace stiction {
 
 namespace {
 
-const char* const kSource =
+const char* const kOscillatorSource =
     "Newton's and Coulomb's laws, μ static = kinetic: half-swings are sines";
 constexpr double kShear = 3e-4;  // of an elastic box, and what its landing leaves, in terms of δ
 
@@ -61,7 +61,8 @@ void run_drawn(CaseRun& run, const OscillatorSetup& setup) {
   }
   run.add(velocity);
   const double swing = first_order(rate, dt, 4.0 * std::numbers::pi);
-  const Claim common{.source = kSource, .kind = ReferenceKind::kAnalytic, .relative = true};
+  const Claim common{
+      .source = kOscillatorSource, .kind = ReferenceKind::kAnalytic, .relative = true};
   Claim claim = common;
   claim.quantity = "time of the first slip";
   claim.unit = "s";
@@ -142,7 +143,8 @@ void run_free(CaseRun& run, const OscillatorSetup& setup) {
   const double rest = stretch();
   simulation->advance_to(simulation->time() + 2.0);
   run.add(place);
-  const Claim common{.source = kSource, .kind = ReferenceKind::kAnalytic, .relative = true};
+  const Claim common{
+      .source = kOscillatorSource, .kind = ReferenceKind::kAnalytic, .relative = true};
   Claim claim = common;
   claim.quantity = "stretch at rest";
   claim.unit = "m";
@@ -171,7 +173,7 @@ void run_free(CaseRun& run, const OscillatorSetup& setup) {
              .unit = "m/s",
              .statement = "… and there it stays: mean speed over 2 s",
              .formula = "v = 0",
-             .source = kSource,
+             .source = kOscillatorSource,
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
              .tolerance = 2.0 / dt * 0.5 * std::numeric_limits<double>::epsilon() * setup.stretch *

@@ -18,7 +18,7 @@ namespace stiction {
 
 namespace {
 
-const char* const kSource = "Coulomb's law and the balance of forces of body and jaws";
+const char* const kPinchSource = "Coulomb's law and the balance of forces of body and jaws";
 
 // Height of the body over the mean of the jaws', m.
 double height(const Engine& engine) {
@@ -60,7 +60,7 @@ void run_hold(CaseRun& run, PinchSetup setup, double share) {
              .unit = "m/s",
              .statement = "what is held by friction does not sink: mean speed over 10 s",
              .formula = "v = 0 where 2 μ F ≥ m g",
-             .source = kSource,
+             .source = kPinchSource,
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
              .tolerance = 2.0 * steps * 0.5 * ulp / (kTo - kFrom),
@@ -75,7 +75,7 @@ void run_hold(CaseRun& run, PinchSetup setup, double share) {
              .unit = "m",
              .statement = "… nor do the jaws move, which nothing but the body holds",
              .formula = "x(12 s) − x(2 s) = 0",
-             .source = kSource,
+             .source = kPinchSource,
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
              .tolerance = 2.0 * steps * 0.5 * ulp,
@@ -87,14 +87,14 @@ void run_hold(CaseRun& run, PinchSetup setup, double share) {
 }
 
 // Means over the first moments in which the body is free.
-struct Fall {
+struct PinchFall {
   double acceleration = 0.0;  // of the body over the jaws, downwards, m/s²
   double pressed = 0.0;       // what presses the body, in terms of F
 };
 
 // A jaw that gets faster has not passed its whole force on: N = F − M dv/dt. Sliding over a face
 // shakes an elastic body by a millionth of a m/s, which is 1e-4 of F over the window.
-Fall fall_of(CaseRun& run, const PinchSetup& setup) {
+PinchFall fall_of(CaseRun& run, const PinchSetup& setup) {
   constexpr double kWindow = 0.06;  // s
   const auto simulation = run.simulate(pinch_problem(setup));
   simulation->record_frames(0.01);
@@ -125,13 +125,13 @@ double lean_share(const PinchSetup& setup, double fallen) {
 void run_slide(CaseRun& run, PinchSetup setup, double share) {
   constexpr double kFallen = 0.01;  // m, at the end of the window
   setup.force = share * least_pinch(setup);
-  const Fall fall = fall_of(run, setup);
+  const PinchFall fall = fall_of(run, setup);
   run.check(
       {.quantity = "acceleration",
        .unit = "m/s²",
        .statement = "what friction does not hold falls with what is left of its weight",
        .formula = "a − 2 (μ M/m) dv/dt = g − 2 μ F/m, dv/dt of the jaws, inwards",
-       .source = kSource,
+       .source = kPinchSource,
        .kind = ReferenceKind::kAnalytic,
        .expected = kStandardGravity * (1.0 - share),
        .relative = true,
@@ -150,7 +150,7 @@ void run_threshold(CaseRun& run, PinchSetup setup) {
   std::map<double, double> pressed;  // by F
   const auto holds = [&](double force) {
     setup.force = force;
-    const Fall fall = fall_of(run, setup);
+    const PinchFall fall = fall_of(run, setup);
     pressed[force] = fall.pressed;
     return fall.acceleration < kGives * kStandardGravity;
   };
@@ -163,7 +163,7 @@ void run_threshold(CaseRun& run, PinchSetup setup) {
              .unit = "N",
              .statement = "the body gives, that is falls faster than 1e-3 g, below a force",
              .formula = "N = (1 − 1e-3) m g/(2μ), N = F − M dv/dt",
-             .source = kSource,
+             .source = kPinchSource,
              .kind = ReferenceKind::kAnalytic,
              .expected = (1.0 - kGives) * least,
              .relative = true,

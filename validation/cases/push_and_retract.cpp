@@ -28,11 +28,11 @@ constexpr double kRamp = 0.25, kHold = 0.25, kRest = 0.4;  // s
 constexpr double kLastRest = 0.5;                          // s, more, after the last cycle
 constexpr int kCycles = 2;
 constexpr double kCycle = 2.0 * kRamp + kHold + kRest;
-constexpr double kDamping = 2e-3;  // β, s
+constexpr double kPushDamping = 2e-3;  // β, s
 
 SlabSetup pushed_slab() {
   SlabSetup setup;
-  setup.elasticity.damping_time = kDamping;
+  setup.elasticity.damping_time = kPushDamping;
   setup.azimuth = std::numbers::pi / 6.0;
   setup.yaw = 17.0 * std::numbers::pi / 180.0;
   setup.offset = {0.013, 0.007, 0.0};
@@ -114,7 +114,7 @@ double mindlin_residual(double part) {
 // ends, which leaves at most 120/(ωT)³ swinging, and damping takes ½βω² of it per second.
 double vibration_left(double frequency, double rest) {
   return 120.0 / std::pow(frequency * kRamp, 3) *
-         std::exp(-0.5 * kDamping * frequency * frequency * rest);
+         std::exp(-0.5 * kPushDamping * frequency * frequency * rest);
 }
 
 void run_push(CaseRun& run, double part) {

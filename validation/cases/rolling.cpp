@@ -15,14 +15,14 @@ namespace stiction {
 
 namespace {
 
-constexpr double kForce = 150.0;  // N
-constexpr double kGround = 0.4;   // μ of the plate on the ground
-constexpr double kBetween = 0.8;  // μ of the balls on the plate
-constexpr double kPlate = 10.0;   // kg
-constexpr double kBall = 1.0;     // kg
-constexpr double kRadius = 0.5;   // m
-constexpr int kSide = 5;          // balls along a side
-constexpr double kWatched = 2.0;  // s
+constexpr double kForce = 150.0;        // N
+constexpr double kGround = 0.4;         // μ of the plate on the ground
+constexpr double kBetween = 0.8;        // μ of the balls on the plate
+constexpr double kPlate = 10.0;         // kg
+constexpr double kBall = 1.0;           // kg
+constexpr double kRollingRadius = 0.5;  // m
+constexpr int kSide = 5;                // balls along a side
+constexpr double kRolling = 2.0;        // s
 
 // F − μ g (M + n m) = M a + n m a_b, with balls that roll on the plate: friction gives a ball a_b,
 // and r α = ⁵⁄₂ a_b; rolling, a_b + r α = a. So a_b = ²⁄₇ a, far from what μ = 0.8 can hold.
@@ -42,9 +42,9 @@ Problem plate_and_balls(double azimuth) {
   for (int k = 0; k < kSide * kSide; ++k) {
     ProblemBody ball;
     ball.name = fmt::format("ball {}", k);
-    ball.shape = BallShape{kRadius};
+    ball.shape = BallShape{kRollingRadius};
     ball.mass = kBall;
-    ball.position = Vec3(2.0 * (k % kSide) - 4.0, 2.0 * (k / kSide) - 4.0, 1.0 + kRadius);
+    ball.position = Vec3(2.0 * (k % kSide) - 4.0, 2.0 * (k / kSide) - 4.0, 1.0 + kRollingRadius);
     problem.bodies.push_back(ball);
   }
   problem.obstacles = {{"ground", Vec3::Zero(), Vec3::UnitZ(), kGround}};
@@ -52,7 +52,7 @@ Problem plate_and_balls(double azimuth) {
   problem.gravity = {{0.0}, {Vec3(0.0, 0.0, -kStandardGravity)}};
   problem.loads = {
       {.body = 0, .force = {{0.0}, {kForce * Vec3(std::cos(azimuth), std::sin(azimuth), 0.0)}}}};
-  problem.duration = kWatched;
+  problem.duration = kRolling;
   return problem;
 }
 
@@ -60,7 +60,7 @@ void run_rolling(CaseRun& run, double azimuth) {
   run.need(&Manifest::spin, "bodies that turn");
   const CaseRun::Running simulation = run.simulate(plate_and_balls(azimuth));
   simulation->record_frames(0.05);
-  simulation->advance_to(kWatched);
+  simulation->advance_to(kRolling);
   const Vec3 ahead(std::cos(azimuth), std::sin(azimuth), 0.0);
   const double seconds = simulation->time();
   const double plate = simulation->engine().body(0).velocity.dot(ahead) / seconds;

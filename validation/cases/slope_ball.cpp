@@ -9,8 +9,8 @@ namespace stiction {
 
 namespace {
 
-constexpr double kRadius = 0.1;           // m
-constexpr double kFrom = 0.1, kTo = 0.5;  // s
+constexpr double kBallRadius = 0.1;                 // m
+constexpr double kRollsFrom = 0.1, kRollsTo = 0.5;  // s
 
 // Friction f on a solid ball turns it, f r = ⅖ m r² α: it rolls while f = ²⁄₇ m g sin θ ≤ μ m g cos θ,
 // with a = ⁵⁄₇ g sin θ and α r = a. Beyond, tan θ > ⁷⁄₂ μ, it slides: a = g(sin θ − μ cos θ),
@@ -22,9 +22,9 @@ struct Rolling {
 
 Rolling rolling(double angle, double friction) {
   const double down = kStandardGravity * std::sin(angle);
-  if (std::tan(angle) <= 3.5 * friction) return {5.0 / 7.0 * down, 5.0 / 7.0 * down / kRadius};
+  if (std::tan(angle) <= 3.5 * friction) return {5.0 / 7.0 * down, 5.0 / 7.0 * down / kBallRadius};
   const double rub = friction * kStandardGravity * std::cos(angle);
-  return {down - rub, 2.5 * rub / kRadius};
+  return {down - rub, 2.5 * rub / kBallRadius};
 }
 
 void run_ball(CaseRun& run, double friction) {
@@ -37,17 +37,17 @@ void run_ball(CaseRun& run, double friction) {
   const InclineFrame frame = incline_frame(setup);
   ProblemBody& ball = problem.bodies[0];
   ball.name = "ball";
-  ball.shape = BallShape{kRadius};
-  ball.position = kRadius * frame.normal;
+  ball.shape = BallShape{kBallRadius};
+  ball.position = kBallRadius * frame.normal;
   // Facets are small: strain-rate damping as of a box would ask for steps of 2 µs.
   ball.elasticity.damping_time = 1e-5;
   const CaseRun::Running simulation = run.simulate(problem);
   simulation->record_frames(0.02);
   const Vec3 axis = frame.normal.cross(frame.downhill);
-  simulation->advance_to(kFrom);
+  simulation->advance_to(kRollsFrom);
   const double from = simulation->time();
   const BodyMotion before = simulation->engine().body(0);
-  simulation->advance_to(kTo);
+  simulation->advance_to(kRollsTo);
   const double seconds = simulation->time() - from;
   const BodyMotion after = simulation->engine().body(0);
   const Rolling expected = rolling(radians(20.0), friction);

@@ -17,7 +17,7 @@ namespace stiction {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // One of each kind, of a second or less: free and against a fixed plane, stopped, stuck and at its
 // threshold; bodies that are thrown together, rest on each other, are clamped, roll and stick-slip.
@@ -127,7 +127,7 @@ class Perturbed {
       words.push_back(how.words);
     }
     const Deviation found = broken.empty() ? deviation(runs, words, other_build)
-                                           : Deviation{kInfinity, kInfinity, broken};
+                                           : Deviation{kUnbounded, kUnbounded, broken};
     run_.check({.quantity = group.name,
                 .unit = "1",
                 .statement = group.statement,

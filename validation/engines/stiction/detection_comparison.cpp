@@ -60,13 +60,13 @@ std::vector<Vec3> queries(const TetMesh& mesh, int random, std::mt19937& generat
 }
 
 // What the solver's detection says of points in a body at rest: −1 for no contact.
-struct Answer {
+struct Detected {
   double depth = -1.0;  // m
   Vec3 normal = Vec3::Zero();
 };
 
-std::vector<Answer> ask_solver(const TetMesh& mesh, const std::vector<Vec3>& points,
-                               const Settings& settings) {
+std::vector<Detected> ask_solver(const TetMesh& mesh, const std::vector<Vec3>& points,
+                                 const Settings& settings) {
   SceneDescription description;
   description.bodies.resize(2);
   description.bodies[0].name = "points";
@@ -87,11 +87,11 @@ std::vector<Answer> ask_solver(const TetMesh& mesh, const std::vector<Vec3>& poi
   options.pairs.hysteresis = 0.0;
   detect_pairs(scene, options, state, workspace);
   depths(scene, options, state, workspace);
-  std::vector<Answer> by_vertex(static_cast<std::size_t>(scene.vertex_count()));
+  std::vector<Detected> by_vertex(static_cast<std::size_t>(scene.vertex_count()));
   for (const PairContact& contact : workspace.pairs) {
     by_vertex[static_cast<std::size_t>(contact.vertex)] = {contact.depth, contact.normal};
   }
-  std::vector<Answer> answers;
+  std::vector<Detected> answers;
   for (std::size_t k = 0; k < points.size(); ++k) {
     answers.push_back(by_vertex[static_cast<std::size_t>(scene.scene_vertex[k])]);
   }
@@ -137,7 +137,7 @@ void DetectionComparison::add(const DetectionComparison& other) {
 DetectionComparison compare_detection(const TetMesh& mesh, int random, std::mt19937& generator,
                                       const Settings& settings) {
   const std::vector<Vec3> points = queries(mesh, random, generator);
-  const std::vector<Answer> answers = ask_solver(mesh, points, settings);
+  const std::vector<Detected> answers = ask_solver(mesh, points, settings);
   const reference::ExactBody exact(mesh);
   const double edge = mean_edge(mesh);
   const double size =

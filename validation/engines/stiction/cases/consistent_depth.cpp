@@ -17,7 +17,7 @@ namespace stiction {
 
 namespace {
 
-constexpr const char* kSource = "crossings in CGAL's rationals, means with 50 digits";
+constexpr const char* kConsistentSource = "crossings in CGAL's rationals, means with 50 digits";
 
 struct Placement {
   std::string name;
@@ -101,7 +101,7 @@ Claim count_claim(const std::string& quantity, const std::string& statement) {
           .unit = "1",
           .statement = statement,
           .formula = "count = 0",
-          .source = kSource,
+          .source = kConsistentSource,
           .kind = ReferenceKind::kExactComputed,
           .expected = 0.0,
           .tolerance = 0.0,
@@ -113,7 +113,7 @@ Claim error_claim(const std::string& quantity, const std::string& statement) {
           .unit = "1",
           .statement = statement,
           .formula = "|error|/bound ≤ 1",
-          .source = kSource,
+          .source = kConsistentSource,
           .kind = ReferenceKind::kExactComputed,
           .expected = 0.0,
           .tolerance = 1.0,

@@ -15,7 +15,7 @@ namespace stiction {
 
 namespace {
 
-constexpr const char* kSource = "CGAL: side and closest point in rationals";
+constexpr const char* kDetectionSource = "CGAL: side and closest point in rationals";
 
 struct NamedMesh {
   std::string name;
@@ -52,7 +52,7 @@ void check_sides(CaseRun& run, const DetectionComparison& all) {
              .unit = "1",
              .statement = "a vertex touches a body exactly if it is in one of its tetrahedra",
              .formula = "count = 0",
-             .source = kSource,
+             .source = kDetectionSource,
              .kind = ReferenceKind::kExactComputed,
              .expected = 0.0,
              .tolerance = 0.0,
@@ -70,7 +70,7 @@ void check_depths(CaseRun& run, const DetectionComparison& all) {
        .statement =
            "the depth is the distance from the surface, however deep, in thin bodies as well",
        .formula = "count = 0",
-       .source = kSource,
+       .source = kDetectionSource,
        .kind = ReferenceKind::kExactComputed,
        .expected = 0.0,
        .tolerance = 0.0,
@@ -82,7 +82,7 @@ void check_depths(CaseRun& run, const DetectionComparison& all) {
              .unit = "1",
              .statement = "the depth vector ends on the surface",
              .formula = "dist(x + d n)/size = 0",
-             .source = kSource,
+             .source = kDetectionSource,
              .kind = ReferenceKind::kExactComputed,
              .expected = 0.0,
              .tolerance = kDetectionRounding,
