@@ -47,12 +47,11 @@ class Solid {
     static const Kernel::Vector_3 ways[3] = {{0.5432917, 0.3917351, 0.7424113},
                                              {-0.6113971, 0.7712345, -0.1771929},
                                              {0.2911743, -0.8341197, 0.4685231}};
-    int inside = 0;
-    for (const Kernel::Vector_3& way : ways) {
-      const Kernel::Ray_3 ray(point(x), way);
-      inside += tree_.number_of_intersected_primitives(ray) % 2 == 1 ? 1 : 0;
-    }
-    return inside >= 2;
+    const auto says_inside = [&](int k) {
+      return tree_.number_of_intersected_primitives(Kernel::Ray_3(point(x), ways[k])) % 2 == 1;
+    };
+    const bool first = says_inside(0);
+    return says_inside(1) == first ? first : says_inside(2);
   }
 
   double distance(const Vector3d& x) const { return std::sqrt(tree_.squared_distance(point(x))); }
@@ -102,6 +101,42 @@ class Solid {
   Triangles triangles_;
   Tree tree_;
 };
+
+// Whether a plane shows that no point of `inner` is deeper than `allowed` in `outer`: as far as that beyond
+// the plane there is nothing of `outer`, and of `inner` all. Between bodies that touch by faces that are
+// nearly flat, one of a face does, or one across the way between their middles.
+bool is_apart(const Skin& inner, const Skin& outer, double allowed) {
+  constexpr int kMost = 64;            // directions that are tried
+  constexpr double kAlike = 0.9998;    // cosine of 1.1°: nothing new beside one that was tried
+  constexpr double kRounding = 1e-14;  // of a product with a direction, in parts of its terms
+  std::vector<Vector3d> tried;
+  const auto separates = [&](const Vector3d& way) {
+    const double length = way.norm();
+    if (!(length > 0.0) || tried.size() == kMost) return false;
+    const Vector3d n = way / length;
+    for (const Vector3d& other : tried) {
+      if (n.dot(other) > kAlike) return false;
+    }
+    tried.push_back(n);
+    double top = -std::numeric_limits<double>::infinity(), bottom = -top, size = allowed;
+    for (const int v : outer.used()) top = std::max(top, n.dot(outer.vertices().col(v)));
+    for (const int v : inner.used()) {
+      bottom = std::min(bottom, n.dot(inner.vertices().col(v)));
+      if (bottom + allowed < top) return false;
+    }
+    size = std::max({size, outer.high().cwiseAbs().maxCoeff(), outer.low().cwiseAbs().maxCoeff()});
+    return bottom + allowed > top + kRounding * size;
+  };
+  if (separates(inner.low() + inner.high() - outer.low() - outer.high())) return true;
+  for (const auto& [skin, sign] : {std::pair(&outer, 1.0), std::pair(&inner, -1.0)}) {
+    for (Eigen::Index t = 0; t < skin->triangles().cols(); ++t) {
+      const auto corner = [&](int k) { return skin->vertices().col(skin->triangles()(k, t)); };
+      const Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+      if (separates(sign * normal)) return true;
+    }
+  }
+  return false;
+}
 
 // Whether the way from a to b touches the box.
 bool meets_box(const Vector3d& a, const Vector3d& b, const Vector3d& low, const Vector3d& high) {
@@ -178,6 +213,7 @@ std::optional<Overlap> deepest(const Skin& inner, const Skin& outer, double allo
       (inner.high().array() < low.array()).any()) {
     return std::nullopt;
   }
+  if (is_apart(inner, outer, allowed)) return std::nullopt;
   const Eigen::Matrix3Xd& x = inner.vertices();
   std::optional<Solid> solid;
   const auto body = [&]() -> const Solid& {
@@ -185,28 +221,32 @@ std::optional<Overlap> deepest(const Skin& inner, const Skin& outer, double allo
     return *solid;
   };
   std::optional<Overlap> worst;
-  const auto look = [&](const Vector3d& at) {
-    if (!body().holds(at)) return;
+  const auto note = [&](const Vector3d& at) {
     const double depth = body().distance(at);
     if (depth > allowed && (!worst || depth > worst->depth)) worst = {depth, at, false};
   };
   const auto in_box = [&](const Vector3d& at) {
     return (at.array() >= low.array()).all() && (at.array() <= high.array()).all();
   };
+  std::vector<std::optional<bool>> held(static_cast<std::size_t>(x.cols()));
+  const auto holds = [&](int v) {
+    std::optional<bool>& known = held[static_cast<std::size_t>(v)];
+    if (!known) known = body().holds(x.col(v));
+    return *known;
+  };
   for (const int v : inner.used()) {
-    if (in_box(x.col(v))) look(x.col(v));
+    if (in_box(x.col(v)) && holds(v)) note(x.col(v));
   }
   for (const auto& [a, b] : inner.edges()) {
     if (!meets_box(x.col(a), x.col(b), low, high)) continue;
     const std::vector<double> shares = body().crossings(x.col(a), x.col(b));
+    if (shares.size() == 2 && !holds(a)) continue;  // it is outside, and so is all of the edge
     for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
       const Vector3d middle = x.col(a) + 0.5 * (shares[k] + shares[k + 1]) * (x.col(b) - x.col(a));
       if (!in_box(middle)) continue;
       const double before = worst ? worst->depth : 0.0;
-      look(middle);
-      if (worst && worst->depth > before) {
-        worst->by_an_edge = !body().holds(x.col(a)) && !body().holds(x.col(b));
-      }
+      if (body().holds(middle)) note(middle);
+      if (worst && worst->depth > before) worst->by_an_edge = !holds(a) && !holds(b);
     }
   }
   return worst;

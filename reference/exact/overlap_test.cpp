@@ -88,6 +88,37 @@ TEST(Overlap, OfWhatLiesBetweenTheArmsOfAJackIsNone) {
   EXPECT_TRUE(deepest(box({0.2, 0.2, 0.2}, {0, 0, 0}), whole, 0.01));
 }
 
+// Where two arms meet, from whose surfaces no plane parts what lies between them: its edge goes in to the
+// corner of both.
+TEST(Overlap, OfABoxBetweenTheArmsIsThatOfItsEdge) {
+  const TetMesh jack = shape_mesh(Shape::jack, 1.0, 1);
+  for (const double deep : {-0.01, 0.01, 0.03, 0.05}) {
+    const Skin small = box({0.4, 0.4, 0.4}, {0.7 - deep, 0.7 - deep, 0.1});
+    const auto found = deepest(small, skin_of(jack), 0.02);
+    EXPECT_EQ(found.has_value(), deep > 0.02) << deep;
+    if (found) {
+      EXPECT_NEAR(found->depth, std::numbers::sqrt2 * deep, 1e-12);
+    }
+  }
+}
+
+// Just allowed and just not, of boxes that are turned against the axes: what a plane shows is no more than
+// what the exact search does.
+TEST(Overlap, IsToldFromWhatIsAllowedOnAnySlope) {
+  for (int k = 0; k < 20; ++k) {
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.37 * k, Vector3d(1, 2, 3).normalized()) *
+                                  Eigen::AngleAxisd(1.1 * k, Vector3d::UnitY()))
+                                     .toRotationMatrix();
+    const Skin lower = skin_of(box_mesh({1, 1, 1}, {2, 2, 2}), {0, 0, 0}, turn);
+    const Skin upper =
+        skin_of(box_mesh({0.5, 0.5, 0.5}, {1, 1, 1}), turn * Vector3d(0.1, -0.2, 0.74), turn);
+    EXPECT_FALSE(deepest(upper, lower, 0.0101)) << k;
+    const auto found = deepest(upper, lower, 0.0099);
+    ASSERT_TRUE(found) << k;
+    EXPECT_NEAR(found->depth, 0.01, 1e-14) << k;
+  }
+}
+
 TEST(Overlap, SurvivesEveryTurn) {
   for (int k = 0; k < 50; ++k) {
     const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.37 * k, Vector3d(1, 2, 3).normalized()) *

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace stiction {
 
@@ -20,6 +24,25 @@ constexpr double kFarthest = 1e60;  // m
 
 bool has_extension(const ProblemBody& body) {
   return !std::holds_alternative<PointShape>(body.shape);
+}
+
+// A search for a threshold begins with the same bodies each time, and a thickness asks a hundred rays: found
+// once for all simulations of the program.
+double thickness_of(const reference::Skin& skin) {
+  if (skin.triangles().cols() == 0) return 0.0;
+  const auto triangles = skin.triangles().reshaped();
+  const auto vertices = skin.vertices().reshaped();
+  std::pair key(std::vector<int>(triangles.begin(), triangles.end()),
+                std::vector<double>(vertices.begin(), vertices.end()));
+  static std::map<decltype(key), double> known;
+  static std::mutex of_known;
+  {
+    const std::lock_guard lock(of_known);
+    if (const auto found = known.find(key); found != known.end()) return found->second;
+  }
+  const double thickness = skin.thickness();
+  const std::lock_guard lock(of_known);
+  return known.emplace(std::move(key), thickness).first->second;
 }
 
 }  // namespace
@@ -51,7 +74,7 @@ void PassageWatch::look(const Engine& engine, bool at_end) {
   if (skins_.empty()) {
     for (std::size_t b = 0; b < bodies; ++b) {
       skins_.emplace_back(engine.surface(b), vertices[b]);
-      thickness_.push_back(skins_.back().triangles().cols() > 0 ? skins_.back().thickness() : 0.0);
+      thickness_.push_back(thickness_of(skins_.back()));
     }
   } else {
     for (std::size_t b = 0; b < bodies; ++b) skins_[b].move(vertices[b]);
