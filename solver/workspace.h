@@ -87,6 +87,9 @@ struct PairSearch {
     std::int8_t listings = 0;  ///< how often they have been listed since the lists were made
     // Steps in a row with the same verdict, and on the same face, since it was last asked for how long.
     std::int8_t held = 0, stayed = 0;
+    /// While it stays on its face: whether faces that are nearer are passed over, on which it can't rest;
+    /// −1: not known.
+    std::int8_t passes_over = -1;
     Real near_reach;  ///< m: up to this distance at the reference `near` names all
     /// What the test of the candidates has found, and will find while the paths of both bodies together
     /// are below `holds_until`, m: ≥ 0, the element that holds the vertex, and held it before; −2 − e:

@@ -48,6 +48,7 @@ template <class Number>
 struct LaneNearest {
   using Mask = typename Number::Mask;
   Number weight[3];
+  LaneVector<Number> off;  ///< from the point to the nearest one
   Number distance2;
   Mask inside;
 
@@ -84,7 +85,7 @@ struct LaneNearest {
       where((zero <= d3) & (d4 <= d3), zero, one, zero);
       where((d1 <= zero) & (d2 <= zero), one, zero, zero);
     }
-    const LaneVector<Number> off = weight[0] * a + weight[1] * b + weight[2] * c - p;
+    off = weight[0] * a + weight[1] * b + weight[2] * c - p;
     distance2 = dot_as_eigen(off, off);
   }
 };

@@ -98,20 +98,27 @@ class Measured {
   STICTION_LANES_INLINE unsigned left() {
     const Number gap(step_.limits.gap), border2(step_.limits.border * step_.limits.border);
     const Number off_plane2 = nearest_.distance2 - height_ * height_;
-    unsigned on_itself = 0, open = 0;
+    unsigned on_itself = 0, open = 0, known = 0, over = 0;
     Real least_width[kCount];
     for (int lane = 0; lane < kCount; ++lane) {
       const PairContact& contact = *batch_.contact[lane];
       least_width[lane] = topology().least_width[static_cast<std::size_t>(contact.other)];
       open |= unsigned{contact.open} << lane;
       on_itself |= unsigned{is_on_itself(contact)} << lane;
+      known |= unsigned{batch_.group[lane]->passes_over >= 0} << lane;
+      over |= unsigned{batch_.group[lane]->passes_over == 1} << lane;
     }
     open_ = Mask::of(open);
+    // Beside their faces, where it matters whether a nearer one is passed over.
+    const Mask beside = ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2);
+    to_foot_ = beside & ~Mask::of(over);
+    sunk_ = open_ | (beside & Mask::of(over));
     const Number deepest = Number(kSqueezed) * numbers(least_width);
     // A number, and one that is not too deep to be sure.
     const Mask near = (nearest_.distance2 < deepest * deepest) & (height_ <= height_);
     const Mask kept = open_ & (height_ < gap) & (off_plane2 <= border2);
-    const Mask sure = near & (kept | (nearest_.inside & (~open_ | (height_ < gap))));
+    const Mask sure = near & (kept | (nearest_.inside & (~open_ | (height_ < gap))) |
+                              (beside & Mask::of(known & batch_.stays)));
     const unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
     const unsigned asked = all_of_batch() & ~(left | batch_.stays);
     return asked == 0 ? left : left | outdone(asked);
@@ -138,7 +145,8 @@ class Measured {
       inverse_mass += weight[k] * weight[k] * inverse_masses<Bytes>(velocity, batch_, k);
     }
     FourNumbers plane[kCount], weights[kCount];
-    store_records(normal_.x, normal_.y, normal_.z, depth(), plane);
+    const LaneVector<Number> direction = this->direction();
+    store_records(direction.x, direction.y, direction.z, depth(), plane);
     store_records(weight[0], weight[1], weight[2], weight[3], weights);
     static_assert(offsetof(PairContact, depth) == offsetof(PairContact, normal) + 3 * sizeof(Real));
     for (int lane = 0; lane < count_; ++lane) {
@@ -178,7 +186,13 @@ class Measured {
   STICTION_LANES_INLINE Number depth() const {
     const Number zero(Real(0)), below = -height_;
     const Number sunk = choose(zero < below, below, zero);
-    return choose(open_, sunk, distance_);
+    return choose(sunk_, sunk, distance_);
+  }
+  STICTION_LANES_INLINE LaneVector<Number> direction() const {
+    if (none(to_foot_)) return normal_;
+    const LaneVector<Number> to_foot = nearest_.off / choose(to_foot_, distance_, Number(Real(1)));
+    return {choose(to_foot_, to_foot.x, normal_.x), choose(to_foot_, to_foot.y, normal_.y),
+            choose(to_foot_, to_foot.z, normal_.z)};
   }
 
   // Partners that open contacts and those of triangles get.
@@ -240,6 +254,8 @@ class Measured {
   LaneNearest<Number> nearest_;
   Number distance_;
   Mask open_;
+  Mask to_foot_,
+      sunk_;  // whose direction is that to the nearest point; whose depth is below the plane
 };
 
 template <int Bytes>

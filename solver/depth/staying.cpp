@@ -38,10 +38,60 @@ Real rests_within(const Topology& topology, const std::vector<Vec3>& x, std::int
   return sure ? kShare * least : Real(0);
 }
 
+// The points that two triangles share, at least: none, a corner or an edge; of these that nearest to a point.
+struct Shared {
+  bool any = false;
+  Vec3 nearest = Vec3::Zero();
+
+  Shared(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point, std::int32_t s,
+         std::int32_t t) {
+    const auto& of = topology.triangle[static_cast<std::size_t>(s)].vertex;
+    const auto& other = topology.triangle[static_cast<std::size_t>(t)].vertex;
+    for (const std::int32_t v : of) {
+      if (std::find(other, other + 3, v) == other + 3) continue;
+      const Vec3& corner = x[static_cast<std::size_t>(v)];
+      const Vec3 edge = corner - nearest;
+      const Real length2 = edge.squaredNorm();
+      const Real along = any && length2 > 0.0 ? edge.dot(point - nearest) / length2 : Real(1);
+      nearest = any ? Vec3(nearest + std::clamp(along, Real(0), Real(1)) * edge) : corner;
+      any = true;
+    }
+  }
+};
+
+// How far a vertex and two triangles that share a corner or an edge may move, m, while `other` isn't nearer
+// than `own` by more than the margin m of a tie. With e of what they share, which moves with them,
+//
+//   own distance ≤ |x − e|,   that of other ≥ |x − e| cos φ,   φ between x − e and its normal
+//
+// so that it is not while cos φ ≥ 1/(1 + m): of a vertex over an edge in a flat face that holds for motion
+// by a share of the distance, not of the distance times m. 0 where that is not known.
+Real ties_within(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+                 std::int32_t own, std::int32_t other, Real margin, Real rounding) {
+  const Shared shared(topology, x, point, own, other);
+  if (!shared.any) return 0.0;
+  const Vec3 from = point - shared.nearest;
+  const Real length = from.norm();
+  if (!(length > 0.0)) return 0.0;
+  const Vec3 normal = outward_normal(topology.triangle[static_cast<std::size_t>(other)], x);
+  // Of twice the rounding of a distance each, where the length is half of what it is.
+  const Real least_cosine = (1 + 8 * rounding / length) / (1 + margin);
+  if (!(least_cosine < 1.0)) return 0.0;
+  const Real turned = std::atan2(from.cross(normal).norm(), std::abs(from.dot(normal)));
+  const auto& v = topology.triangle[static_cast<std::size_t>(other)].vertex;
+  const auto corner = [&](int k) -> const Vec3& { return x[static_cast<std::size_t>(v[k])]; };
+  const Real height = least_height(corner(0), corner(1), corner(2));
+  // By a motion of d, x − e turns by asin(d/length) < 1.05 d/length, and the normal by less than
+  // 2.3 d/height, while these are shares of a half and of kShare.
+  const Real may_turn = std::acos(least_cosine) - turned;
+  return std::min(
+      {may_turn / (Real(1.05) / length + Real(2.3) / height), length / 2, kShare * height});
+}
+
 }  // namespace
 
-Real stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                  const PairSearch::Group& group, const PairContact& contact) {
+Staying stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
+                     const PairSearch::Group& group, const PairContact& contact) {
   const std::vector<Vec3>& x = search.predicted;
   const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
   const auto body = static_cast<std::size_t>(second_of(group.key));
@@ -58,7 +108,7 @@ Real stays_within(const Topology& topology, const PairOptions& options, const Pa
   const auto end = search.near.begin() + group.near_end;
   if (std::none_of(begin, end,
                    [&](const auto& near) { return near.triangle == contact.triangle; })) {
-    return 0.0;
+    return {};
   }
   const Real own = distance(contact.triangle);
   const auto farther_within = [&](Real other) {
@@ -66,28 +116,46 @@ Real stays_within(const Topology& topology, const PairOptions& options, const Pa
   };
   // Of those that the list does not name.
   Real least = farther_within(group.near_reach - moved);
-  bool passes_over = false;
+  // Until when none of those named is nearer, and (the first of them) until when one surely is.
+  Real none_nearer = least, one_nearer = 0.0;
   for (auto near = begin; near != end; ++near) {
     if (near->triangle == contact.triangle) continue;
     if (farther_within(near->distance - moved) >= least) break;
-    Real within = farther_within(distance(near->triangle));
-    if (options.face == PairFace::kOpposed) {
+    const Real other = distance(near->triangle);
+    Real within = farther_within(other);
+    if (within < least) {
+      within = std::max(within, ties_within(topology, x, point, contact.triangle, near->triangle,
+                                            options.tie_margin, rounding));
+    }
+    none_nearer = std::min(none_nearer, within);
+    if (options.face == PairFace::kOpposed && within < least) {
       const Real over = rests(near->triangle, false);
-      passes_over = passes_over || over > within;
-      within = std::max(within, over);
+      if (over > within) {
+        within = over;
+        const Real nearer =
+            (own - (1 + options.tie_margin) * other) / (2 + options.tie_margin) - rounding;
+        one_nearer = std::max(one_nearer, std::min(nearer, over));
+      }
     }
     least = std::min(least, within);
-    if (!(least > 0.0)) return 0.0;
+    if (!(least > 0.0)) return {};
   }
-  return passes_over ? std::min(least, rests(contact.triangle, true)) : least;
+  if (none_nearer < least) least = std::min(least, rests(contact.triangle, true));
+  if (none_nearer >= least) return {least, 0};
+  return {least, static_cast<std::int8_t>(one_nearer >= least ? 1 : -1)};
 }
 
 void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
                   const PairContact& contact, PairSearch::Group& group) {
   const bool same = contact.triangle == group.stays_on && group.near_element == contact.element;
+  // Known, but measured by itself: it is beside its face.
+  if (same && paths(topology, search, group.key) < group.stays_until) return;
   group.stays_on = contact.triangle;
-  note_lasting(same, paths(topology, search, group.key), group.stayed, group.stays_until,
-               [&] { return stays_within(topology, options, search, group, contact); });
+  note_lasting(same, paths(topology, search, group.key), group.stayed, group.stays_until, [&] {
+    const Staying staying = stays_within(topology, options, search, group, contact);
+    group.passes_over = staying.passes_over;
+    return staying.within;
+  });
 }
 
 }  // namespace stiction

@@ -6,17 +6,24 @@
 
 namespace stiction {
 
-/// How far vertex and triangles may still move, both together, m, while `choose_face` (face_choice.h)
-/// still chooses the triangle that a contact is on, of those near its element, which must be listed
-/// in its group; 0 or less where that is not known, or it is not among them.
+/// For how long a contact stays on its triangle.
+struct Staying {
+  Real within = 0.0;             ///< vertex and triangles may move so far, both together, m
+  std::int8_t passes_over = -1;  ///< until then: PairSearch::Group::passes_over
+};
+
+/// How far vertex and triangles may still move while `choose_face` (face_choice.h) still chooses the
+/// triangle that a contact is on, of those near its element, which must be listed in its group; 0 or
+/// less where that is not known, or it is not among them.
 ///
 ///   own distance d₀, another triangle's d, margin of a tie m:   ((1 + m) d − d₀)/(2 + m)
 ///
-/// since both distances change by no more than is moved. Where the vertex can't rest on the other, but
+/// since both distances change by no more than is moved. Where the two share a corner or an edge, over
+/// which the vertex is, as long as it is in front of both. Where the vertex can't rest on the other, but
 /// can on its own, a share of edges and heights by which neither changes: no direction of these turns
 /// by so much.
-Real stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                  const PairSearch::Group& group, const PairContact& contact);
+Staying stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
+                     const PairSearch::Group& group, const PairContact& contact);
 
 /// Keeps count of the steps in which a contact has stayed on its triangle, and after a few of them
 /// asks for how long it will.

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cfenv>
 #include <numeric>
 #include <vector>
 
@@ -48,6 +49,7 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
   Workspace kept;
   kept.velocity = state.velocity;
   std::size_t known = 0;
+  std::feclearexcept(FE_ALL_EXCEPT);
   for (unsigned k = 0; k < 300; ++k) {
     state.position = test::on_its_way(scene, k, motion.each_step, motion.tremble).position;
     detect_pairs(scene, options, state, kept);
@@ -73,6 +75,7 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
     if (!same) break;
     remember_pairs(kept.pairs, scene.topology, state.pair_geometry);
   }
+  EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
   return known;
 }
 
@@ -153,15 +156,35 @@ Scene tumbled(unsigned seed) {
   return build_scene(description);
 }
 
+// A cube flush on another, its outer vertices hardly inside the other's sides, its inner ones over edges or
+// corners; both are uneven by a share of the depth.
+Scene flush(unsigned seed) {
+  const Eigen::Vector3d random = test::noise(1, 1.0, seed).col(0);
+  const double depth = std::pow(10.0, -1.5 - seed % 4);
+  SceneDescription description = test::stacked_cubes(depth, Vec3::Zero());
+  Eigen::Matrix3Xd& upper = description.bodies[1].mesh.vertices;
+  const double smaller = 1.0 - 2.0 * depth * std::pow(10.0, -1.0 - seed % 3);
+  upper.topRows<2>() = ((upper.topRows<2>().array() - 0.5) * smaller + 0.5).matrix().eval();
+  if (seed % 2 == 0) upper.row(0).array() += 0.1 * depth * random.x();
+  for (BodyDescription& body : description.bodies) {
+    body.mesh.vertices +=
+        test::noise(body.mesh.vertices.cols(), 0.02 * depth * std::abs(random.y()), 1000 + seed);
+  }
+  return build_scene(description);
+}
+
 // Moves what a bound says may move, in many directions, and asks again.
 TEST(Staying, IsABoundOnWhatMayMove) {
-  std::size_t moved = 0;
+  std::size_t moved = 0, told[2] = {};
   std::vector<unsigned> seeds(500);
   std::iota(seeds.begin(), seeds.end(), 0U);
   // Of 20000 those in which the vertex can only just rest on its own face.
   seeds.insert(seeds.end(), {1202, 10688, 10961, 11734});
-  for (const unsigned seed : seeds) {
-    const Scene scene = tumbled(seed);
+  std::vector<Scene> scenes;
+  for (const unsigned seed : seeds) scenes.push_back(tumbled(seed));
+  for (unsigned seed = 0; seed < 60; ++seed) scenes.push_back(flush(seed));
+  for (const Scene& scene : scenes) {
+    const auto seed = &scene - scenes.data();
     for (Options options : {quiet(), nearest()}) {
       options.time_step = 0.1 * scene.stable_time_step;
       State state = initial_state(scene);
@@ -186,8 +209,9 @@ TEST(Staying, IsABoundOnWhatMayMove) {
             group->near_element != contact.element)
           continue;
         if (contact.triangle < 0) contact.triangle = was->triangle;
-        const Real within = std::min(
-            stays_within(scene.topology, options.pairs, search, *group, contact), search.skin);
+        const Staying staying =
+            stays_within(scene.topology, options.pairs, search, *group, contact);
+        const Real within = std::min(staying.within, search.skin);
         if (!(within > 0.0)) continue;
         for (unsigned k = 0; k < 60; ++k) {
           PairSearch other = search;
@@ -209,12 +233,18 @@ TEST(Staying, IsABoundOnWhatMayMove) {
                                             options.pairs.face == PairFace::kOpposed ? own : -1);
           ++moved;
           EXPECT_EQ(choice.projection.triangle, contact.triangle)
-              << "seed " << seed << ", vertex " << own << ", within " << within;
+              << "scene " << seed << ", vertex " << own << ", within " << within;
+          if (staying.passes_over >= 0) {
+            ++told[staying.passes_over];
+            EXPECT_EQ(choice.passed_over, staying.passes_over == 1) << "scene " << seed;
+          }
         }
       }
     }
   }
   EXPECT_GT(moved, 10000u);
+  EXPECT_GT(told[0], 10000u);
+  EXPECT_GT(told[1], 1000u);
 }
 
 }  // namespace

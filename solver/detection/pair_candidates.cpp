@@ -298,6 +298,7 @@ void group_candidates(const Topology& topology, PairSearch& search) {
       group.near_reach = old->near_reach;
       group.stays_until = old->stays_until;
       group.stays_on = old->stays_on;
+      group.passes_over = old->passes_over;
     }
     search.group.push_back(group);
   }
