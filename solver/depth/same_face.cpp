@@ -98,28 +98,23 @@ class Measured {
   STICTION_LANES_INLINE unsigned left() {
     const Number gap(step_.limits.gap), border2(step_.limits.border * step_.limits.border);
     const Number off_plane2 = nearest_.distance2 - height_ * height_;
-    unsigned on_itself = 0, open = 0, known = 0, over = 0;
+    unsigned on_itself = 0, open = 0;
     Real least_width[kCount];
     for (int lane = 0; lane < kCount; ++lane) {
       const PairContact& contact = *batch_.contact[lane];
       least_width[lane] = topology().least_width[static_cast<std::size_t>(contact.other)];
       open |= unsigned{contact.open} << lane;
       on_itself |= unsigned{is_on_itself(contact)} << lane;
-      known |= unsigned{batch_.group[lane]->passes_over >= 0} << lane;
-      over |= unsigned{batch_.group[lane]->passes_over == 1} << lane;
     }
     open_ = Mask::of(open);
-    // Beside their faces, where it matters whether a nearer one is passed over.
-    const Mask beside = ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2);
-    to_foot_ = beside & ~Mask::of(over);
-    sunk_ = open_ | (beside & Mask::of(over));
     const Number deepest = Number(kSqueezed) * numbers(least_width);
     // A number, and one that is not too deep to be sure.
     const Mask near = (nearest_.distance2 < deepest * deepest) & (height_ <= height_);
     const Mask kept = open_ & (height_ < gap) & (off_plane2 <= border2);
-    const Mask sure = near & (kept | (nearest_.inside & (~open_ | (height_ < gap))) |
-                              (beside & Mask::of(known & batch_.stays)));
-    const unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
+    const Mask sure = near & (kept | (nearest_.inside & (~open_ | (height_ < gap))));
+    unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
+    to_foot_ = sunk_ = Mask::of(0);
+    if ((left & batch_.stays) != 0) left &= ~beside(near.bits() & ~on_itself & left);
     const unsigned asked = all_of_batch() & ~(left | batch_.stays);
     return asked == 0 ? left : left | outdone(asked);
   }
@@ -183,10 +178,25 @@ class Measured {
     return outdone;
   }
 
+  // Of those asked the ones beside their face of which it is known whether a nearer one is passed over.
+  STICTION_LANES_INLINE unsigned beside(unsigned asked) {
+    unsigned known = 0, over = 0;
+    for (int lane = 0; lane < count_; ++lane) {
+      const std::int8_t passes_over = batch_.group[lane]->passes_over;
+      known |= unsigned{passes_over >= 0} << lane;
+      over |= unsigned{passes_over == 1} << lane;
+    }
+    const Mask beside = ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2) &
+                        Mask::of(known & batch_.stays & asked);
+    to_foot_ = beside & ~Mask::of(over);
+    sunk_ = beside & Mask::of(over);
+    return beside.bits();
+  }
+
   STICTION_LANES_INLINE Number depth() const {
     const Number zero(Real(0)), below = -height_;
     const Number sunk = choose(zero < below, below, zero);
-    return choose(sunk_, sunk, distance_);
+    return choose(open_ | sunk_, sunk, distance_);
   }
   STICTION_LANES_INLINE LaneVector<Number> direction() const {
     if (none(to_foot_)) return normal_;
