@@ -109,6 +109,10 @@ bool is_apart(const Skin& inner, const Skin& outer, double allowed) {
   constexpr int kMost = 64;            // directions that are tried
   constexpr double kAlike = 0.9998;    // cosine of 1.1°: nothing new beside one that was tried
   constexpr double kRounding = 1e-14;  // of a product with a direction, in parts of its terms
+  double size = allowed;
+  for (const Skin* skin : {&inner, &outer}) {
+    size = std::max({size, skin->high().cwiseAbs().maxCoeff(), skin->low().cwiseAbs().maxCoeff()});
+  }
   std::vector<Vector3d> tried;
   const auto separates = [&](const Vector3d& way) {
     const double length = way.norm();
@@ -118,21 +122,21 @@ bool is_apart(const Skin& inner, const Skin& outer, double allowed) {
       if (n.dot(other) > kAlike) return false;
     }
     tried.push_back(n);
-    double top = -std::numeric_limits<double>::infinity(), bottom = -top, size = allowed;
+    double top = -std::numeric_limits<double>::infinity(), bottom = -top;
     for (const int v : outer.used()) top = std::max(top, n.dot(outer.vertices().col(v)));
     for (const int v : inner.used()) {
       bottom = std::min(bottom, n.dot(inner.vertices().col(v)));
       if (bottom + allowed < top) return false;
     }
-    size = std::max({size, outer.high().cwiseAbs().maxCoeff(), outer.low().cwiseAbs().maxCoeff()});
     return bottom + allowed > top + kRounding * size;
   };
   if (separates(inner.low() + inner.high() - outer.low() - outer.high())) return true;
-  for (const auto& [skin, sign] : {std::pair(&outer, 1.0), std::pair(&inner, -1.0)}) {
-    for (Eigen::Index t = 0; t < skin->triangles().cols(); ++t) {
-      const auto corner = [&](int k) { return skin->vertices().col(skin->triangles()(k, t)); };
+  for (const bool is_inner : {false, true}) {
+    const Skin& skin = is_inner ? inner : outer;
+    for (Eigen::Index t = 0; t < skin.triangles().cols(); ++t) {
+      const auto corner = [&](int k) { return skin.vertices().col(skin.triangles()(k, t)); };
       const Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-      if (separates(sign * normal)) return true;
+      if (separates(is_inner ? Vector3d(-normal) : normal)) return true;
     }
   }
   return false;

@@ -167,8 +167,8 @@ class Measure {
     } else if (choice.passed_over) {
       contact.depth = std::max(Real(0), -height);
     } else {
-      Vec3 foot = Vec3::Zero();
-      for (int k = 0; k < 3; ++k) {
+      Vec3 foot = projection.nearest.weight[0] * x[static_cast<std::size_t>(triangle.vertex[0])];
+      for (int k = 1; k < 3; ++k) {
         foot += projection.nearest.weight[k] * x[static_cast<std::size_t>(triangle.vertex[k])];
       }
       contact.depth = distance;

@@ -72,15 +72,15 @@ Real ties_within(const Topology& topology, const std::vector<Vec3>& x, const Vec
   if (!shared.any) return 0.0;
   const Vec3 from = point - shared.nearest;
   const Real length = from.norm();
-  if (!(length > 0.0)) return 0.0;
+  const auto& v = topology.triangle[static_cast<std::size_t>(other)].vertex;
+  const auto corner = [&](int k) -> const Vec3& { return x[static_cast<std::size_t>(v[k])]; };
+  const Real height = least_height(corner(0), corner(1), corner(2));
+  if (!(length > rounding && height > rounding)) return 0.0;
   const Vec3 normal = outward_normal(topology.triangle[static_cast<std::size_t>(other)], x);
   // Of twice the rounding of a distance each, where the length is half of what it is.
   const Real least_cosine = (1 + 8 * rounding / length) / (1 + margin);
   if (!(least_cosine < 1.0)) return 0.0;
   const Real turned = std::atan2(from.cross(normal).norm(), std::abs(from.dot(normal)));
-  const auto& v = topology.triangle[static_cast<std::size_t>(other)].vertex;
-  const auto corner = [&](int k) -> const Vec3& { return x[static_cast<std::size_t>(v[k])]; };
-  const Real height = least_height(corner(0), corner(1), corner(2));
   // By a motion of d, x − e turns by asin(d/length) < 1.05 d/length, and the normal by less than
   // 2.3 d/height, while these are shares of a half and of kShare.
   const Real may_turn = std::acos(least_cosine) - turned;
@@ -140,9 +140,15 @@ Staying stays_within(const Topology& topology, const PairOptions& options, const
     least = std::min(least, within);
     if (!(least > 0.0)) return {};
   }
-  if (none_nearer < least) least = std::min(least, rests(contact.triangle, true));
+  if (none_nearer < least) {
+    least = std::max(none_nearer, std::min(least, rests(contact.triangle, true)));
+  }
   if (none_nearer >= least) return {least, 0};
-  return {least, static_cast<std::int8_t>(one_nearer >= least ? 1 : -1)};
+  if (one_nearer >= least) return {least, 1};
+  // Rather known for a shorter time than not.
+  if (none_nearer > 0.5 * least) return {none_nearer, 0};
+  if (one_nearer > 0.5 * least) return {one_nearer, 1};
+  return {least, -1};
 }
 
 void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,

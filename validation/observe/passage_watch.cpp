@@ -34,14 +34,17 @@ double thickness_of(const reference::Skin& skin) {
   const auto vertices = skin.vertices().reshaped();
   std::pair key(std::vector<int>(triangles.begin(), triangles.end()),
                 std::vector<double>(vertices.begin(), vertices.end()));
-  static std::map<decltype(key), double> known;
-  static std::mutex of_known;
+  // Of a few, for runs of many scenes; never destroyed, as threads may outlive main.
+  constexpr std::size_t kMost = 64;
+  static auto& known = *new std::map<decltype(key), double>;
+  static auto& of_known = *new std::mutex;
   {
     const std::lock_guard lock(of_known);
     if (const auto found = known.find(key); found != known.end()) return found->second;
   }
   const double thickness = skin.thickness();
   const std::lock_guard lock(of_known);
+  if (known.size() >= kMost) known.clear();
   return known.emplace(std::move(key), thickness).first->second;
 }
 
