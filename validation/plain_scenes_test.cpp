@@ -59,7 +59,7 @@ TEST(PosedSlabs, AreOfEachKindAndBelowTheirLimit) {
   for (const PosedSlab& posed : all) {
     ++count[static_cast<std::size_t>(posed.pose)];
     EXPECT_LE(std::tan(posed.setup.slope), 0.4878) << pose_words(posed);
-    if (posed.pose == Pose::kAnywhere) continue;
+    if (posed.pose == SlabPose::kAnywhere) continue;
     EXPECT_LE(std::tan(posed.setup.slope), 0.8 * critical_tan(posed.setup)) << pose_words(posed);
   }
   for (const int each : count) EXPECT_EQ(each, 40);

@@ -40,7 +40,7 @@ void run_poses(CaseRun& run, int count, std::uint32_t seed, const Asked& asked) 
                     .window = kWindow};
     // A box over an edge rocks at some 20 rad/s, which β would take 10 s to end: the medium of the
     // cases of little damping below does it in three.
-    if (posed.pose == Pose::kHanging) scene.problem.drag = kMedium;
+    if (posed.pose == SlabPose::kHanging) scene.problem.drag = kMedium;
     for (RestOutcome& outcome : watch_rest(run, scene, asked, 0.05, outcomes.empty())) {
       const auto kind = static_cast<std::size_t>(posed.pose);
       ++all[kind];

@@ -48,7 +48,7 @@ std::vector<PosedSlab> posed_slabs(int count, std::uint32_t seed) {
   std::vector<PosedSlab> all;
   for (int k = 0; k < count; ++k) {
     PosedSlab posed;
-    posed.pose = static_cast<Pose>(k % kPoses);
+    posed.pose = static_cast<SlabPose>(k % kPoses);
     SlabSetup& setup = posed.setup;
     const double a = uniform(0.08, 0.12), b = uniform(0.08, 0.12), c = uniform(0.08, 0.12);
     setup.box_size = Vec3(a, b, c);
@@ -60,25 +60,26 @@ std::vector<PosedSlab> posed_slabs(int count, std::uint32_t seed) {
     setup.cells = 2 + static_cast<int>(generator() % 2u);
     setup.slab_cells = 3 + static_cast<int>(generator() % 2u);
     switch (posed.pose) {
-      case Pose::kAnywhere:
+      case SlabPose::kAnywhere:
         setup.offset = Vec3(along, across, 0.0);
         setup.yaw = yaw;
         break;
-      case Pose::kFlush:
+      case SlabPose::kFlush:
         setup.offset = Vec3(x_side * (kHalf - 0.5 * a), across, 0.0);
         break;
-      case Pose::kCorner:
+      case SlabPose::kCorner:
         setup.offset = Vec3(x_side * (kHalf - 0.5 * a), y_side * (kHalf - 0.5 * b), 0.0);
         break;
-      case Pose::kCovering:
+      case SlabPose::kCovering:
         setup.box_size = Vec3(kSlabWidth, kSlabWidth, c);
         break;
-      case Pose::kHanging:
+      case SlabPose::kHanging:
         setup.offset = Vec3(x_side * (kHalf - 0.1 * a), across, 0.0);
         break;
     }
-    const double most =
-        posed.pose == Pose::kAnywhere ? kMostTan : std::min(kMostTan, 0.8 * critical_tan(setup));
+    const double most = posed.pose == SlabPose::kAnywhere
+                            ? kMostTan
+                            : std::min(kMostTan, 0.8 * critical_tan(setup));
     setup.slope = std::atan(tangent * most / kMostTan);
     all.push_back(posed);
   }

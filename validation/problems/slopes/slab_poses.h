@@ -10,7 +10,7 @@
 namespace stiction {
 
 /// How a box lies on the slab of slab_problem.h.
-enum class Pose {
+enum class SlabPose {
   kAnywhere,  ///< any yaw, about the middle
   kFlush,     ///< a side face in one plane with a side of the slab
   kCorner,  ///< a lower corner on a corner of the slab, two side faces in one plane with its sides
@@ -20,7 +20,7 @@ enum class Pose {
 inline constexpr int kPoses = 5;
 
 struct PosedSlab {
-  Pose pose = Pose::kAnywhere;
+  SlabPose pose = SlabPose::kAnywhere;
   SlabSetup setup;
 };
 
