@@ -93,6 +93,12 @@ double Workload::error() const {
   return largest;
 }
 
+void put_on_ground(double friction, Setup& setup) {
+  setup.description.half_spaces = {{"ground", Vec3::Zero(), Vec3::UnitZ(), friction}};
+  setup.description.friction = friction;
+  setup.description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
+}
+
 void go_on(Workload& work, int steps) {
   const Scene& scene = *work.scene;
   State before;

@@ -22,6 +22,9 @@ struct Setup {
   double bounce = 0.0;
 };
 
+/// Puts the bodies on a ground, the plane z = 0, with one friction for all that touches, under gravity.
+void put_on_ground(double friction, Setup& setup);
+
 /// Scenes that differ in size alone. A file in benchmarks/workloads/ returns one from a function
 /// `workload_<file>()`; the build writes the catalog.
 struct WorkloadFamily {

@@ -53,8 +53,8 @@ struct Overlap {
 /// `allowed` (m, ≥ 0): of all vertices, and of the middles of the stretches of edges that are
 /// inside. Where an edge enters and leaves, its deepest point may lie somewhat deeper than the
 /// middle. Two surfaces that cross do so where an edge of one meets the other, so asking both ways
-/// misses nothing but a body that swallows another, of which all vertices are inside. Costs only
-/// the comparison of boxes where nothing is so deep in the other's box.
+/// misses nothing but a body that swallows another, of which all vertices are inside. Where
+/// nothing is so deep in the other's box, or a plane parts the two, it costs no more than to see that.
 std::optional<Overlap> deepest(const Skin& inner, const Skin& outer, double allowed);
 
 }  // namespace stiction::reference

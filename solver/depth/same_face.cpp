@@ -186,11 +186,11 @@ class Measured {
       known |= unsigned{passes_over >= 0} << lane;
       over |= unsigned{passes_over == 1} << lane;
     }
-    const Mask beside = ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2) &
-                        Mask::of(known & batch_.stays & asked);
-    to_foot_ = beside & ~Mask::of(over);
-    sunk_ = beside & Mask::of(over);
-    return beside.bits();
+    const Mask found = ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2) &
+                       Mask::of(known & batch_.stays & asked);
+    to_foot_ = found & ~Mask::of(over);
+    sunk_ = found & Mask::of(over);
+    return found.bits();
   }
 
   STICTION_LANES_INLINE Number depth() const {
@@ -264,8 +264,8 @@ class Measured {
   LaneNearest<Number> nearest_;
   Number distance_;
   Mask open_;
-  Mask to_foot_,
-      sunk_;  // whose direction is that to the nearest point; whose depth is below the plane
+  // Of those beside their face: whose direction is to the nearest point, and whose depth is below the plane.
+  Mask to_foot_, sunk_;
 };
 
 template <int Bytes>

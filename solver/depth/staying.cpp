@@ -116,7 +116,7 @@ Staying stays_within(const Topology& topology, const PairOptions& options, const
   };
   // Of those that the list does not name.
   Real least = farther_within(group.near_reach - moved);
-  // Until when none of those named is nearer, and (the first of them) until when one surely is.
+  // While what has moved is less, none of those named is nearer, or one surely is.
   Real none_nearer = least, one_nearer = 0.0;
   for (auto near = begin; near != end; ++near) {
     if (near->triangle == contact.triangle) continue;
@@ -154,10 +154,11 @@ Staying stays_within(const Topology& topology, const PairOptions& options, const
 void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
                   const PairContact& contact, PairSearch::Group& group) {
   const bool same = contact.triangle == group.stays_on && group.near_element == contact.element;
+  const double path = paths(topology, search, group.key);
   // Known, but measured by itself: it is beside its face.
-  if (same && paths(topology, search, group.key) < group.stays_until) return;
+  if (same && path < group.stays_until) return;
   group.stays_on = contact.triangle;
-  note_lasting(same, paths(topology, search, group.key), group.stayed, group.stays_until, [&] {
+  note_lasting(same, path, group.stayed, group.stays_until, [&] {
     const Staying staying = stays_within(topology, options, search, group, contact);
     group.passes_over = staying.passes_over;
     return staying.within;

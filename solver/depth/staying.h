@@ -19,9 +19,9 @@ struct Staying {
 ///   own distance d₀, another triangle's d, margin of a tie m:   ((1 + m) d − d₀)/(2 + m)
 ///
 /// since both distances change by no more than is moved. Where the two share a corner or an edge, while
-/// the way from there to the vertex is so close to the other's normal that they tie. Where the vertex can't rest on the other, but
-/// can on its own, a share of edges and heights by which neither changes: no direction of these turns
-/// by so much.
+/// the way from there to the vertex is so close to the other's normal that they tie. Where the vertex
+/// can't rest on the other, but can on its own, a share of edges and heights by which neither changes:
+/// no direction of these turns by so much.
 Staying stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
                      const PairSearch::Group& group, const PairContact& contact);
 

@@ -10,7 +10,6 @@ namespace stiction {
 
 namespace {
 
-constexpr double kFriction = 0.5, kTanSlope = 0.1;
 constexpr double kViscosity = 1e3;  // Pa s: β · E
 
 Elasticity stiffness(double youngs_modulus) {
@@ -32,7 +31,7 @@ void run_mass(CaseRun& run, double ratio) {
   top.density *= ratio;
   top.position.z() += top.size.z();
   boxes.push_back(top);
-  check_ladder_rest(run, ladder_problem(boxes, kFriction, kTanSlope),
+  check_ladder_rest(run, ladder_problem(boxes, kLadderFriction, kLadderTanSlope),
                     "a light box rests under a heavy one");
 }
 
@@ -46,7 +45,7 @@ void run_stiffness(CaseRun& run, double ratio) {
   slab.cells = 4;
   box.cells = 2;
   box.position = Vec3(0.013, 0.007, 0.0);
-  check_ladder_rest(run, ladder_problem(box_on_slab(box, slab), kFriction, kTanSlope),
+  check_ladder_rest(run, ladder_problem(box_on_slab(box, slab), kLadderFriction, kLadderTanSlope),
                     "a box rests on a slab of another stiffness");
 }
 
@@ -61,7 +60,7 @@ void run_size(CaseRun& run, double ratio) {
   box.elasticity = stiffness(1e6);
   box.elasticity.damping_time *= 1.0 / ratio;  // as many periods of its own vibration
   box.position = Vec3(0.07, 0.03, 0.0);
-  check_ladder_rest(run, ladder_problem(box_on_slab(box, slab), kFriction, kTanSlope),
+  check_ladder_rest(run, ladder_problem(box_on_slab(box, slab), kLadderFriction, kLadderTanSlope),
                     "a small box rests on a large slab", box.size.x());
 }
 

@@ -13,8 +13,6 @@ namespace stiction {
 
 namespace {
 
-constexpr double kTouchFriction = 0.5, kTouchSlope = 0.1;
-
 // Two equal boxes on a ground of the same width and mesh: vertex on vertex, edge on edge, diagonal on
 // diagonal, but for what the upper ones are shifted by.
 std::vector<LadderBox> flush_boxes(double shift) {
@@ -29,7 +27,7 @@ std::vector<LadderBox> flush_boxes(double shift) {
 }
 
 void run_shift(CaseRun& run, double shift) {
-  check_ladder_rest(run, ladder_problem(flush_boxes(shift), kTouchFriction, kTouchSlope),
+  check_ladder_rest(run, ladder_problem(flush_boxes(shift), kLadderFriction, kLadderTanSlope),
                     "boxes on each other rest, whatever of them coincides");
 }
 
@@ -40,7 +38,7 @@ void run_tilt(CaseRun& run, double angle) {
   top.rotation = Eigen::AngleAxisd(angle, Vec3::UnitY());
   const double half = 0.5 * top.size.z();
   top.position.z() += half * (std::sin(angle) + std::cos(angle)) - half;
-  check_ladder_rest(run, ladder_problem(boxes, kTouchFriction, kTouchSlope),
+  check_ladder_rest(run, ladder_problem(boxes, kLadderFriction, kLadderTanSlope),
                     "faces that are parallel but for an angle come to lie on each other");
 }
 
@@ -52,7 +50,7 @@ void run_gap(CaseRun& run, double gap) {
   Problem problem;
   problem.name = "two boxes";
   problem.bodies = {ladder_body(left, "left"), ladder_body(right, "right")};
-  problem.friction = kTouchFriction;
+  problem.friction = kLadderFriction;
   const auto simulation = run.simulate(problem);
   simulation->record_frames(0.05);
   constexpr double kEnd = 0.5;  // s
@@ -149,7 +147,7 @@ void run_hops(CaseRun& run, double hops) {
   slab.cells = 4;
   box.cells = 2;
   box.position = Vec3(0.013, 0.007, 0.0);
-  Problem problem = ladder_problem(box_on_slab(box, slab), kTouchFriction, 0.0);
+  Problem problem = ladder_problem(box_on_slab(box, slab), kLadderFriction, 0.0);
   const auto count = static_cast<int>(hops);
   Gravity gravity{{0.0}, {Vec3(0.0, 0.0, -kStandardGravity)}};
   for (int k = 0; k < count; ++k) {

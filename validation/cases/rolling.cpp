@@ -22,7 +22,7 @@ constexpr double kPlate = 10.0;         // kg
 constexpr double kBall = 1.0;           // kg
 constexpr double kRollingRadius = 0.5;  // m
 constexpr int kSide = 5;                // balls along a side
-constexpr double kRolling = 2.0;        // s
+constexpr double kRollingTime = 2.0;    // s
 
 // F − μ g (M + n m) = M a + n m a_b, with balls that roll on the plate: friction gives a ball a_b,
 // and r α = ⁵⁄₂ a_b; rolling, a_b + r α = a. So a_b = ²⁄₇ a, far from what μ = 0.8 can hold.
@@ -52,7 +52,7 @@ Problem plate_and_balls(double azimuth) {
   problem.gravity = {{0.0}, {Vec3(0.0, 0.0, -kStandardGravity)}};
   problem.loads = {
       {.body = 0, .force = {{0.0}, {kForce * Vec3(std::cos(azimuth), std::sin(azimuth), 0.0)}}}};
-  problem.duration = kRolling;
+  problem.duration = kRollingTime;
   return problem;
 }
 
@@ -60,7 +60,7 @@ void run_rolling(CaseRun& run, double azimuth) {
   run.need(&Manifest::spin, "bodies that turn");
   const CaseRun::Running simulation = run.simulate(plate_and_balls(azimuth));
   simulation->record_frames(0.05);
-  simulation->advance_to(kRolling);
+  simulation->advance_to(kRollingTime);
   const Vec3 ahead(std::cos(azimuth), std::sin(azimuth), 0.0);
   const double seconds = simulation->time();
   const double plate = simulation->engine().body(0).velocity.dot(ahead) / seconds;

@@ -16,8 +16,8 @@ namespace stiction {
 
 namespace {
 
-constexpr double kWidth = 1e-3;      // of the bracket on θ, degrees
-constexpr double kCreeping = 16e-3;  // … where what holds creeps
+constexpr double kWidth = 1e-3;           // of the bracket on θ, degrees
+constexpr double kCreepingWidth = 16e-3;  // … where what holds creeps
 constexpr double kStiffer = 4.0;
 
 double degrees(double angle) { return angle * 180.0 / std::numbers::pi; }
@@ -96,16 +96,16 @@ void run_threshold(CaseRun& run, const SlabSetup& flat) {
   const double expected = degrees(std::atan(flat.friction));
   // Not so that a slope tried is the expected one. The stiffer box leans a quarter of the soft one.
   const SlopeSearch soft =
-      search_slope(run, flat, expected, expected - 3.7 * kWidth, kCreeping, kWidth);
+      search_slope(run, flat, expected, expected - 3.7 * kWidth, kCreepingWidth, kWidth);
   if (std::isnan(soft.bracket.middle())) {
     // All slopes within 2° of theory ended alike: there is nothing to extrapolate or to double, and
     // the last one tried is a bound.
     const Descent& beyond = soft.seen.front().holds ? soft.seen.back() : soft.seen.front();
-    return check_critical(run, degrees(beyond.slope), expected, kCreeping);
+    return check_critical(run, degrees(beyond.slope), expected, kCreepingWidth);
   }
   const double lean = expected - soft.bracket.middle();
   const SlopeSearch stiff = search_slope(run, stiffer(flat, kStiffer), expected,
-                                         expected - lean / kStiffer, kCreeping, kWidth);
+                                         expected - lean / kStiffer, kCreepingWidth, kWidth);
   const double middle =
       (kStiffer * stiff.bracket.middle() - soft.bracket.middle()) / (kStiffer - 1.0);
   const double half =

@@ -20,9 +20,9 @@ namespace {
 // with Δv = v_{n+1} − v_n. The bracket is exactly constant for every linear spring; the rest, with
 // Δv = Δt ω² x, is at most ½(ωΔt)² times the energy of the vibration of frequency ω.
 
-constexpr double kCollision = 0.1;  // s
-constexpr double kApart = 0.06;     // s; the boxes have left each other long before
-constexpr double kSpeed = 0.5;      // m/s, of either box
+constexpr double kCollisionTime = 0.1;  // s
+constexpr double kApart = 0.06;         // s; the boxes have left each other long before
+constexpr double kSpeed = 0.5;          // m/s, of either box
 
 // Two cubes meet face on, 2 cm beside each other's centre; the upper one is turned by 17° about the
 // normal and tilted by 3°, so that their meshes have nothing in common.
@@ -31,7 +31,7 @@ Problem collision(double friction, double oblique, double damping) {
   Problem problem = free_problem("two boxes collide",
                                  {free_cube("lower", {0.0, 0.0, -0.051}, velocity, damping),
                                   free_cube("upper", {0.02, -0.011, 0.054}, -velocity, damping)},
-                                 kCollision);
+                                 kCollisionTime);
   problem.friction = friction;
   problem.bodies[1].rotation = Eigen::AngleAxisd(std::numbers::pi * 17.0 / 180.0, Vec3::UnitZ()) *
                                Eigen::AngleAxisd(std::numbers::pi / 60.0, Vec3::UnitX());

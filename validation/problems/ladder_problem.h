@@ -27,6 +27,9 @@ ProblemBody ladder_body(const LadderBox& box, const std::string& name);
 inline constexpr double kLadderPressed = 0.2, kLadderTilted = 0.6, kLadderDragFull = 1.5,
                         kLadderDragEnds = 2.0, kLadderSettled = 2.5, kLadderWindow = 1.0;
 
+/// Of the scenes that differ in other things.
+inline constexpr double kLadderFriction = 0.5, kLadderTanSlope = 0.1;
+
 /// Boxes, each on the one before it or as `bodies` say, the first of them held; gravity grows into
 /// them and is then turned by atan(tan θ) towards x, and a medium of `drag` (1/s) damps what swings
 /// until kLadderDragEnds.

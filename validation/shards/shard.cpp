@@ -73,8 +73,8 @@ std::vector<std::size_t> jobs_of(const Shard& shard, const std::vector<double>& 
   std::iota(dearest.begin(), dearest.end(), std::size_t{0});
   std::stable_sort(dearest.begin(), dearest.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
-  using Sum = std::pair<double, std::size_t>;  // and the shard that has it, from 1 on
-  std::priority_queue<Sum, std::vector<Sum>, std::greater<>> least;
+  using ShardLoad = std::pair<double, std::size_t>;  // and the shard that has it, from 1 on
+  std::priority_queue<ShardLoad, std::vector<ShardLoad>, std::greater<>> least;
   // More shards than jobs are empty.
   const std::size_t filled = std::min(shard.count, costs.size());
   for (std::size_t number = 1; number <= filled; ++number) least.emplace(0.0, number);

@@ -88,6 +88,8 @@ std::vector<Observation> observations_of(const Record& record, const PerturbedTr
   return all;
 }
 
+Deviation unbounded(const std::string& why) { return {kInfinity, kInfinity, why}; }
+
 Deviation deviation(const std::vector<std::vector<Observation>>& runs,
                     const std::vector<std::string>& words, bool may_lack) {
   demand(runs.size() >= 2 && runs.size() == words.size(), "two runs or more, with their words");
@@ -97,7 +99,7 @@ Deviation deviation(const std::vector<std::vector<Observation>>& runs,
     const std::vector<double> values = values_of(runs, first.name);
     if (values.size() < runs.size()) {
       if (may_lack || !first.is_check) continue;
-      return {kInfinity, kInfinity, first.name + ": not measured in every run"};
+      return unbounded(first.name + ": not measured in every run");
     }
     ++compared;
     const double sigma = standard_deviation(values);
@@ -112,7 +114,7 @@ Deviation deviation(const std::vector<std::vector<Observation>>& runs,
              fmt::format("{}: {:.10g} {}, not {:.10g}, when {}", first.name, values[farthest],
                          first.unit, values[0], words[farthest])};
   }
-  if (compared == 0) return {kInfinity, kInfinity, "the runs have no figure in common"};
+  if (compared == 0) return unbounded("the runs have no figure in common");
   return found;
 }
 

@@ -29,6 +29,9 @@ struct Deviation {
   std::string worst{};    ///< which, and what it came to: sentence without an end
 };
 
+/// Of runs that can't be compared, for this reason.
+Deviation unbounded(const std::string& why);
+
 /// σ is the corrected standard deviation of the runs. `runs`: two or more, each all that one
 /// measured; `words`: how each was run. Ends of bodies are compared where each run has as many
 /// simulations. A check that a run has not got is infinitely far off, unless they `may_lack` some:

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "solver/demand.h"
@@ -16,8 +15,6 @@
 namespace stiction {
 
 namespace {
-
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // One of each kind, of a second or less: free and against a fixed plane, stopped, stuck and at its
 // threshold; bodies that are thrown together, rest on each other, are clamped, roll and stick-slip.
@@ -126,8 +123,8 @@ class Perturbed {
       runs.push_back(outcome.observations);
       words.push_back(how.words);
     }
-    const Deviation found = broken.empty() ? deviation(runs, words, other_build)
-                                           : Deviation{kUnbounded, kUnbounded, broken};
+    const Deviation found =
+        broken.empty() ? deviation(runs, words, other_build) : unbounded(broken);
     run_.check({.quantity = group.name,
                 .unit = "1",
                 .statement = group.statement,

@@ -53,9 +53,7 @@ Setup make(int contacts) {
       }
     }
   }
-  setup.description.half_spaces = {{"ground", Vec3::Zero(), Vec3::UnitZ(), 0.8}};
-  setup.description.friction = 0.8;
-  setup.description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
+  put_on_ground(0.8, setup);
   // The two layers as a column held below: quarter-wave π/2 √(E/ρ)/H, H = (2 + √2) r; 0.6 of that,
   // because they rest on narrow patches.
   setup.bounce =

@@ -37,9 +37,7 @@ Setup make(int contacts) {
       setup.description.bodies.push_back(std::move(body));
     }
   }
-  setup.description.half_spaces = {{"ground", Vec3::Zero(), Vec3::UnitZ(), 0.5}};
-  setup.description.friction = 0.5;
-  setup.description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
+  put_on_ground(0.5, setup);
   // A column of height H held below: quarter-wave π/2 √(E/ρ)/H; half of that, because bricks rest
   // on half of their faces' vertices.
   setup.bounce = 0.25 * M_PI * std::sqrt(kYoungsModulus / kDensity) / (kRows * kHeight);
