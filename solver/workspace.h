@@ -171,14 +171,19 @@ struct PairSearch {
   };
   std::vector<EdgePair> edge_candidate;  ///< in the order of their keys
   std::vector<Vec3> start;               ///< x_t0 of the vertices at such edges, m
-  /// A sharp edge as it lies at the predicted positions of a step: made once, for all its crossings.
-  struct EdgeFrame {
-    Real length;   ///< m
-    Vec3 into[2];  ///< in the faces beside it, across it and inwards, unit
+  /// How two edges pass each other.
+  struct EdgeCrossing {
+    Real along_a, along_b;  ///< where, 0 … 1 from the first end
+    Vec3 normal;            ///< n ∥ (direction of a) × (direction of b), out of b's body, unit
+    Real gap;               ///< (point of a − point of b)·n, m; negative when they interpenetrate
   };
-  std::vector<EdgeFrame> edge_frame;          ///< per sharp edge, of …
-  std::vector<std::uint64_t> edge_framed_at;  ///< … the call that counts as this
-  std::uint64_t edge_calls = 0;
+  /// Edges that touch, in the order of their keys: scratch.
+  struct EdgeTouch {
+    ContactKey key;
+    EdgeCrossing crossing;
+  };
+  std::vector<EdgeTouch> edge_touch;
+  std::vector<const EdgeTouch*> touch_of_b;  ///< the same by edge b
 };
 
 /// What a sweep changed.

@@ -19,9 +19,16 @@ constexpr std::size_t kChunk = 512;
 // Records of fewer, 3 MiB, stay in a second or third cache.
 constexpr std::size_t kFew = 16384;
 
-// Of a contact between bodies, as they lie in its record: the vertex in front of the partners.
-constexpr std::size_t kCorners = 5;
-static_assert(offsetof(PairContact, partner) == sizeof(std::int32_t));
+// Vertices of a contact as they lie in its record: its own in front of the four partners.
+template <class Contact>
+constexpr std::size_t kCorners = 4 + sizeof(Contact::vertex) / sizeof(std::int32_t);
+
+template <class Contact>
+const std::int32_t* corners_of(const Contact& contact) {
+  static_assert(offsetof(Contact, partner) == offsetof(Contact, vertex) + sizeof(Contact::vertex));
+  return reinterpret_cast<const std::int32_t*>(reinterpret_cast<const char*>(&contact) +
+                                               offsetof(Contact, vertex));
+}
 
 }  // namespace
 
@@ -33,27 +40,33 @@ void ContactOrder::in_one_chunk(std::size_t contacts) {
   contact_.clear();
 }
 
-void ContactOrder::remember(const PairContacts& pairs) {
-  corner_.resize(kCorners * pairs.size());
-  contact_.resize(pairs.size());
+template <class Contact>
+void ContactOrder::remember(const std::vector<Contact>& contacts) {
+  corners_ = kCorners<Contact>;
+  corner_.resize(corners_ * contacts.size());
+  contact_.resize(contacts.size());
   std::iota(contact_.begin(), contact_.end(), 0);
   apart_ = false;
   std::int32_t* known = corner_.data();
-  for (const PairContact& contact : pairs) {
-    std::memcpy(known, &contact, kCorners * sizeof(std::int32_t));
-    known += kCorners;
+  for (const Contact& contact : contacts) {
+    std::memcpy(known, corners_of(contact), kCorners<Contact> * sizeof(std::int32_t));
+    known += kCorners<Contact>;
   }
 }
 
-bool ContactOrder::is_of(const PairContacts& pairs) const {
-  if (corner_.size() != kCorners * pairs.size()) return false;
+template <class Contact>
+bool ContactOrder::is_of(const std::vector<Contact>& contacts) const {
+  if (corner_.size() != kCorners<Contact> * contacts.size()) return false;
   const std::int32_t* known = corner_.data();
-  for (const PairContact& contact : pairs) {
-    if (std::memcmp(known, &contact, kCorners * sizeof(std::int32_t)) != 0) return false;
-    known += kCorners;
+  for (const Contact& contact : contacts) {
+    constexpr std::size_t kBytes = kCorners<Contact> * sizeof(std::int32_t);
+    if (std::memcmp(known, corners_of(contact), kBytes) != 0) return false;
+    known += kCorners<Contact>;
   }
   return true;
 }
+template bool ContactOrder::is_of(const PairContacts&) const;
+template bool ContactOrder::is_of(const EdgeContacts&) const;
 
 void ContactOrder::make(const PairContacts& pairs, std::size_t vertices) {
   if (is_of(pairs) && is_for(pairs.size())) {
@@ -63,6 +76,15 @@ void ContactOrder::make(const PairContacts& pairs, std::size_t vertices) {
   in_one_chunk(pairs.size());
   remember(pairs);
   if (pairs.size() >= kMany) colour(vertices);
+}
+
+void ContactOrder::make(const EdgeContacts& edges, std::size_t vertices) {
+  if (is_of(edges) && is_for(edges.size())) {
+    if (!apart_) put_apart(vertices);
+    return;
+  }
+  in_one_chunk(edges.size());
+  remember(edges);
 }
 
 void ContactOrder::put_apart(std::size_t vertices) {
@@ -86,13 +108,13 @@ std::int32_t ContactOrder::put_apart_in(const Chunk& window, std::int32_t before
   round_begin_.assign(window.end - window.begin + 1, 0);
   std::int32_t last = before;
   for (std::size_t c = window.begin; c < window.end; ++c) {
-    const std::int32_t* const vertex = &corner_[kCorners * c];
+    const std::int32_t* const vertex = &corner_[corners_ * c];
     std::int32_t round = before;
-    for (std::size_t k = 0; k < kCorners; ++k) {
+    for (std::size_t k = 0; k < corners_; ++k) {
       round = std::max(round, round_[static_cast<std::size_t>(vertex[k])]);
     }
     ++round;
-    for (std::size_t k = 0; k < kCorners; ++k) round_[static_cast<std::size_t>(vertex[k])] = round;
+    for (std::size_t k = 0; k < corners_; ++k) round_[static_cast<std::size_t>(vertex[k])] = round;
     round_of_[c - window.begin] = round - before;
     ++round_begin_[static_cast<std::size_t>(round - before)];
     last = std::max(last, round);
@@ -115,7 +137,7 @@ void ContactOrder::colour(std::size_t vertices) {
   std::vector<Chunk> alone;
   for (std::size_t begin = 0; begin < contacts_; begin += kChunk) {
     const Chunk chunk{begin, std::min(begin + kChunk, contacts_)};
-    const std::size_t first = kCorners * chunk.begin, last = kCorners * chunk.end;
+    const std::size_t first = corners_ * chunk.begin, last = corners_ * chunk.end;
     std::uint64_t unfit = 0;
     for (std::size_t k = first; k < last; ++k) unfit |= taken[static_cast<std::size_t>(corner_[k])];
     if (unfit == std::numeric_limits<std::uint64_t>::max()) {

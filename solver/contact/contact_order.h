@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/contact/contacts.h"
+#include "solver/contact/edge_contacts.h"
 #include "solver/contact/pair_contacts.h"
 #include "solver/parallel/team.h"
 #include "solver/prefetch.h"
@@ -24,8 +25,8 @@ namespace stiction {
 /// solves), so that the processor has several to do at once, none of which waits for the last.
 class ContactOrder {
  public:
-  /// Places [begin, end), which have the contacts [begin, end) between them: those between bodies
-  /// where `sequence` says, others in their order.
+  /// Places [begin, end), which have the contacts [begin, end) between them: those with obstacles in
+  /// their order, others where `sequence` says.
   struct Chunk {
     std::size_t begin = 0, end = 0;
   };
@@ -37,17 +38,20 @@ class ContactOrder {
   void in_one_chunk(std::size_t contacts);
   /// Of contacts between bodies; a scene has so many vertices.
   void make(const PairContacts& pairs, std::size_t vertices);
+  /// Of edges: however many they are, one chunk.
+  void make(const EdgeContacts& edges, std::size_t vertices);
   /// Of contacts with obstacles, whose colour is the obstacle.
   void make(const OneSidedContacts& contacts);
 
-  /// Whether it was made of contacts between bodies with the same vertices.
-  bool is_of(const PairContacts& pairs) const;
+  /// Whether it was made of contacts, between bodies or of edges, with the same vertices.
+  template <class Contact>
+  bool is_of(const std::vector<Contact>& contacts) const;
   /// Whether it was made for so many contacts.
   bool is_for(std::size_t contacts) const {
     return !colour_begin_.empty() && contacts == contacts_;
   }
 
-  /// Which contacts between bodies stand at the places.
+  /// Which contacts stand at the places.
   class Sequence {
    public:
     std::size_t contact(std::size_t place) const {
@@ -91,7 +95,8 @@ class ContactOrder {
   }
 
  private:
-  void remember(const PairContacts& pairs);
+  template <class Contact>
+  void remember(const std::vector<Contact>& contacts);
   void colour(std::size_t vertices);
   void put_apart(std::size_t vertices);
   std::int32_t put_apart_in(const Chunk& window, std::int32_t before);
@@ -100,8 +105,9 @@ class ContactOrder {
   std::vector<Chunk> chunk_;               // colour by colour
   std::vector<std::size_t> colour_begin_;  // in chunk_, and its size behind the last
 
-  // Of contacts between bodies.
-  std::vector<std::int32_t> corner_;   // their vertices, one contact after the other
+  // Of contacts between bodies or of edges.
+  std::size_t corners_ = 0;            // vertices that each has
+  std::vector<std::int32_t> corner_;   // these, one contact after the other
   std::vector<std::int32_t> contact_;  // of each place
   bool apart_ = false;                 // whether neighbours stand apart
   std::vector<std::int32_t> round_;    // scratch: per vertex, the last round that has it

@@ -15,9 +15,9 @@ namespace stiction {
 struct EdgeContact {
   ContactKey key = 0;                 ///< (edge a, edge b), numbers in Topology::sharp_edge
   std::int32_t vertex[2] = {-1, -1};  ///< ends of edge a
-  Real own_weight[2] = {0, 0};        ///< of them at the crossing; they sum to 1
-  std::int32_t element = -1;          ///< a tetrahedron of b's body that has edge b
-  std::int32_t partner[4] = {-1, -1, -1, -1};  ///< its corners
+  std::int32_t partner[4] = {-1, -1, -1, -1};  ///< corners of `element`
+  std::int32_t element = -1;                   ///< a tetrahedron of b's body that has edge b
+  Real own_weight[2] = {0, 0};                 ///< of the ends at the crossing; they sum to 1
   Real weight[4] = {0, 0, 0, 0};  ///< of a's crossing point in it at the start of the step; sum 1
   Vec3 normal = Vec3::Zero();     ///< across both edges, out of b's body, unit
   Real depth = 0.0;               ///< m, ≥ 0; 0 for a contact kept by hysteresis

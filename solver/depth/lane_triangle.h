@@ -1,34 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
-#include "solver/lanes/lane_matrix.h"
-#include "solver/real.h"
+#include "solver/lanes/lane_geometry.h"
 
 namespace stiction {
-
-/// A field of the vertices at one vertex a lane.
-template <class Number, class VertexOf>
-STICTION_LANES_INLINE LaneVector<Number> at_vertices(const std::vector<Vec3>& field,
-                                                     const VertexOf& vertex_of) {
-  const Real* record[Number::kCount];
-  for (int lane = 0; lane < Number::kCount; ++lane) {
-    record[lane] = field[static_cast<std::size_t>(vertex_of(lane))].data();
-  }
-  Number columns[3];
-  load_triples(record, columns);
-  return {columns[0], columns[1], columns[2]};
-}
-
-/// A scalar product that sums as Eigen does of three numbers: (x + y) + z in double precision, where
-/// two go in a register, else x + (y + z).
-template <class Number>
-STICTION_LANES_INLINE Number dot_as_eigen(const LaneVector<Number>& a,
-                                          const LaneVector<Number>& b) {
-  if constexpr (sizeof(Real) == sizeof(double)) return (a.x * b.x + a.y * b.y) + a.z * b.z;
-  return dot(a, b);
-}
 
 /// A triangle a lane, with the bits of what is found of one at a time.
 template <class Number>

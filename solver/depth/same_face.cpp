@@ -23,24 +23,6 @@ struct Step {
   const OpenLimits& limits;
 };
 
-// `barycentric` (detect_pairs.h), lane by lane, with its bits.
-template <class Number>
-struct LaneWeights {
-  Number of[4];
-
-  STICTION_LANES_INLINE LaneWeights(const LaneVector<Number>& point, const LaneVector<Number>& a,
-                                    const LaneVector<Number>& b, const LaneVector<Number>& c,
-                                    const LaneVector<Number>& d) {
-    const LaneVector<Number> ab = b - a, ac = c - a, ad = d - a, ap = point - a;
-    const LaneVector<Number> ac_ad = cross(ac, ad);
-    const Number volume = dot_as_eigen(ab, ac_ad);
-    of[1] = dot_as_eigen(ap, ac_ad) / volume;
-    of[2] = dot_as_eigen(ab, cross(ap, ad)) / volume;
-    of[3] = dot_as_eigen(ab, cross(ac, ap)) / volume;
-    of[0] = Number(Real(1)) - of[1] - of[2] - of[3];
-  }
-};
-
 // Whether no triangle of the list but its own can be as near as `reach`, m; `moved` is what vertex and
 // triangles have moved since the list was made (project_by_list in nearest_face.cpp).
 bool is_nearest(const PairSearch& search, const PairSearch::Group& group, std::int32_t own,
@@ -237,14 +219,8 @@ class Measured {
   // Of a vertex of each contact, at the start of the step.
   template <class VertexOf>
   STICTION_LANES_INLINE LaneVector<Number> start(const VertexOf& vertex_of) const {
-    const Real* record[kCount];
-    for (int lane = 0; lane < kCount; ++lane) {
-      const auto v = static_cast<std::size_t>(vertex_of(*batch_.contact[lane]));
-      record[lane] = reinterpret_cast<const Real*>(&step_.state.position[v]);
-    }
-    Number columns[4];
-    load_records(record, columns);
-    return {columns[0], columns[1], columns[2]};
+    return at_vertices<Number>(step_.state.position,
+                               [&](int lane) { return vertex_of(*batch_.contact[lane]); });
   }
 
   bool of_faces() const { return step_.options.weights == PairWeights::kTriangle; }

@@ -2,13 +2,15 @@
 #include "solver/detection/crossing_edges.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "solver/depth/depth.h"
 #include "solver/depth/open_limits.h"
-#include "solver/detection/detect_pairs.h"
+#include "solver/detection/edge_lanes.h"
 #include "solver/detection/edge_pair.h"
 #include "solver/detection/lasting.h"
 #include "solver/detection/pair_candidates.h"
+#include "solver/lanes/lane_width.h"
 
 namespace stiction {
 
@@ -32,59 +34,39 @@ constexpr Real kNearing = 0.3;
 // in it, and as much again for the step before, in which they may have met beyond the corner.
 constexpr Real kJustNow = 2.0;
 
-// The frames of edges, each made when it is first asked for.
-class EdgeFrames {
- public:
-  EdgeFrames(const Topology& topology, PairSearch& search) : topology_(topology), search_(search) {
-    ++search.edge_calls;
-    search.edge_frame.resize(topology.sharp_edge.size());
-    search.edge_framed_at.resize(topology.sharp_edge.size(), 0);
-  }
-  const PairSearch::EdgeFrame& operator()(std::int32_t edge) const {
-    const auto e = static_cast<std::size_t>(edge);
-    if (search_.edge_framed_at[e] != search_.edge_calls) {
-      search_.edge_framed_at[e] = search_.edge_calls;
-      search_.edge_frame[e] = frame_of(search_.predicted, topology_.sharp_edge[e]);
-    }
-    return search_.edge_frame[e];
-  }
-
- private:
-  const Topology& topology_;
-  PairSearch& search_;
-};
-
-struct Found {
-  ContactKey key;
-  std::int32_t a, b;
-  EdgeCrossing crossing;
-};
+using Touch = PairSearch::EdgeTouch;
 
 // One edge crosses another body in two directions at once where that body has a corner: the one
 // that is the deeper is an artefact of straight lines. Says of which crossings that is so.
 class Outdone {
  public:
-  // `all` in the order of their keys, so that those of one edge a stand together.
-  Outdone(const Topology& topology, const std::vector<Found>& all)
-      : topology_(topology), all_(all) {
-    for (const Found& found : all) by_b_.push_back(&found);
-    std::stable_sort(by_b_.begin(), by_b_.end(),
-                     [](const Found* one, const Found* other) { return one->b < other->b; });
+  // `by_b`: scratch.
+  Outdone(const Topology& topology, const std::vector<Touch>& all, std::vector<const Touch*>& by_b)
+      : topology_(topology), all_(all), by_b_(by_b) {
+    by_b_.clear();
+    for (const Touch& touch : all) by_b_.push_back(&touch);
+    std::sort(by_b_.begin(), by_b_.end(), [](const Touch* one, const Touch* other) {
+      return second_of(one->key) < second_of(other->key);
+    });
   }
 
-  bool operator()(const Found& found) const {
+  bool operator()(const Touch& touch) const {
     const auto of_a =
-        std::equal_range(all_.begin(), all_.end(), found,
-                         [](const Found& one, const Found& other) { return one.a < other.a; });
-    const auto of_b =
-        std::equal_range(by_b_.begin(), by_b_.end(), &found,
-                         [](const Found* one, const Found* other) { return one->b < other->b; });
+        std::equal_range(all_.begin(), all_.end(), touch, [](const Touch& one, const Touch& other) {
+          return first_of(one.key) < first_of(other.key);
+        });
+    const auto of_b = std::equal_range(by_b_.begin(), by_b_.end(), &touch,
+                                       [](const Touch* one, const Touch* other) {
+                                         return second_of(one->key) < second_of(other->key);
+                                       });
     return std::any_of(of_a.first, of_a.second,
-                       [&](const Found& other) {
-                         return body(other.b) == body(found.b) && outdoes(other, found);
+                       [&](const Touch& other) {
+                         return body(second_of(other.key)) == body(second_of(touch.key)) &&
+                                outdoes(other, touch);
                        }) ||
-           std::any_of(of_b.first, of_b.second, [&](const Found* other) {
-             return body(other->a) == body(found.a) && outdoes(*other, found);
+           std::any_of(of_b.first, of_b.second, [&](const Touch* other) {
+             return body(first_of(other->key)) == body(first_of(touch.key)) &&
+                    outdoes(*other, touch);
            });
   }
 
@@ -93,50 +75,140 @@ class Outdone {
     return topology_.vertex_body[static_cast<std::size_t>(
         topology_.sharp_edge[static_cast<std::size_t>(edge)].vertex[0])];
   }
-  static bool outdoes(const Found& other, const Found& found) {
-    return other.crossing.gap > found.crossing.gap &&
-           other.crossing.normal.dot(found.crossing.normal) < 0.5;
+  static bool outdoes(const Touch& other, const Touch& touch) {
+    return other.crossing.gap > touch.crossing.gap &&
+           other.crossing.normal.dot(touch.crossing.normal) < 0.5;
   }
 
   const Topology& topology_;
-  const std::vector<Found>& all_;
-  std::vector<const Found*> by_b_;
+  const std::vector<Touch>& all_;
+  std::vector<const Touch*>& by_b_;
 };
 
-EdgeContact contact_of(const Scene& scene, const State& state, const Workspace& workspace,
-                       const Found& found) {
-  const Topology& topology = scene.topology;
-  const auto& a = topology.sharp_edge[static_cast<std::size_t>(found.a)];
-  const auto& b = topology.sharp_edge[static_cast<std::size_t>(found.b)];
+EdgeContact contact_of(const Topology& topology, const Touch& touch) {
+  const auto& a = topology.sharp_edge[static_cast<std::size_t>(first_of(touch.key))];
+  const auto& b = topology.sharp_edge[static_cast<std::size_t>(second_of(touch.key))];
   EdgeContact contact;
-  contact.key = found.key;
-  contact.own_weight[0] = 1 - found.crossing.along_a;
-  contact.own_weight[1] = found.crossing.along_a;
-  contact.normal = found.crossing.normal;
-  contact.depth = std::max(Real(0), -found.crossing.gap);
+  contact.key = touch.key;
+  std::copy(std::begin(a.vertex), std::end(a.vertex), contact.vertex);
+  contact.own_weight[0] = 1 - touch.crossing.along_a;
+  contact.own_weight[1] = touch.crossing.along_a;
+  contact.normal = touch.crossing.normal;
+  contact.depth = std::max(Real(0), -touch.crossing.gap);
   contact.element = b.element;
-  const auto x = [&](std::int32_t v) -> const Vec3& {
-    return state.position[static_cast<std::size_t>(v)].x;
-  };
-  Vec3 point = Vec3::Zero();
-  const auto inverse_mass = [&](std::int32_t v) {
-    return workspace.velocity[static_cast<std::size_t>(v)].inverse_mass;
-  };
-  for (int k = 0; k < 2; ++k) {
-    contact.vertex[k] = a.vertex[k];
-    point += contact.own_weight[k] * x(a.vertex[k]);
-    contact.inverse_mass +=
-        contact.own_weight[k] * contact.own_weight[k] * inverse_mass(a.vertex[k]);
-  }
-  const auto& corner = scene.elements[static_cast<std::size_t>(b.element)].vertex;
-  const Vec4 weight = barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
-  for (int k = 0; k < 4; ++k) {
-    contact.partner[k] = corner[k];
-    contact.weight[k] = weight[k];
-    contact.inverse_mass += weight[k] * weight[k] * inverse_mass(corner[k]);
-  }
   return contact;
 }
+
+// Tests the candidates of a step, several side by side.
+class EdgeTest {
+ public:
+  EdgeTest(const Scene& scene, const Options& options, const State& state, PairSearch& search)
+      : topology_(scene.topology),
+        state_(state),
+        search_(search),
+        deepest_(kDeepest * scene.topology.mean_edge),
+        limits_(scene, options, state),
+        width_(lane_width()) {}
+
+  // Leaves those that touch in `search.edge_touch`.
+  void run() {
+    search_.edge_touch.clear();
+    for (PairSearch::EdgePair& candidate : search_.edge_candidate) {
+      if (path_of(candidate) < candidate.apart_until) continue;
+      const auto lane = static_cast<std::size_t>(batch_.count++);
+      asked_[lane] = &candidate;
+      batch_.a[lane] = first_of(candidate.key);
+      batch_.b[lane] = second_of(candidate.key);
+      if (batch_.count == lanes_of(width_)) test_batch();
+    }
+    if (batch_.count > 0) test_batch();
+  }
+
+ private:
+  void test_batch() {
+    const unsigned crossing =
+        cross_side_by_side(topology_, search_.predicted, limits_.border, width_, batch_);
+    for (int k = 0; k < batch_.count; ++k) {
+      const auto lane = static_cast<std::size_t>(k);
+      PairSearch::EdgePair& pair = *asked_[lane];
+      const bool apart = (crossing >> k & 1U) == 0;
+      note_lasting(apart, path_of(pair), pair.apart, pair.apart_until, [&] {
+        const std::int32_t a = first_of(pair.key), b = second_of(pair.key);
+        const auto v = static_cast<std::size_t>(edge(a).vertex[0]);
+        return apart_within(topology_, search_.predicted, a, b,
+                            {-limits_.border, -limits_.border}) -
+               list_rounding(search_, search_.predicted[v].norm());
+      });
+      if (!apart && touches(lane)) {
+        search_.edge_touch.push_back({pair.key, batch_.crossing[lane]});
+      }
+    }
+    batch_.count = 0;
+  }
+
+  bool touches(std::size_t lane) {
+    const ContactKey key = asked_[lane]->key;
+    const EdgeCrossing& crossing = batch_.crossing[lane];
+    const std::vector<ContactKey>& last = state_.edge_friction.key;
+    if (std::binary_search(last.begin(), last.end(), key)) return crossing.gap < limits_.gap;
+    if (!(crossing.gap < 0.0)) return false;
+    const EndMargins begins{-kOnJoint * topology_.mean_edge,
+                            std::min(deepest_, kFarther * -crossing.gap)};
+    const bool within =
+        inside_ends(edge(batch_.a[lane]), batch_.length_a[lane], crossing.along_a, begins) >= 0 &&
+        inside_ends(edge(batch_.b[lane]), batch_.length_b[lane], crossing.along_b, begins) >= 0;
+    return within ? crossing.gap >= -deepest_ || was_apart(key) : came_in(key, crossing);
+  }
+
+  bool was_apart(ContactKey key) {
+    std::vector<Vec3>& start = search_.start;
+    start.resize(state_.position.size());
+    for (const std::int32_t e : {first_of(key), second_of(key)}) {
+      for (const std::int32_t v :
+           {edge(e).vertex[0], edge(e).vertex[1], edge(e).opposite[0], edge(e).opposite[1]}) {
+        start[static_cast<std::size_t>(v)] = state_.position[static_cast<std::size_t>(v)].x;
+      }
+    }
+    EdgeCrossing before;
+    return crossing_of(topology_, start, first_of(key), second_of(key), before) &&
+           before.gap >= -deepest_;
+  }
+
+  // Whether a crossing near a corner is one that the edges have made just now, by nearing each
+  // other there or by sliding in over the corner: then it is no deeper than what they have come. A
+  // corner that is put down on a face crosses the edges beside it too, but sideways, where it
+  // hardly nears them; and a deeper one would throw the bodies apart, again and again.
+  bool came_in(ContactKey key, const EdgeCrossing& crossing) const {
+    const auto travel = [&](std::int32_t e, Real along) -> Vec3 {
+      const auto of = [&](int k) -> Vec3 {
+        const auto v = static_cast<std::size_t>(edge(e).vertex[k]);
+        return search_.predicted[v] - state_.position[v].x;
+      };
+      return (1 - along) * of(0) + along * of(1);
+    };
+    const Vec3 relative =
+        travel(first_of(key), crossing.along_a) - travel(second_of(key), crossing.along_b);
+    const Real nearing = -relative.dot(crossing.normal);
+    return nearing > kNearing * relative.norm() && -crossing.gap <= kJustNow * nearing;
+  }
+
+  const Topology::SharpEdge& edge(std::int32_t e) const {
+    return topology_.sharp_edge[static_cast<std::size_t>(e)];
+  }
+  // Of both bodies, m.
+  double path_of(const PairSearch::EdgePair& pair) const {
+    return search_.path[pair.body_a] + search_.path[pair.body_b];
+  }
+
+  const Topology& topology_;
+  const State& state_;
+  PairSearch& search_;
+  Real deepest_;
+  OpenLimits limits_;
+  int width_;
+  EdgeBatch batch_;
+  PairSearch::EdgePair* asked_[kMostLanes];
+};
 
 }  // namespace
 
@@ -148,86 +220,20 @@ bool with_edges(const Options& options) {
 void crossing_edges(const Scene& scene, const Options& options, const State& state,
                     Workspace& workspace) {
   const Topology& topology = scene.topology;
-  const std::vector<Vec3>& x = workspace.search.predicted;
-  const Real deepest = kDeepest * topology.mean_edge;
-  const OpenLimits limits(scene, options, state);
-  const EndMargins lasts{-limits.border, -limits.border};
-  const std::vector<ContactKey>& last = state.edge_friction.key;
-  const auto was_apart = [&](const Found& pair) {
-    std::vector<Vec3>& start = workspace.search.start;
-    start.resize(state.position.size());
-    for (const std::int32_t e : {pair.a, pair.b}) {
-      const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
-      for (const std::int32_t v :
-           {edge.vertex[0], edge.vertex[1], edge.opposite[0], edge.opposite[1]}) {
-        start[static_cast<std::size_t>(v)] = state.position[static_cast<std::size_t>(v)].x;
-      }
-    }
-    EdgeCrossing before;
-    return crossing_of(topology, start, pair.a, pair.b, before) && before.gap >= -deepest;
-  };
-  // Whether a crossing near a corner is one that the edges have made just now, by nearing each
-  // other there or by sliding in over the corner: then it is no deeper than what they have come. A
-  // corner that is put down on a face crosses the edges beside it too, but sideways, where it
-  // hardly nears them; and a deeper one would throw the bodies apart, again and again.
-  const auto came_in = [&](const Found& pair) {
-    const auto travel = [&](std::int32_t e, Real along) -> Vec3 {
-      const auto& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
-      const auto of = [&](int k) -> Vec3 {
-        const auto v = static_cast<std::size_t>(edge.vertex[k]);
-        return x[v] - state.position[v].x;
-      };
-      return (1 - along) * of(0) + along * of(1);
-    };
-    const Vec3 relative =
-        travel(pair.a, pair.crossing.along_a) - travel(pair.b, pair.crossing.along_b);
-    const Real nearing = -relative.dot(pair.crossing.normal);
-    return nearing > kNearing * relative.norm() && -pair.crossing.gap <= kJustNow * nearing;
-  };
-  const EdgeFrames frame(topology, workspace.search);
-  std::vector<Found> found;
-  for (PairSearch::EdgePair& candidate : workspace.search.edge_candidate) {
-    const double path =
-        workspace.search.path[candidate.body_a] + workspace.search.path[candidate.body_b];
-    if (path < candidate.apart_until) continue;
-    const ContactKey key = candidate.key;
-    Found pair{key, first_of(key), second_of(key), {}};
-    const auto lies_within = [&](const EndMargins& margins) {
-      const auto inside = [&](std::int32_t e, Real along) {
-        return inside_ends(topology.sharp_edge[static_cast<std::size_t>(e)], frame(e).length, along,
-                           margins) >= 0.0;
-      };
-      return inside(pair.a, pair.crossing.along_a) && inside(pair.b, pair.crossing.along_b);
-    };
-    LinePair lines;
-    const bool apart = !meet(topology, x, pair.a, pair.b, lines, pair.crossing) ||
-                       !lies_within(lasts) ||
-                       !face(lines, frame(pair.a), frame(pair.b), pair.crossing);
-    note_lasting(apart, path, candidate.apart, candidate.apart_until, [&] {
-      const auto& edge = topology.sharp_edge[static_cast<std::size_t>(pair.a)];
-      return apart_within(topology, x, pair.a, pair.b, lasts) -
-             list_rounding(workspace.search, x[static_cast<std::size_t>(edge.vertex[0])].norm());
-    });
-    if (apart) continue;
-    const Real gap = pair.crossing.gap;
-    const auto touches = [&] {
-      if (std::binary_search(last.begin(), last.end(), key)) return gap < limits.gap;
-      if (!(gap < 0.0)) return false;
-      const EndMargins begins{-kOnJoint * topology.mean_edge, std::min(deepest, kFarther * -gap)};
-      return lies_within(begins) ? gap >= -deepest || was_apart(pair) : came_in(pair);
-    };
-    if (touches()) found.push_back(pair);
+  PairSearch& search = workspace.search;
+  EdgeTest(scene, options, state, search).run();
+  EdgeContacts& contacts = workspace.edges;
+  contacts.clear();
+  const Outdone outdone(topology, search.edge_touch, search.touch_of_b);
+  for (const Touch& touch : search.edge_touch) {
+    if (!outdone(touch)) contacts.push_back(contact_of(topology, touch));
   }
-  workspace.edges.clear();
-  const Outdone outdone(topology, found);
-  for (const Found& pair : found) {
-    if (outdone(pair)) continue;
-    const EdgeContact contact = contact_of(scene, state, workspace, pair);
-    if (contact.inverse_mass == 0.0) continue;
+  set_partners(scene, state, workspace.velocity, lane_width(), contacts);
+  std::erase_if(contacts, [](const EdgeContact& contact) { return contact.inverse_mass == 0.0; });
+  for (const EdgeContact& contact : contacts) {
     note_too_deep(topology, contact.vertex[0],
                   topology.element_body[static_cast<std::size_t>(contact.element)], contact.depth,
-                  workspace.search.too_deep);
-    workspace.edges.push_back(contact);
+                  search.too_deep);
   }
 }
 

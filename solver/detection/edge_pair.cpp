@@ -11,14 +11,9 @@ namespace stiction {
 
 namespace {
 
-// Sine of the least angle between edges that cross.
-constexpr Real kParallel = 0.087;
-
 const Vec3& at(const std::vector<Vec3>& x, std::int32_t v) {
   return x[static_cast<std::size_t>(v)];
 }
-
-using EdgeFrame = PairSearch::EdgeFrame;
 
 // An edge with what bounds ask of it.
 struct Edge {

@@ -8,15 +8,19 @@
 
 namespace stiction {
 
-/// How two edges pass each other.
-struct EdgeCrossing {
-  Real along_a, along_b;  ///< where, 0 … 1 from the first end
-  Vec3 normal;            ///< n ∥ (direction of a) × (direction of b), out of b's body, unit
-  Real gap;               ///< (point of a − point of b)·n, m; negative when they interpenetrate
+/// Sine of the least angle between edges that cross.
+inline constexpr Real kParallel = 0.087;
+
+using EdgeCrossing = PairSearch::EdgeCrossing;
+
+/// A sharp edge as it lies.
+struct EdgeFrame {
+  Real length;   ///< m
+  Vec3 into[2];  ///< in the faces beside it, across it and inwards, unit
 };
 
 /// Positions `x` per vertex, m, here and below.
-PairSearch::EdgeFrame frame_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge);
+EdgeFrame frame_of(const std::vector<Vec3>& x, const Topology::SharpEdge& edge);
 
 /// How far a crossing must be from an edge's end, m, where the edge goes on and where it does not.
 struct EndMargins {
@@ -41,8 +45,7 @@ bool meet(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a, 
 
 /// … and as far as the faces beside them tell: a plane across both edges has each body's two faces on
 /// its own side, as far as surfaces that bend allow.
-bool face(const LinePair& lines, const PairSearch::EdgeFrame& a, const PairSearch::EdgeFrame& b,
-          EdgeCrossing& crossing);
+bool face(const LinePair& lines, const EdgeFrame& a, const EdgeFrame& b, EdgeCrossing& crossing);
 
 /// Whether two sharp edges can touch as they lie, and how: they meet, and face each other (the arcs of
 /// their normals cross, a face of the Minkowski difference). Edges less than 5° from parallel don't.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/lanes/packed_vec3.h"
+
 namespace stiction {
 
 namespace {
@@ -31,18 +33,33 @@ bool follow(const Scene& scene, Real dt, const State& state, const std::vector<V
       const Body& body = scene.bodies[b];
       last = std::min(end, static_cast<std::size_t>(body.first_vertex + body.vertex_count));
       Real far = 0.0, way = 0.0;
-      for (std::size_t k = begin; k < last; ++k) {
-        const Vec3 x = state.position[k].x + dt * velocity[k].v;
-        const Vec3 by = (x - search.reference[k]).cwiseAbs();
-        const Vec3 since = (x - search.predicted[k]).cwiseAbs();
-        search.predicted[k] = x;
-        way = std::max({way, since.x(), since.y(), since.z()});
-        // Written so that what is no number counts as moved.
-        if (!(by.x() <= search.skin && by.y() <= search.skin && by.z() <= search.skin)) {
-          far = std::numeric_limits<Real>::infinity();
-        }
-        far = std::max({far, by.x(), by.y(), by.z()});
-      }
+      in_registers(
+          lane_width(), [&]() __attribute__((always_inline)) {
+            const Position* const position = state.position.data();
+            const Velocity* const moves = velocity.data();
+            const Vec3* const reference = search.reference.data();
+            Vec3* const predicted = search.predicted.data();
+            const Real h = dt;
+            const PackedVec3 skin(FourNumbers{} + search.skin);
+            PackedVec3 farthest = PackedVec3::Zero(), longest = PackedVec3::Zero();
+            auto stays = skin.value == skin.value;
+            for (std::size_t k = begin; k < last; ++k) {
+              // Of the fourth number, which is anything, nothing is asked.
+              const PackedVec3 x =
+                  (PackedVec3::load(&position[k]) + h * PackedVec3::load(&moves[k]))
+                      .with_fourth(PackedVec3::Zero());
+              const PackedVec3 by = (x - PackedVec3(reference[k])).cwiseAbs();
+              const PackedVec3 since = (x - PackedVec3(predicted[k])).cwiseAbs();
+              predicted[k] = vector_cast<Vec3>(x);
+              longest = longest.cwiseMax(since);
+              farthest = farthest.cwiseMax(by);
+              // Written so that what is no number counts as moved.
+              stays &= by.value <= skin.value;
+            }
+            way = std::max({longest.x(), longest.y(), longest.z()});
+            far = std::max({farthest.x(), farthest.y(), farthest.z()});
+            if (!(stays[0] && stays[1] && stays[2])) far = std::numeric_limits<Real>::infinity();
+          });
       raise(search.farthest[b], far);
       raise(search.longest[b], way);
     }

@@ -202,7 +202,10 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
     workspace.pair_order.make(workspace.pairs, velocity.size());
   }
   assert(workspace.pair_order.is_of(workspace.pairs));
-  workspace.edge_order.in_one_chunk(workspace.edges.size());
+  if (!workspace.edge_order.is_for(workspace.edges.size())) {
+    workspace.edge_order.make(workspace.edges, velocity.size());
+  }
+  assert(workspace.edge_order.is_of(workspace.edges));
   const ObstacleSide<Friction> obstacles{scene, mu, options.dt(), workspace.contacts,
                                          workspace.obstacle_order};
   const PairSide<Friction> pairs(options, mu, workspace.pairs, workspace.pair_order);

@@ -156,12 +156,12 @@ class PairSide : public RecordSide<PairContact> {
 template <class Friction>
 class EdgeSide : public RecordSide<EdgeContact> {
  public:
-  static constexpr bool kInOrder = true;
+  static constexpr bool kInOrder = false;
 
   EdgeSide(Real dt, const Friction& mu, EdgeContacts& edges, const ContactOrder& contacts_order)
-      : RecordSide(dt, edges, contacts_order), mu_(mu) {}
+      : RecordSide(dt, edges, contacts_order), mu_(mu), sequence_(contacts_order.sequence()) {}
 
-  std::size_t contact(std::size_t place) const { return place; }
+  std::size_t contact(std::size_t place) const { return sequence_.contact(place); }
   void ask_ahead(std::size_t) const {}
   ContactKey key(std::size_t c) const { return contacts_[c].key; }
   Real bound(std::size_t c) const {
@@ -177,6 +177,7 @@ class EdgeSide : public RecordSide<EdgeContact> {
 
  private:
   Friction mu_;
+  ContactOrder::Sequence sequence_;
 };
 
 }  // namespace stiction::friction_phase

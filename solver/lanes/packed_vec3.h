@@ -68,6 +68,14 @@ struct PackedVec3 {
   STICTION_LANES_INLINE PackedVec3& operator-=(const PackedVec3& b) { return *this = *this - b; }
   STICTION_LANES_INLINE PackedVec3& operator*=(Real s) { return *this = s * *this; }
 
+  STICTION_LANES_INLINE PackedVec3 cwiseAbs() const {
+    return PackedVec3(value < FourNumbers{} ? -value : value);
+  }
+  /// Number by number as std::max: of what is no number, the first.
+  STICTION_LANES_INLINE PackedVec3 cwiseMax(const PackedVec3& b) const {
+    return PackedVec3(value < b.value ? b.value : value);
+  }
+
   /// Sums as Eigen does of three numbers: (x + y) + z in double precision, where two go in a
   /// register, else x + (y + z).
   STICTION_LANES_INLINE Real dot(const PackedVec3& b) const {

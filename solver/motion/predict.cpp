@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/motion/predict.h"
 
+#include "solver/lanes/packed_vec3.h"
+
 namespace stiction {
 
 void gravity_forces(const Scene& scene, double time, std::vector<Force>& force, const Team* team) {
   const Vec3 g = scene.gravity.at(time).cast<Real>();
   force.resize(scene.mass.size());
   for_ranges(team, force.size(), kVerticesToShare, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) force[k] = {scene.mass[k] * g, 0};
+    in_registers(
+        lane_width(), [&]() __attribute__((always_inline)) {
+          const PackedVec3 gravity(g);
+          const Real* const mass = scene.mass.data();
+          Force* const to = force.data();
+          for (std::size_t k = begin; k < end; ++k) (mass[k] * gravity).store(&to[k]);
+        });
   });
 }
 
@@ -22,10 +30,18 @@ void predict(Real dt, const std::vector<Force>& force, const std::vector<Velocit
              std::vector<Velocity>& predicted, const Team* team) {
   predicted.resize(velocity_t0.size());
   for_ranges(team, predicted.size(), kVerticesToShare, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const Velocity& old = velocity_t0[k];
-      predicted[k] = {old.v + dt * old.inverse_mass * force[k].f, old.inverse_mass};
-    }
+    in_registers(
+        lane_width(), [&]() __attribute__((always_inline)) {
+          const Velocity* const from = velocity_t0.data();
+          const Force* const forces = force.data();
+          Velocity* const to = predicted.data();
+          const Real h = dt;
+          for (std::size_t k = begin; k < end; ++k) {
+            const PackedVec3 old = PackedVec3::load(&from[k]);
+            const PackedVec3 gain = h * old.fourths() * PackedVec3::load(&forces[k]);
+            (old + gain).with_fourth(old).store(&to[k]);
+          }
+        });
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/response/pair_normal_force.h"
 
+#include <algorithm>
 #include <span>
 
 #include "solver/contact/held_velocities.h"
@@ -14,6 +15,10 @@ namespace {
 bool corrects(const PairOptions& options) {
   return STICTION_HAS_POST_CORRECTION && options.post_correction;
 }
+
+// So many contacts have their forces reckoned before any is put on its vertices: each reads inverse masses
+// beside the velocities, and after a write it would wait for that.
+constexpr std::size_t kAtOnce = 32;
 
 // What the vertices tell of themselves.
 struct Vertices {
@@ -112,15 +117,28 @@ class PairForce {
 void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
                         const FrictionMemory& last_obstacles) {
   PairContacts& pairs = workspace.pairs;
-  workspace.pair_order.make(pairs, static_cast<std::size_t>(scene.vertex_count()));
+  const auto vertex_count = static_cast<std::size_t>(scene.vertex_count());
+  workspace.pair_order.make(pairs, vertex_count);
+  workspace.edge_order.make(workspace.edges, vertex_count);
   contact_loads(scene, options, last_obstacles, workspace);
   const Vertices vertices{workspace.load.data(), workspace.velocity.data()};
   const PairForce force(options, vertices);
-  for (EdgeContact& contact : workspace.edges) {
-    contact.normal_force = force(contact);
-    const Vec3 impulse = options.dt() * contact.normal_force * contact.normal;
-    HeldEdgeVelocities(contact, workspace.velocity).push(impulse);
-  }
+  const int width = lane_width();
+  in_registers(
+      width, [&]() __attribute__((always_inline)) {
+        const PairForce own_force = force;
+        const std::span<Velocity> velocity = workspace.velocity;
+        const Real dt = options.dt();
+        const ContactOrder::Sequence sequence = workspace.edge_order.sequence();
+        EdgeContact* const edges = workspace.edges.data();
+        const std::size_t count = workspace.edges.size();
+        for (std::size_t c = 0; c < count; ++c) edges[c].normal_force = own_force(edges[c]);
+        for (std::size_t place = 0; place < count; ++place) {
+          const EdgeContact& contact = edges[sequence.contact(place)];
+          const PackedVec3 normal = PackedVec3::load(contact.normal.data());
+          HeldEdgeVelocities(contact, velocity).push(dt * contact.normal_force * normal);
+        }
+      });
   if (!options.pairs.normals_first) {
     for_ranges(workspace.team, pairs.size(), kContactsToShare,
                [&](std::size_t begin, std::size_t end) {
@@ -128,7 +146,6 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
                });
     return;
   }
-  const int width = lane_width();
   workspace.pair_order.for_each_chunk(workspace.team, [&](std::size_t, const auto& chunk) {
     in_registers(
         width, [&]() __attribute__((always_inline)) {
@@ -138,14 +155,21 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
           const ContactOrder::Sequence sequence = workspace.pair_order.sequence();
           const Real dt = options.dt();
           const bool react = corrects(options.pairs);
+          PairContact* const contacts = pairs.data();
           const auto [begin, end] = chunk;
-          for (std::size_t place = begin; place < end; ++place) {
-            sequence.ask_ahead(pairs.data(), place);
-            PairContact& contact = pairs[sequence.contact(place)];
-            const Real normal_force = own_force(contact);
-            contact.normal_force = normal_force;
-            HeldVelocities(contact, velocity)
-                .push(dt * normal_force * PackedVec3::load(contact.normal.data()), react);
+          for (std::size_t next = begin; next < end;) {
+            const std::size_t first = next;
+            next = std::min(next + kAtOnce, end);
+            for (std::size_t place = first; place < next; ++place) {
+              sequence.ask_ahead(contacts, place);
+              PairContact& contact = contacts[sequence.contact(place)];
+              contact.normal_force = own_force(contact);
+            }
+            for (std::size_t place = first; place < next; ++place) {
+              const PairContact& contact = contacts[sequence.contact(place)];
+              const PackedVec3 normal = PackedVec3::load(contact.normal.data());
+              HeldVelocities(contact, velocity).push(dt * contact.normal_force * normal, react);
+            }
           }
         });
   });
