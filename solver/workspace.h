@@ -175,15 +175,16 @@ struct PairSearch {
   struct EdgeCrossing {
     Real along_a, along_b;  ///< where, 0 … 1 from the first end
     Vec3 normal;            ///< n ∥ (direction of a) × (direction of b), out of b's body, unit
-    Real gap;               ///< (point of a − point of b)·n, m; negative when they interpenetrate
+    Real gap;  ///< (point of a − point of b)·n, m; negative when they interpenetrate
   };
   /// Edges that touch, in the order of their keys: scratch.
   struct EdgeTouch {
     ContactKey key;
     EdgeCrossing crossing;
+    bool outdone = false;  ///< by another, so that it counts for nothing
   };
   std::vector<EdgeTouch> edge_touch;
-  std::vector<const EdgeTouch*> touch_of_b;  ///< the same by edge b
+  std::vector<std::uint64_t> touch_by_b;  ///< their places below their edges b
 };
 
 /// What a sweep changed.

@@ -156,6 +156,46 @@ TEST(ContactOrder, PutsContactsApartThatShareAVertexOnceTheyHaveLasted) {
   EXPECT_EQ(Placed(order, others).contacts, at_first.contacts);
 }
 
+TEST(ContactOrder, OfEdgesPutsThoseApartThatShareAVertexInOneChunk) {
+  constexpr std::size_t kStrands = 5, kEach = 40;
+  for (const std::size_t each : {kEach, ContactOrder::kMany}) {  // where pairs have colours too
+    const auto strand = static_cast<std::int32_t>(each + 5);     // its vertices
+    EdgeContacts edges(kStrands * each);
+    for (std::size_t c = 0; c < edges.size(); ++c) {
+      const auto first =
+          static_cast<std::int32_t>(c / each) * strand + static_cast<std::int32_t>(c % each);
+      for (int k = 0; k < 2; ++k) edges[c].vertex[k] = first + k;
+      for (int k = 0; k < 4; ++k) edges[c].partner[k] = first + 2 + k;
+    }
+    const std::size_t vertices = kStrands * static_cast<std::size_t>(strand);
+    ContactOrder order;
+    order.make(edges, vertices);
+    EXPECT_TRUE(order.is_of(edges));
+    for (std::size_t c = 0; c < edges.size(); ++c) ASSERT_EQ(order.sequence().contact(c), c);
+    order.make(edges, vertices);
+    EXPECT_EQ(order.chunks(), 1u);
+    // Each once, and those of a strand, which share vertices, in their order.
+    std::vector<std::size_t> last(kStrands, 0), seen(kStrands, 0);
+    std::size_t beside = 0;
+    for (std::size_t place = 0; place < edges.size(); ++place) {
+      const std::size_t c = order.sequence().contact(place), of = c / each;
+      if (seen[of]++ > 0) {
+        ASSERT_EQ(c, last[of] + 1);
+      }
+      last[of] = c;
+      beside += place > 0 && order.sequence().contact(place - 1) / each == of;
+    }
+    for (const std::size_t count : seen) EXPECT_EQ(count, each);
+    if (each == kEach) {
+      EXPECT_LT(beside, edges.size() / 4);
+    }
+    edges.back().vertex[1] = 0;
+    EXPECT_FALSE(order.is_of(edges));
+    order.make(edges, vertices);
+    for (std::size_t c = 0; c < edges.size(); ++c) ASSERT_EQ(order.sequence().contact(c), c);
+  }
+}
+
 TEST(ContactOrder, KeepsTheOrderAtEachVertexAndTheChunksOfEachColour) {
   for (const std::size_t count : {kMany, 2 * kMany}) {  // small windows and large ones
     const PairContacts pairs = woven(count, 3);

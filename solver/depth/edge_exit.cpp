@@ -7,6 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/lanes/lane_geometry.h"
+#include "solver/lanes/lane_width.h"
+#include "solver/lanes/packed_vec3.h"
+
 namespace stiction {
 
 namespace {
@@ -17,7 +21,8 @@ constexpr Real kPi = 3.14159265358979323846;
 // common edge, rounding is divided by the sine of the segment's slope to them.
 constexpr Real kSame = 16.0;
 
-FacePlanes face_planes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+STICTION_LANES_INLINE FacePlanes face_planes(const Vec3& a, const Vec3& b, const Vec3& c,
+                                             const Vec3& d) {
   using Four = FacePlanes::Four;
   const auto of_faces = [](const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3) {
     const auto lanes = [&](int k) { return Four::of(Four::Register{x0[k], x1[k], x2[k], x3[k]}); };
@@ -31,7 +36,7 @@ FacePlanes face_planes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 }
 
 // Above the planes, times the lengths of their normals.
-FacePlanes::Four height(const FacePlanes& face, const Vec3& x) {
+STICTION_LANES_INLINE FacePlanes::Four height(const FacePlanes& face, const Vec3& x) {
   using Four = FacePlanes::Four;
   return dot(face.normal, LaneVector<Four>{Four(x.x()), Four(x.y()), Four(x.z())} - face.on);
 }
@@ -47,25 +52,39 @@ Real angle_around(const std::array<Vec3, 3>& corner, const std::array<bool, 3>& 
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-TrianglePlane plane_of(const std::array<Vec3, 3>& corner) {
+// The lengths of edges and normal are found side by side.
+STICTION_LANES_INLINE TrianglePlane plane_of(const std::array<Vec3, 3>& corner) {
+  using Four = FacePlanes::Four;
+  const PackedVec3 a(corner[0]), b(corner[1]), c(corner[2]);
+  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  const FourNumbers record[] = {(b - a).value, (c - b).value, (a - c).value,
+                                PackedVec3(normal).value};
+  const Real* records[4];
+  for (int k = 0; k < 4; ++k) records[k] = reinterpret_cast<const Real*>(&record[k]);
+  Four columns[4];
+  load_records(records, columns);
+  const LaneVector<Four> all{columns[0], columns[1], columns[2]};
+  const Four length = sqrt(dot_as_eigen(all, all));
+  const Real divisor = length[3] > 0 ? length[3] : Real(1);
   TrianglePlane plane;
-  plane.normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  plane.length = plane.normal.norm();
-  plane.unit = plane.normal.normalized();
-  for (std::size_t k = 0; k < 3; ++k) plane.edge[k] = (corner[(k + 1) % 3] - corner[k]).norm();
+  plane.normal = normal;
+  plane.unit = vector_cast<Vec3>(PackedVec3(PackedVec3(normal).value / divisor));
+  for (int k = 0; k < 4; ++k) plane.length[k] = length[k];
   return plane;
 }
 
 // `length`: of the segment p → q, m.
-void hit_triangle(const std::array<Vec3, 3>& corner, const TrianglePlane& plane, const Vec3& p,
-                  const Vec3& q, Real length, Real thin, std::vector<WalkScratch::Hit>& hits) {
+STICTION_LANES_INLINE void hit_triangle(const std::array<Vec3, 3>& corner,
+                                        const TrianglePlane& plane, const Vec3& p, const Vec3& q,
+                                        Real length, Real thin,
+                                        std::vector<WalkScratch::Hit>& hits) {
   const Real p_height = plane.normal.dot(p - corner[0]), q_height = plane.normal.dot(q - corner[0]);
-  if (const Real slack = thin * plane.length; !(p_height <= slack && q_height > slack)) return;
+  if (const Real slack = thin * plane.length[3]; !(p_height <= slack && q_height > slack)) return;
   const Vec3 along = q - p;
   std::array<bool, 3> touched = {};
   for (std::size_t k = 0; k < 3; ++k) {
     const Real side = along.dot((corner[k] - p).cross(corner[(k + 1) % 3] - p));
-    const Real slack = thin * length * plane.edge[k];
+    const Real slack = thin * length * plane.length[k];
     if (!(side >= -slack)) return;
     touched[k] = side <= slack;
   }
@@ -100,17 +119,32 @@ void WalkScratch::begin(std::size_t elements, std::size_t triangles) {
   planes_at.resize(elements, 0);
 }
 
-bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
-               const Vec3& p, const Vec3& q, std::int32_t element, Real thin, WalkScratch& scratch,
-               Exit& exit) {
-  const auto at = [&](std::int32_t v) -> const Vec3& { return x[static_cast<std::size_t>(v)]; };
-  const Real length = (q - p).norm();
-  if (!(length > 0.0 && std::isfinite(length))) return false;
-  const Real same = kSame * thin / length;
+namespace {
+
+STICTION_LANES_INLINE Real largest(const FacePlanes::Four& of) {
+  return std::max(std::max(of[0], of[1]), std::max(of[2], of[3]));
+}
+STICTION_LANES_INLINE Real smallest(const FacePlanes::Four& of) {
+  return std::min(std::min(of[0], of[1]), std::min(of[2], of[3]));
+}
+
+// A segment, and what a walk along it needs.
+struct Walk {
+  const Scene& scene;
+  const MeshLinks& links;
+  const std::vector<Vec3>& x;
+  const Vec3 &p, &q;
+  Real thin, length;
+
+  const Vec3& at(std::int32_t v) const { return x[static_cast<std::size_t>(v)]; }
+};
+
+// Leaves the triangles through which the segment leaves in `scratch.hit`, up to the nearest at least;
+// returns where that is, infinity for none.
+STICTION_LANES_INLINE Real walk_from(std::int32_t element, const Walk& walk, WalkScratch& scratch) {
+  using Four = FacePlanes::Four;
+  const Real same = kSame * walk.thin / walk.length;
   Real first = std::numeric_limits<Real>::infinity();
-  scratch.hit.clear();
-  scratch.stack.clear();
-  ++scratch.walk;
   const auto visit = [&](std::int32_t e) {
     std::uint64_t& last = scratch.visited[static_cast<std::size_t>(e)];
     if (last == scratch.walk) return;
@@ -118,50 +152,71 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
     scratch.stack.push_back(e);
   };
   visit(element);
+  const Four zero(Real(0)), one(Real(1));
   while (!scratch.stack.empty()) {
     const auto e = static_cast<std::size_t>(scratch.stack.back());
     scratch.stack.pop_back();
-    const auto& v = scene.elements[e].vertex;
     if (scratch.planes_at[e] != scratch.positions) {
       scratch.planes_at[e] = scratch.positions;
-      scratch.planes[e] = face_planes(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
+      const auto& v = walk.scene.elements[e].vertex;
+      scratch.planes[e] = face_planes(walk.at(v[0]), walk.at(v[1]), walk.at(v[2]), walk.at(v[3]));
     }
     const FacePlanes& face = scratch.planes[e];
-    const FacePlanes::Four p_height = height(face, p), q_height = height(face, q),
-                           slack = FacePlanes::Four(thin) * face.length;
+    const Four p_height = height(face, walk.p), q_height = height(face, walk.q),
+               slack = Four(walk.thin) * face.length;
+    const auto p_above = slack < p_height, q_above = slack < q_height;
+    if (!none(p_above & q_above)) continue;
     // The part [from, to] of the segment that is within `thin` of the tetrahedron.
-    Real from = 0.0, to = 1.0;
-    for (int k = 0; k < 4; ++k) {
-      if (p_height[k] > slack[k]) {
-        from = q_height[k] > slack[k]
-                   ? 2
-                   : std::max(from, (p_height[k] - slack[k]) / (p_height[k] - q_height[k]));
-      } else if (q_height[k] > slack[k]) {
-        to = std::min(to, (slack[k] - p_height[k]) / (q_height[k] - p_height[k]));
-      }
-    }
+    const Four rise = q_height - p_height;
+    const Four crossing = (slack - p_height) / choose(p_above | q_above, rise, one);
+    const Real from = largest(choose(p_above, crossing, zero));
+    const Real to = smallest(choose(q_above, crossing, one));
     if (from > to || from > first + same) continue;
+    const Four begins = p_height + Four(from) * rise, ends = p_height + Four(to) * rise;
+    const unsigned behind = (choose(begins < ends, ends, begins) < -slack).bits();
     for (int k = 0; k < 4; ++k) {
-      const Real rise = q_height[k] - p_height[k];
-      if (std::max(p_height[k] + from * rise, p_height[k] + to * rise) < -slack[k]) continue;
-      const std::int32_t behind = links.behind[e][static_cast<std::size_t>(k)];
-      if (behind >= 0) {
-        visit(behind);
+      if ((behind >> k & 1U) != 0) continue;
+      const std::int32_t behind_face = walk.links.behind[e][static_cast<std::size_t>(k)];
+      if (behind_face >= 0) {
+        visit(behind_face);
         continue;
       }
-      const auto t = static_cast<std::size_t>(-1 - behind);
-      const auto& c = scene.topology.triangle[t].vertex;
-      const std::array<Vec3, 3> corner = {at(c[0]), at(c[1]), at(c[2])};
+      const auto t = static_cast<std::size_t>(-1 - behind_face);
+      const auto& c = walk.scene.topology.triangle[t].vertex;
+      const std::array<Vec3, 3> corner = {walk.at(c[0]), walk.at(c[1]), walk.at(c[2])};
       if (scratch.triangle_at[t] != scratch.positions) {
         scratch.triangle_at[t] = scratch.positions;
         scratch.triangle[t] = plane_of(corner);
       }
-      hit_triangle(corner, scratch.triangle[t], p, q, length, thin, scratch.hit);
+      hit_triangle(corner, scratch.triangle[t], walk.p, walk.q, walk.length, walk.thin,
+                   scratch.hit);
     }
     for (const WalkScratch::Hit& hit : scratch.hit) first = std::min(first, hit.t);
   }
+  return first;
+}
+
+Real walk_2(std::int32_t element, const Walk& walk, WalkScratch& scratch) {
+  return walk_from(element, walk, scratch);
+}
+STICTION_TARGET_4 Real walk_4(std::int32_t element, const Walk& walk, WalkScratch& scratch) {
+  return walk_from(element, walk, scratch);
+}
+
+}  // namespace
+
+bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
+               const Vec3& p, const Vec3& q, std::int32_t element, Real thin, WalkScratch& scratch,
+               Exit& exit) {
+  const Real length = (q - p).norm();
+  if (!(length > 0.0 && std::isfinite(length))) return false;
+  scratch.hit.clear();
+  scratch.stack.clear();
+  ++scratch.walk;
+  const Walk walk{scene, links, x, p, q, thin, length};
+  const Real first = (lane_width() >= 4 ? walk_4 : walk_2)(element, walk, scratch);
   if (scratch.hit.empty()) return false;
-  exit = merge(scratch.hit, first, same);
+  exit = merge(scratch.hit, first, kSame * thin / length);
   return true;
 }
 

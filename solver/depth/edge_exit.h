@@ -12,7 +12,8 @@
 namespace stiction {
 
 /// The planes of a tetrahedron's four faces side by side: of the face opposite corner k in lane k.
-struct FacePlanes {
+/// Aligned as where registers are so wide, whoever keeps it.
+struct alignas(4 * sizeof(Real)) FacePlanes {
   using Four = Lanes<4 * sizeof(Real)>;
   LaneVector<Four> on;      ///< a corner of the face, m
   LaneVector<Four> normal;  ///< outward, m²
@@ -21,10 +22,9 @@ struct FacePlanes {
 
 /// … and of a surface triangle.
 struct TrianglePlane {
-  Vec3 normal;   ///< outward, m²
-  Real length;   ///< of the normal, m²
-  Vec3 unit;     ///< the normal over that
-  Real edge[3];  ///< lengths of its edges, m
+  Vec3 normal;     ///< outward, m²
+  Vec3 unit;       ///< the normal over its length
+  Real length[4];  ///< of its edges, m, and of the normal, m²
 };
 
 /// Scratch memory of walks.

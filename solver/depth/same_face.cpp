@@ -268,8 +268,7 @@ unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, co
   std::fill(batch.contact + batch.count, batch.contact + kMostLanes, batch.contact[0]);
   std::fill(batch.group + batch.count, batch.group + kMostLanes, batch.group[0]);
   const Step step{scene, options, state, workspace, limits};
-  // Each width gives the same bits: no wider than for what there is.
-  while (width > 2 && batch.count <= lanes_of(width / 2)) width /= 2;
+  width = width_for(batch.count, width);
   return width == 8   ? measure_8(step, batch)
          : width == 4 ? measure_4(step, batch)
                       : measure_2(step, batch);

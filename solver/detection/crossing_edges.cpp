@@ -37,53 +37,45 @@ constexpr Real kJustNow = 2.0;
 using Touch = PairSearch::EdgeTouch;
 
 // One edge crosses another body in two directions at once where that body has a corner: the one
-// that is the deeper is an artefact of straight lines. Says of which crossings that is so.
-class Outdone {
- public:
-  // `by_b`: scratch.
-  Outdone(const Topology& topology, const std::vector<Touch>& all, std::vector<const Touch*>& by_b)
-      : topology_(topology), all_(all), by_b_(by_b) {
-    by_b_.clear();
-    for (const Touch& touch : all) by_b_.push_back(&touch);
-    std::sort(by_b_.begin(), by_b_.end(), [](const Touch* one, const Touch* other) {
-      return second_of(one->key) < second_of(other->key);
-    });
+// that is the deeper is an artefact of straight lines. Marks those that are, of all in the order of
+// their keys.
+void mark_outdone(const Topology& topology, PairSearch& search) {
+  std::vector<Touch>& all = search.edge_touch;
+  const auto body = [&](std::int32_t edge) {
+    return topology.vertex_body[static_cast<std::size_t>(
+        topology.sharp_edge[static_cast<std::size_t>(edge)].vertex[0])];
+  };
+  // Those that share an edge, which `at` brings together, with each other where they are with the same
+  // body.
+  const auto compare = [&](const auto& shared, const auto& other, const auto& at) {
+    for (std::size_t begin = 0, end; begin < all.size(); begin = end) {
+      const std::int32_t edge = shared(at(begin).key);
+      for (end = begin + 1; end < all.size() && shared(at(end).key) == edge;) ++end;
+      for (std::size_t j = begin; j < end; ++j) {
+        for (std::size_t k = j + 1; k < end; ++k) {
+          Touch &one = at(j), &two = at(k);
+          if (one.crossing.gap == two.crossing.gap ||
+              body(other(one.key)) != body(other(two.key)) ||
+              !(one.crossing.normal.dot(two.crossing.normal) < 0.5)) {
+            continue;
+          }
+          (one.crossing.gap < two.crossing.gap ? one : two).outdone = true;
+        }
+      }
+    }
+  };
+  compare(first_of, second_of, [&](std::size_t k) -> Touch& { return all[k]; });
+  std::vector<std::uint64_t>& by_b = search.touch_by_b;
+  by_b.clear();
+  for (const Touch& touch : all) {
+    const auto b = static_cast<std::uint32_t>(second_of(touch.key));
+    by_b.push_back(std::uint64_t{b} << 32 | by_b.size());
   }
-
-  bool operator()(const Touch& touch) const {
-    const auto of_a =
-        std::equal_range(all_.begin(), all_.end(), touch, [](const Touch& one, const Touch& other) {
-          return first_of(one.key) < first_of(other.key);
-        });
-    const auto of_b = std::equal_range(by_b_.begin(), by_b_.end(), &touch,
-                                       [](const Touch* one, const Touch* other) {
-                                         return second_of(one->key) < second_of(other->key);
-                                       });
-    return std::any_of(of_a.first, of_a.second,
-                       [&](const Touch& other) {
-                         return body(second_of(other.key)) == body(second_of(touch.key)) &&
-                                outdoes(other, touch);
-                       }) ||
-           std::any_of(of_b.first, of_b.second, [&](const Touch* other) {
-             return body(first_of(other->key)) == body(first_of(touch.key)) &&
-                    outdoes(*other, touch);
-           });
-  }
-
- private:
-  std::int32_t body(std::int32_t edge) const {
-    return topology_.vertex_body[static_cast<std::size_t>(
-        topology_.sharp_edge[static_cast<std::size_t>(edge)].vertex[0])];
-  }
-  static bool outdoes(const Touch& other, const Touch& touch) {
-    return other.crossing.gap > touch.crossing.gap &&
-           other.crossing.normal.dot(touch.crossing.normal) < 0.5;
-  }
-
-  const Topology& topology_;
-  const std::vector<Touch>& all_;
-  std::vector<const Touch*>& by_b_;
-};
+  std::sort(by_b.begin(), by_b.end());
+  compare(second_of, first_of, [&](std::size_t k) -> Touch& {
+    return all[static_cast<std::size_t>(by_b[k] & 0xffffffff)];
+  });
+}
 
 EdgeContact contact_of(const Topology& topology, const Touch& touch) {
   const auto& a = topology.sharp_edge[static_cast<std::size_t>(first_of(touch.key))];
@@ -224,9 +216,9 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   EdgeTest(scene, options, state, search).run();
   EdgeContacts& contacts = workspace.edges;
   contacts.clear();
-  const Outdone outdone(topology, search.edge_touch, search.touch_of_b);
+  mark_outdone(topology, search);
   for (const Touch& touch : search.edge_touch) {
-    if (!outdone(touch)) contacts.push_back(contact_of(topology, touch));
+    if (!touch.outdone) contacts.push_back(contact_of(topology, touch));
   }
   set_partners(scene, state, workspace.velocity, lane_width(), contacts);
   std::erase_if(contacts, [](const EdgeContact& contact) { return contact.inverse_mass == 0.0; });

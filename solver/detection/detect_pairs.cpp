@@ -14,6 +14,8 @@
 #include "solver/detection/lasting.h"
 #include "solver/detection/outrun.h"
 #include "solver/detection/pair_candidates.h"
+#include "solver/lanes/lane_width.h"
+#include "solver/lanes/lanes.h"
 #include "solver/prefetch.h"
 
 namespace stiction {
@@ -32,39 +34,55 @@ PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
   return contact;
 }
 
-// What of the candidates of one key holds the vertex: the tetrahedron that it is deepest in, the
-// lower number winning a tie; −1 for none. `last`, where it was in the last step or −1, is tried
-// first, and stays while the vertex is in the body and no weight in `last` is below −`margin`.
-std::int32_t find_element(const Scene& scene, const PairSearch& search,
-                          const PairSearch::Group& group, std::int32_t last, Real margin) {
-  const auto x = [&](std::int32_t v) -> const Vec3& {
-    return search.predicted[static_cast<std::size_t>(v)];
-  };
-  const Vec3& point = x(first_of(group.key));
-  const auto smallest_weight = [&](std::int32_t e) {
-    const auto& corner = scene.elements[static_cast<std::size_t>(e)].vertex;
-    return barycentric(point, x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3])).minCoeff();
+// The candidate of one key that the vertex is deepest in, the lower number winning a tie; −1 for none.
+std::int32_t deepest_candidate(const Scene& scene, const PairSearch& search,
+                               const PairSearch::Group& group, int width) {
+  const std::vector<Vec3>& x = search.predicted;
+  const Vec3& point = x[static_cast<std::size_t>(first_of(group.key))];
+  const auto corners_of = [&](const PairSearch::Candidate& candidate) -> const auto& {
+    return scene.elements[static_cast<std::size_t>(candidate.element)].vertex;
   };
   // What the round-off of the weights lets in must not be beyond the outermost corner.
-  const auto in_box = [&](std::int32_t e) {
+  const auto in_box = [&](const PairSearch::Candidate& candidate) {
     Box3 box;
-    for (const std::int32_t v : scene.elements[static_cast<std::size_t>(e)].vertex)
-      box.extend(x(v));
+    for (const std::int32_t v : corners_of(candidate)) box.extend(x[static_cast<std::size_t>(v)]);
     return box.contains(point);
   };
-  const Real in_last = last >= 0 ? smallest_weight(last) : -std::numeric_limits<Real>::infinity();
-  if (in_last > kInside) return last;
   std::int32_t found = -1;
   Real deepest = kOnBoundary;
-  for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
-    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)].element;
-    const Real weight = smallest_weight(element);
-    if (!(found < 0 ? weight >= deepest : weight > deepest)) continue;
-    if (in_box(element)) {
-      found = element;
-      deepest = weight;
+  for (std::int32_t k = group.candidate_begin, count; k < group.candidate_end; k += count) {
+    count = std::min(group.candidate_end - k, lanes_of(width));
+    const PairSearch::Candidate* const candidate = &search.candidate[static_cast<std::size_t>(k)];
+    const std::int32_t* corner[kMostLanes];
+    Real weight[kMostLanes];
+    for (int lane = 0; lane < count; ++lane) corner[lane] = corners_of(candidate[lane]);
+    least_weights(point, x, corner, count, width, weight);
+    for (int lane = 0; lane < count; ++lane) {
+      if (!(found < 0 ? weight[lane] >= deepest : weight[lane] > deepest)) continue;
+      if (!in_box(candidate[lane])) continue;
+      found = candidate[lane].element;
+      deepest = weight[lane];
     }
   }
+  return found;
+}
+
+// What of the candidates of one key holds the vertex, −1 for none. `last`, where it was in the last step
+// or −1, is tried first, and stays while the vertex is in the body and no weight in `last` is below
+// −`margin`.
+std::int32_t find_element(const Scene& scene, const PairSearch& search,
+                          const PairSearch::Group& group, std::int32_t last, Real margin,
+                          int width) {
+  Real in_last = -std::numeric_limits<Real>::infinity();
+  if (last >= 0) {
+    const auto x = [&](std::int32_t v) -> const Vec3& {
+      return search.predicted[static_cast<std::size_t>(v)];
+    };
+    const auto& v = scene.elements[static_cast<std::size_t>(last)].vertex;
+    in_last = barycentric(x(first_of(group.key)), x(v[0]), x(v[1]), x(v[2]), x(v[3])).minCoeff();
+  }
+  if (in_last > kInside) return last;
+  const std::int32_t found = deepest_candidate(scene, search, group, width);
   return found >= 0 && margin > 0.0 && in_last >= -margin ? last : found;
 }
 
@@ -99,6 +117,7 @@ std::int32_t verdict_of(std::int32_t last, std::int32_t found) {
 void find_elements(const Scene& scene, const PairGeometry& last, Real margin, const Team* team,
                    PairSearch& search) {
   search.holds.resize(search.group.size());
+  const int width = lane_width();
   const auto find = [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     const auto first =
@@ -125,7 +144,7 @@ void find_elements(const Scene& scene, const PairGeometry& last, Real margin, co
           ask_for(&search.predicted[static_cast<std::size_t>(v)]);
         }
       }
-      const std::int32_t found = find_element(scene, search, group, in, margin);
+      const std::int32_t found = find_element(scene, search, group, in, margin, width);
       search.holds[g] = found;
       const std::int32_t verdict = verdict_of(in, found);
       const bool same = verdict == group.verdict;

@@ -176,12 +176,6 @@ STICTION_TARGET_8 void weigh_8(const State& state, const std::vector<Velocity>& 
   weigh<64>(state, velocity, contact, count);
 }
 
-// Each width gives the same bits: no wider than for what there is.
-int width_for(int count, int width) {
-  while (width > 2 && count <= lanes_of(width / 2)) width /= 2;
-  return width;
-}
-
 }  // namespace
 
 unsigned cross_side_by_side(const Topology& topology, const std::vector<Vec3>& x, Real beyond,

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "solver/testing/test_scenes.h"
+#include "solver/testing/test_pairs.h"
 
 namespace stiction {
 namespace {
@@ -24,23 +24,6 @@ bool can_touch(const Topology& topology, const std::vector<Vec3>& x, std::int32_
   return inside(a, crossing.along_a) && inside(b, crossing.along_b);
 }
 
-// Two rough blocks of unequal cells, the one beside the other and turned about a random axis: by
-// nothing, by little, or by any angle.
-Scene beside(unsigned seed) {
-  SceneDescription description;
-  description.bodies = {test::elastic_body(test::grid_mesh({2, 1, 1}, 0.1)),
-                        test::elastic_body(test::grid_mesh({1, 1, 2}, 0.07))};
-  const Eigen::Matrix3Xd random = test::noise(3, 1.0, seed);
-  const double angle = seed % 3 == 0 ? 0.0 : (seed % 3 == 1 ? 0.1 : 3.14) * random(0, 0);
-  Eigen::Matrix3Xd& other = description.bodies[1].mesh.vertices;
-  other = (Eigen::AngleAxisd(angle, random.col(1).normalized()).toRotationMatrix() * other).eval();
-  other.colwise() += (Eigen::Vector3d(0.1, 0.05, 0.1) + 0.06 * random.col(2)).eval();
-  for (BodyDescription& body : description.bodies) {
-    body.mesh.vertices += test::noise(body.mesh.vertices.cols(), 0.01, 5000 + seed);
-  }
-  return build_scene(description);
-}
-
 // Moves what a bound says may move, in many directions, and asks again.
 TEST(EdgePair, StaysApartWhileNothingMovesAsFarAsItsBound) {
   std::size_t known = 0, apart = 0;
@@ -49,7 +32,7 @@ TEST(EdgePair, StaysApartWhileNothingMovesAsFarAsItsBound) {
   // Of 6000 those in which the most comes of it when a bound is drawn wider.
   seeds.insert(seeds.end(), {533, 654, 671, 815, 998, 1451, 1758, 2708, 2756, 4779, 5261});
   for (const unsigned seed : seeds) {
-    const Scene scene = beside(seed);
+    const Scene scene = test::rough_blocks(seed);
     const Topology& topology = scene.topology;
     const EndMargins ends{-1e-4, -1e-4};
     std::vector<Vec3> x;

@@ -4,9 +4,46 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
+#include "solver/lanes/lane_geometry.h"
+#include "solver/lanes/lane_width.h"
+
 namespace stiction {
+
+namespace {
+
+template <int Bytes>
+STICTION_LANES_INLINE void least_of(const Vec3& point, const std::vector<Vec3>& x,
+                                    const std::int32_t* const* corner, int count, Real* least) {
+  using Number = Lanes<Bytes>;
+  const auto at = [&](int k) __attribute__((always_inline)) {
+    return at_vertices<Number>(x, [&](int lane) { return corner[std::min(lane, count - 1)][k]; });
+  };
+  const LaneWeights<Number> weight({Number(point.x()), Number(point.y()), Number(point.z())}, at(0),
+                                   at(1), at(2), at(3));
+  Number smallest = weight.of[0];
+  for (int k = 1; k < 4; ++k) smallest = choose(weight.of[k] < smallest, weight.of[k], smallest);
+  Real all[Number::kCount];
+  std::memcpy(all, &smallest.value, sizeof all);
+  std::copy(all, all + count, least);
+}
+
+void least_of_2(const Vec3& point, const std::vector<Vec3>& x, const std::int32_t* const* corner,
+                int count, Real* least) {
+  least_of<16>(point, x, corner, count, least);
+}
+STICTION_TARGET_4 void least_of_4(const Vec3& point, const std::vector<Vec3>& x,
+                                  const std::int32_t* const* corner, int count, Real* least) {
+  least_of<32>(point, x, corner, count, least);
+}
+STICTION_TARGET_8 void least_of_8(const Vec3& point, const std::vector<Vec3>& x,
+                                  const std::int32_t* const* corner, int count, Real* least) {
+  least_of<64>(point, x, corner, count, least);
+}
+
+}  // namespace
 
 Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 ab = b - a, ac = c - a, ad = d - a, ap = point - a;
@@ -18,6 +55,12 @@ Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
   weight[3] = ab.dot(ac.cross(ap)) / volume;
   weight[0] = 1 - weight[1] - weight[2] - weight[3];
   return weight;
+}
+
+void least_weights(const Vec3& point, const std::vector<Vec3>& x, const std::int32_t* const* corner,
+                   int count, int width, Real* least) {
+  width = width_for(count, width);
+  (width == 8 ? least_of_8 : width == 4 ? least_of_4 : least_of_2)(point, x, corner, count, least);
 }
 
 Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "solver/real.h"
 
@@ -10,6 +12,12 @@ namespace stiction {
 /// Barycentric weights of a point in a tetrahedron with the given corners, dimensionless; they sum
 /// to 1. Precondition: its volume is not zero.
 Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// The least weights of a point in some tetrahedra, at most as many as a register of this width has
+/// lanes (lane_width.h), side by side: `least[k]` is that of the one whose corners are the vertices
+/// corner[k][0 … 3], at positions `x`, m, with the bits of `barycentric`.
+void least_weights(const Vec3& point, const std::vector<Vec3>& x, const std::int32_t* const* corner,
+                   int count, int width, Real* least);
 
 /// Round-off of weights of order one: a point on a shared face must not fall between its two
 /// elements. A tetrahedron holds a point with no weight below this.

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "solver/lanes/lane_width.h"
+#include "solver/lanes/lanes.h"
 #include "solver/testing/test_scenes.h"
 
 namespace stiction {
@@ -62,6 +64,31 @@ struct Placed {
     for (std::size_t v = 0; v < 4; ++v) point += weight[static_cast<Eigen::Index>(v)] * corner[v];
   }
 };
+
+TEST(Holding, LeastWeightsSideBySideAreThoseOfOneAtEveryWidth) {
+  for (const int width : lane_widths()) {
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      const Placed placed(seed);
+      std::vector<Vec3> x(placed.corner.begin(), placed.corner.end());
+      for (unsigned k = 0; x.size() < 12; ++k) x.push_back(Placed(seed + k + 1).point);
+      // Tetrahedra that share vertices.
+      const int count = 1 + static_cast<int>(seed) % lanes_of(width);
+      std::int32_t vertex[kMostLanes][4];
+      const std::int32_t* corner[kMostLanes];
+      for (int k = 0; k < count; ++k) {
+        for (int v = 0; v < 4; ++v) vertex[k][v] = k + v;
+        corner[k] = vertex[k];
+      }
+      Real least[kMostLanes];
+      least_weights(placed.point, x, corner, count, width, least);
+      for (int k = 0; k < count; ++k) {
+        const auto first = x.begin() + k;
+        EXPECT_EQ(least[k], least_weight(placed.point, {first[0], first[1], first[2], first[3]}))
+            << "seed " << seed << ", " << k << " of " << count << " at width " << width;
+      }
+    }
+  }
+}
 
 TEST(Holding, LastsWhileNothingMovesAsFarAsItsBound) {
   int held = 0;

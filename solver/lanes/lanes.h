@@ -158,6 +158,12 @@ constexpr int lanes_of(int width) {
   return width * static_cast<int>(sizeof(double)) / static_cast<int>(sizeof(Real));
 }
 
+/// The narrowest width, up to `width`, at which a register holds so many: the bits are the same.
+constexpr int width_for(int count, int width) {
+  while (width > 2 && count <= lanes_of(width / 2)) width /= 2;
+  return width;
+}
+
 // What formulas ask of a single number beside arithmetic.
 inline Real choose(bool where, Real yes, Real no) { return where ? yes : no; }
 inline bool all_zero(Real x) { return x == 0; }

@@ -14,7 +14,7 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
   for (const int width : lane_widths()) {
     for (int k = 0; k + 1 < 100; ++k) {
       const Vec3 a = numbers.col(k).cast<Real>(), b = numbers.col(k + 1).cast<Real>();
-      Vec3 sum, difference, product, scaled;
+      Vec3 sum, difference, product, scaled, size, larger;
       Real dot = 0, norm = 0;
       in_registers(
           width, [&]() __attribute__((always_inline)) {
@@ -26,6 +26,8 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
             difference = vector_cast<Vec3>(p - q);
             product = vector_cast<Vec3>(p * q);
             scaled = vector_cast<Vec3>(p.y() * q);
+            size = vector_cast<Vec3>(p.cwiseAbs());
+            larger = vector_cast<Vec3>(p.cwiseMax(q));
             dot = p.dot(q);
             norm = p.norm();
           });
@@ -33,6 +35,8 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
       EXPECT_EQ(difference, a - b);
       EXPECT_EQ(product, a.cwiseProduct(b));
       EXPECT_EQ(scaled, a.y() * b);
+      EXPECT_EQ(size, a.cwiseAbs());
+      EXPECT_EQ(larger, a.cwiseMax(b));
       EXPECT_EQ(dot, a.dot(b));
       EXPECT_EQ(norm, a.norm());
     }

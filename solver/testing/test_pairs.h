@@ -3,6 +3,7 @@
 
 // Two-sided contacts for the unit tests of the solver.
 
+#include <Eigen/Geometry>
 #include <tuple>
 
 #include "solver/depth/depth.h"
@@ -53,6 +54,23 @@ inline State on_its_way(const Scene& scene, unsigned step, const Vec3& each_step
   position.middleCols(body.first_vertex, body.vertex_count).colwise() +=
       Eigen::Vector3d(static_cast<double>(step) * each_step.cast<double>());
   return state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+}
+
+/// Two blocks of unequal cells, the one beside the other and turned about a random axis: by nothing, by
+/// little, or by any angle; their vertices are off by as much as `rough` (m).
+inline Scene rough_blocks(unsigned seed, double rough = 0.01) {
+  SceneDescription description;
+  description.bodies = {elastic_body(grid_mesh({2, 1, 1}, 0.1)),
+                        elastic_body(grid_mesh({1, 1, 2}, 0.07))};
+  const Eigen::Matrix3Xd random = noise(3, 1.0, seed);
+  const double angle = seed % 3 == 0 ? 0.0 : (seed % 3 == 1 ? 0.1 : 3.14) * random(0, 0);
+  Eigen::Matrix3Xd& other = description.bodies[1].mesh.vertices;
+  other = (Eigen::AngleAxisd(angle, random.col(1).normalized()).toRotationMatrix() * other).eval();
+  other.colwise() += (Eigen::Vector3d(0.1, 0.05, 0.1) + 0.06 * random.col(2)).eval();
+  for (BodyDescription& body : description.bodies) {
+    body.mesh.vertices += noise(body.mesh.vertices.cols(), rough, 5000 + seed);
+  }
+  return build_scene(description);
 }
 
 /// All that `depths` says of a contact, to compare.

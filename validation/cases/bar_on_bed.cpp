@@ -226,7 +226,7 @@ void run_bar(CaseRun& run) {
       stroke.reaction = -bed.friction;
       if (engine.steps_done() % static_cast<std::uint64_t>(every) != 0) continue;
       kinetic.x.push_back(simulation->time());
-      kinetic.y.push_back(engine.energies().kinetic);
+      kinetic.y.push_back(engine.kinetic_energy());
       slip.x.push_back(simulation->time());
       slip.y.push_back(bed.fastest);
       loop.x.push_back(motion.at(simulation->time()).x());

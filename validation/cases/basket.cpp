@@ -93,7 +93,7 @@ Fall drop(CaseRun& run, const Problem& problem, double window, bool contrast = f
       }
       if (time <= begin) continue;
       if (before.empty()) before = motions(engine, problem.bodies.size());
-      const double kinetic = engine.energies().kinetic;
+      const double kinetic = engine.kinetic_energy();
       if (time <= middle) {
         sum_first += kinetic;
         ++count_first;
@@ -104,7 +104,7 @@ Fall drop(CaseRun& run, const Problem& problem, double window, bool contrast = f
       }
     }
     fall.kinetic.x.push_back(simulation->time());
-    fall.kinetic.y.push_back(engine.energies().kinetic);
+    fall.kinetic.y.push_back(engine.kinetic_energy());
     sample_slip(engine, simulation->time(), fall);
     if (thrown_out(engine, problem)) {
       diverge(simulation->time(), "an object has been thrown 5 m away", run, fall);

@@ -27,7 +27,7 @@ Collided collide(CaseRun& run, const TipCollisionSetup& setup, double finer) {
   simulation->record_frames(1e-3);
   const Engine& engine = simulation->engine();
   const Vec3 start = engine.momenta().linear;
-  const double energy = engine.energies().kinetic;
+  const double energy = engine.kinetic_energy();
   Collided found;
   found.words = tip_collision_words(setup) + (finer > 1.0 ? ", half the step" : "");
   found.step = engine.time_step();

@@ -199,7 +199,7 @@ void run_rest(CaseRun& run) {
              .expected = 0.0,
              .tolerance = 1e-24,
              .reason = "the goal of the deformable cases: 1.4e-12 m/s for 1 kg"},
-            engine.energies().kinetic);
+            engine.kinetic_energy());
   run.check({.quantity = "deepest penetration",
              .unit = "m",
              .statement = "nothing is inside the obstacle",

@@ -81,7 +81,7 @@ void run_spin(CaseRun& run, double spin) {
   const auto simulation = run.simulate(problem);
   const Engine& engine = simulation->engine();
   const Vec3 before = engine.momenta().angular;
-  const double energy = engine.energies().kinetic;
+  const double energy = engine.kinetic_energy();
   simulation->record_frames(2e-3);
   constexpr double kEnd = 0.2;  // s
   std::string broken;

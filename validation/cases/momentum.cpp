@@ -137,7 +137,7 @@ Audit audit(CaseRun& run, const Problem& problem, const Settings& extra, bool ke
     before = now;
     if (engine.steps_done() % 3 != 0) continue;
     for (Series* series : {&kinetic, &slip, &lost}) series->x.push_back(simulation->time());
-    kinetic.y.push_back(engine.energies().kinetic);
+    kinetic.y.push_back(engine.kinetic_energy());
     slip.y.push_back(fastest_slip(engine));
     lost.y.push_back((now.angular - start.angular).norm());
   }

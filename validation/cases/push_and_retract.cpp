@@ -80,7 +80,7 @@ Push push(CaseRun& run, const SlabSetup& setup, double ratio) {
         if (contact.normal_force > 0.0) fastest = std::max(fastest, contact.slip.norm());
       }
       for (Series* series : {&kinetic, &slip, &travel}) series->x.push_back(simulation->time());
-      kinetic.y.push_back(engine.energies().kinetic);
+      kinetic.y.push_back(engine.kinetic_energy());
       slip.y.push_back(fastest);
       travel.y.push_back(along.dot(engine.body(0).position - start));
     }
@@ -95,7 +95,7 @@ Push push(CaseRun& run, const SlabSetup& setup, double ratio) {
     found.after.push_back(engine.body(0).position);
   }
   advance(problem.duration);
-  found.kinetic = engine.energies().kinetic;
+  found.kinetic = engine.kinetic_energy();
   run.add(std::move(kinetic));
   run.add(std::move(slip));
   run.add(std::move(travel));

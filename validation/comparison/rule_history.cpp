@@ -42,7 +42,7 @@ void look(Engine& engine, const ComparisonScene& scene, const std::vector<Vec3>&
     const std::vector<ContactSample> contacts = engine.contacts();
     history.turnover.add(contacts);
     history.slips.push_back(slips_of(contacts));
-    history.kinetic.push_back(engine.energies().kinetic);
+    history.kinetic.push_back(engine.kinetic_energy());
   }
   history.moved = farthest(engine, settled);
   if (history.moved > kLost * scene.size) {

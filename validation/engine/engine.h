@@ -120,6 +120,8 @@ class Engine {
   virtual Eigen::Matrix3Xd vertices(std::size_t) const { return {}; }
 
   virtual Energies energies() const = 0;
+  /// `energies().kinetic`, for who asks often.
+  virtual double kinetic_energy() const { return energies().kinetic; }
   virtual Momenta momenta() const = 0;
 
   virtual std::vector<Mesh> meshes() const { return {}; }  ///< bodies of one mesh only once

@@ -111,7 +111,7 @@ class RestRun {
         return;
       }
       const double time = simulation_->time();
-      const double kinetic = simulation_->engine().energies().kinetic;
+      const double kinetic = simulation_->engine().kinetic_energy();
       if (energy) {
         energy->add(time, kinetic);
         seen_.emplace_back(time, kinetic);

@@ -178,7 +178,7 @@ void ClampSeries::sample(const Simulation& simulation) {
   const Engine& engine = simulation.engine();
   const Pose pose = pose_of(engine, 0);
   time_.push_back(simulation.time());
-  kinetic_.push_back(engine.energies().kinetic);
+  kinetic_.push_back(engine.kinetic_energy());
   slip_.push_back(fastest_slip(engine));
   height_.push_back(pose.height);
   angle_.push_back(pose.angle);

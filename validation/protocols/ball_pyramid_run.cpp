@@ -50,7 +50,7 @@ BallPyramidRun::BallPyramidRun(CaseRun& run, const BallPyramidSetup& setup,
   for (int k = 1; k <= 60; ++k) {
     settling->advance_to(times_.lowered * k / 60.0);
     kinetic.x.push_back(settling->time());
-    kinetic.y.push_back(settling->engine().energies().kinetic);
+    kinetic.y.push_back(settling->engine().kinetic_energy());
   }
   run_.add(kinetic);
   start_ = settling->engine().save();
@@ -120,7 +120,7 @@ BallPyramidOutcome BallPyramidRun::continue_with(double friction, bool keep_seri
     if (k + kLooksAtContacts > looks) contacts.add(engine.contacts());
     if (k > unjudged && (k - unjudged) % (judged / (2 * kSamplesHalf)) == 0) {
       outcome.kinetic[2 * (k - unjudged) > judged ? 1 : 0] +=
-          engine.energies().kinetic / kSamplesHalf;
+          engine.kinetic_energy() / kSamplesHalf;
     }
     if (outcome.sunk <= broken_at()) continue;
     outcome.stands = false;

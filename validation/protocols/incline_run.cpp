@@ -22,7 +22,7 @@ double InclineRun::speed() const { return frame_.downhill.dot(engine().body(0).v
 
 void InclineSeries::sample(const InclineRun& run) {
   time_.push_back(run.time());
-  kinetic_.push_back(run.engine().energies().kinetic);
+  kinetic_.push_back(run.engine().kinetic_energy());
   if (run.tells_contacts()) slip_.push_back(fastest_slip(run.engine()));
   speed_.push_back(run.speed());
 }

@@ -26,7 +26,7 @@ void PyramidSeries::sample(const Simulation& simulation, const PyramidSetup& set
                            const std::vector<Vec3>& start) {
   const Engine& engine = simulation.engine();
   time.push_back(simulation.time());
-  kinetic.push_back(engine.energies().kinetic);
+  kinetic.push_back(engine.kinetic_energy());
   slip.push_back(fastest_slip(engine));
   moved.push_back(farthest_box(start, box_places(engine, setup)).distance);
 }
@@ -85,7 +85,7 @@ PyramidAtRest pyramid_at_rest(CaseRun& run, const PyramidSetup& setup, double wi
   advance_while_whole(setup.settled + window, 100);
   found.whole = moved();
   found.fastest = fastest_slip(engine);
-  found.kinetic = engine.energies().kinetic;
+  found.kinetic = engine.kinetic_energy();
   if (found.whole.distance > 0.5 * setup.width) {
     found.broken_at = simulation->time();
   } else {

@@ -60,7 +60,7 @@ void check_wall(CaseRun& run, const WallSetup& setup, double settled, const Accu
       simulation->advance_to(begin + (end - begin) * k / kSamples);
       for (Series* series : {&fall, &kinetic}) series->x.push_back(simulation->time());
       fall.y.push_back(fallen());
-      kinetic.y.push_back(engine.energies().kinetic);
+      kinetic.y.push_back(engine.kinetic_energy());
     }
   };
   advance(settled);
@@ -137,7 +137,7 @@ void check_wall(CaseRun& run, const WallSetup& setup, double settled, const Accu
              .expected = 0.0,
              .tolerance = 0.5 * mass * kStaticSlip * kStaticSlip,
              .reason = "½ m v² of all at the paper's 1e-9 m/s"},
-            engine.energies().kinetic);
+            engine.kinetic_energy());
 }
 
 }  // namespace stiction

@@ -181,7 +181,7 @@ Observed observe(CaseRun& run, const UserProblem& user, const Settings& over) {
     Moment moment(engine, user.problem, simulation->time());
     looks.look(moment, target);
     for (Series& one : seen.series) one.x.push_back(simulation->time());
-    seen.series[0].y.push_back(engine.energies().kinetic);
+    seen.series[0].y.push_back(engine.kinetic_energy());
     if (contacts) seen.series[1].y.push_back(fastest_slip(engine));
     for (std::size_t k = 0; k < user.series.size(); ++k) {
       const Sample now = moment.sample(user.series[k].watch);

@@ -155,9 +155,11 @@ class StictionEngine final : public Engine {
     double mass = 0.0;
     for (const Body& body : scene_.bodies) mass += body.mass;
     const double of_origin = -mass * scene_.gravity.at(time).dot(origin_);
-    return {kinetic_energy(scene_, state_), gravity_energy(scene_, state_, time) + of_origin,
+    return {kinetic_energy(), gravity_energy(scene_, state_, time) + of_origin,
             elastic_energy(scene_.elements, state_.position)};
   }
+
+  double kinetic_energy() const override { return stiction::kinetic_energy(scene_, state_); }
 
   Momenta momenta() const override {
     const Eigen::Vector3d linear = linear_momentum(scene_, state_);

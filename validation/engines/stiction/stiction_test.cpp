@@ -73,6 +73,7 @@ TEST(StictionEngine, StandsAtItsStartAfterLoading) {
   EXPECT_LT((engine->body(0).position - problem.bodies[0].position).norm(), 1e-15);
   EXPECT_LT((engine->body(0).velocity - problem.bodies[0].velocity).norm(), 1e-14);
   EXPECT_NEAR(engine->energies().kinetic, 0.5 * 1.0 * 4.0, 1e-14);
+  EXPECT_EQ(engine->kinetic_energy(), engine->energies().kinetic);
   EXPECT_NEAR(engine->energies().elastic, 0.0, 1e-20);
   EXPECT_EQ(engine->cost().steps, 0u);
 }

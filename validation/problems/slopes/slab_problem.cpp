@@ -74,7 +74,7 @@ SlabSample SlabRun::sample() const {
   return {.time = time(),
           .mean_slip = slips.mean,
           .fastest_slip = slips.fastest,
-          .kinetic = simulation_->engine().energies().kinetic,
+          .kinetic = simulation_->engine().kinetic_energy(),
           .contacts = slips.contacts,
           .sliding = slips.sliding};
 }
