@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include "solver/observables.h"
 #include "solver/step.h"
@@ -220,6 +222,40 @@ TEST(CrossingEdges, AreThoseOfFreshListsWhereSomeAreKnownNotToTouch) {
   }
   EXPECT_GT(known, 10000u);
   EXPECT_GT(found, 1000u);
+}
+
+// Where a corner is, a crossing that another one outdoes, sharing an edge with it, is no contact.
+TEST(CrossingEdges, OfOneEdgeWithABodyInTwoDirectionsTheShallowerCounts) {
+  std::size_t by_a = 0, by_b = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    const Scene scene = test::rough_blocks(seed, 0.003);
+    test::Found found(scene, {}, initial_state(scene));
+    // As if all had touched before: then depth and corners don't count.
+    for (const PairSearch::EdgePair& pair : found.workspace.search.edge_candidate) {
+      found.state.edge_friction.key.push_back(pair.key);
+    }
+    crossing_edges(scene, {}, found.state, found.workspace);
+    const std::vector<PairSearch::EdgeTouch>& all = found.workspace.search.edge_touch;
+    for (const PairSearch::EdgeTouch& touch : all) {
+      bool outdone = false;
+      // There are two bodies: an edge that is shared is shared with the same one.
+      for (const PairSearch::EdgeTouch& other : all) {
+        if (!(other.crossing.gap > touch.crossing.gap)) continue;
+        if (!(other.crossing.normal.dot(touch.crossing.normal) < 0.5)) continue;
+        const bool a = first_of(other.key) == first_of(touch.key);
+        const bool b = second_of(other.key) == second_of(touch.key);
+        outdone = outdone || a || b;
+        by_a += a;
+        by_b += b;
+      }
+      EXPECT_EQ(touch.outdone, outdone) << "seed " << seed;
+      EXPECT_EQ(std::count_if(found.workspace.edges.begin(), found.workspace.edges.end(),
+                              [&](const EdgeContact& one) { return one.key == touch.key; }),
+                outdone ? 0 : 1);
+    }
+  }
+  EXPECT_GT(by_a, 100u);
+  EXPECT_GT(by_b, 5u);
 }
 
 }  // namespace
