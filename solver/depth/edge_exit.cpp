@@ -172,16 +172,17 @@ STICTION_LANES_INLINE Real walk_from(std::int32_t element, const Walk& walk, Wal
     const Real from = largest(choose(p_above, crossing, zero));
     const Real to = smallest(choose(q_above, crossing, one));
     if (from > to || from > first + same) continue;
+    // Faces that this part comes near are those that it may go on through.
     const Four begins = p_height + Four(from) * rise, ends = p_height + Four(to) * rise;
-    const unsigned behind = (choose(begins < ends, ends, begins) < -slack).bits();
+    const unsigned not_near = (choose(begins < ends, ends, begins) < -slack).bits();
     for (int k = 0; k < 4; ++k) {
-      if ((behind >> k & 1U) != 0) continue;
-      const std::int32_t behind_face = walk.links.behind[e][static_cast<std::size_t>(k)];
-      if (behind_face >= 0) {
-        visit(behind_face);
+      if ((not_near >> k & 1U) != 0) continue;
+      const std::int32_t behind = walk.links.behind[e][static_cast<std::size_t>(k)];
+      if (behind >= 0) {
+        visit(behind);
         continue;
       }
-      const auto t = static_cast<std::size_t>(-1 - behind_face);
+      const auto t = static_cast<std::size_t>(-1 - behind);
       const auto& c = walk.scene.topology.triangle[t].vertex;
       const std::array<Vec3, 3> corner = {walk.at(c[0]), walk.at(c[1]), walk.at(c[2])};
       if (scratch.triangle_at[t] != scratch.positions) {
