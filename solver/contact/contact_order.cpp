@@ -68,23 +68,23 @@ bool ContactOrder::is_of(const std::vector<Contact>& contacts) const {
 template bool ContactOrder::is_of(const PairContacts&) const;
 template bool ContactOrder::is_of(const EdgeContacts&) const;
 
-void ContactOrder::make(const PairContacts& pairs, std::size_t vertices) {
-  if (is_of(pairs) && is_for(pairs.size())) {
+template <class Contact>
+bool ContactOrder::has_lasted(const std::vector<Contact>& contacts, std::size_t vertices) {
+  if (is_of(contacts) && is_for(contacts.size())) {
     if (!apart_) put_apart(vertices);
-    return;
+    return true;
   }
-  in_one_chunk(pairs.size());
-  remember(pairs);
-  if (pairs.size() >= kMany) colour(vertices);
+  in_one_chunk(contacts.size());
+  remember(contacts);
+  return false;
+}
+
+void ContactOrder::make(const PairContacts& pairs, std::size_t vertices) {
+  if (!has_lasted(pairs, vertices) && pairs.size() >= kMany) colour(vertices);
 }
 
 void ContactOrder::make(const EdgeContacts& edges, std::size_t vertices) {
-  if (is_of(edges) && is_for(edges.size())) {
-    if (!apart_) put_apart(vertices);
-    return;
-  }
-  in_one_chunk(edges.size());
-  remember(edges);
+  has_lasted(edges, vertices);
 }
 
 void ContactOrder::put_apart(std::size_t vertices) {

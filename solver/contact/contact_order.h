@@ -95,6 +95,9 @@ class ContactOrder {
   }
 
  private:
+  // Puts apart those that it was made of before; of others, makes one chunk.
+  template <class Contact>
+  bool has_lasted(const std::vector<Contact>& contacts, std::size_t vertices);
   template <class Contact>
   void remember(const std::vector<Contact>& contacts);
   void colour(std::size_t vertices);

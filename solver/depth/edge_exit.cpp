@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/lanes/in_registers.h"
 #include "solver/lanes/lane_geometry.h"
 #include "solver/lanes/lane_width.h"
 #include "solver/lanes/packed_vec3.h"
@@ -197,13 +198,6 @@ STICTION_LANES_INLINE Real walk_from(std::int32_t element, const Walk& walk, Wal
   return first;
 }
 
-Real walk_2(std::int32_t element, const Walk& walk, WalkScratch& scratch) {
-  return walk_from(element, walk, scratch);
-}
-STICTION_TARGET_4 Real walk_4(std::int32_t element, const Walk& walk, WalkScratch& scratch) {
-  return walk_from(element, walk, scratch);
-}
-
 }  // namespace
 
 bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
@@ -215,7 +209,11 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
   scratch.stack.clear();
   ++scratch.walk;
   const Walk walk{scene, links, x, p, q, thin, length};
-  const Real first = (lane_width() >= 4 ? walk_4 : walk_2)(element, walk, scratch);
+  Real first = 0.0;
+  in_registers(
+      lane_width(), [&]() __attribute__((always_inline)) {
+        first = walk_from(element, walk, scratch);
+      });
   if (scratch.hit.empty()) return false;
   exit = merge(scratch.hit, first, kSame * thin / length);
   return true;

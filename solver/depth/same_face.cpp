@@ -9,7 +9,7 @@
 #include "solver/depth/nearest_face.h"
 #include "solver/detection/detect_pairs.h"
 #include "solver/detection/pair_candidates.h"
-#include "solver/lanes/lane_width.h"
+#include "solver/lanes/in_registers.h"
 
 namespace stiction {
 
@@ -144,9 +144,9 @@ class Measured {
                                      return batch_.contact[lane]->vertex;
                                    });
     Real distance[kCount], moved[kCount], far[kCount];
-    store(distance_, distance);
-    store(sqrt(dot_as_eigen(way, way)), moved);
-    store(sqrt(dot_as_eigen(point_, point_)), far);
+    store_numbers(distance_, distance);
+    store_numbers(sqrt(dot_as_eigen(way, way)), moved);
+    store_numbers(sqrt(dot_as_eigen(point_, point_)), far);
     unsigned outdone = 0;
     for (int lane = 0; lane < count_; ++lane) {
       if ((asked >> lane & 1U) == 0) continue;
@@ -209,9 +209,6 @@ class Measured {
     std::memcpy(&all.value, of, Bytes);
     return all;
   }
-  STICTION_LANES_INLINE static void store(const Number& all, Real* to) {
-    std::memcpy(to, &all.value, Bytes);
-  }
   STICTION_LANES_INLINE LaneVector<Number> corner(int k) const {
     return at_vertices<Number>(x(),
                                [&](int lane) { return triangle(*batch_.contact[lane]).vertex[k]; });
@@ -252,14 +249,6 @@ STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch)
   return left;
 }
 
-unsigned measure_2(const Step& step, const FaceBatch& batch) { return measure<16>(step, batch); }
-STICTION_TARGET_4 unsigned measure_4(const Step& step, const FaceBatch& batch) {
-  return measure<32>(step, batch);
-}
-STICTION_TARGET_8 unsigned measure_8(const Step& step, const FaceBatch& batch) {
-  return measure<64>(step, batch);
-}
-
 }  // namespace
 
 unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, const State& state,
@@ -268,10 +257,12 @@ unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, co
   std::fill(batch.contact + batch.count, batch.contact + kMostLanes, batch.contact[0]);
   std::fill(batch.group + batch.count, batch.group + kMostLanes, batch.group[0]);
   const Step step{scene, options, state, workspace, limits};
-  width = width_for(batch.count, width);
-  return width == 8   ? measure_8(step, batch)
-         : width == 4 ? measure_4(step, batch)
-                      : measure_2(step, batch);
+  unsigned left = 0;
+  in_lanes(
+      batch.count, width, [&](auto bytes) __attribute__((always_inline)) {
+        left = measure<bytes>(step, batch);
+      });
+  return left;
 }
 
 }  // namespace stiction

@@ -45,22 +45,16 @@ void mark_outdone(const Topology& topology, PairSearch& search) {
     return topology.vertex_body[static_cast<std::size_t>(
         topology.sharp_edge[static_cast<std::size_t>(edge)].vertex[0])];
   };
-  // Those that share an edge, which `at` brings together, with each other where they are with the same
-  // body.
+  // Each with those behind it that share an edge, which `at` brings together, and are with the same body.
   const auto compare = [&](const auto& shared, const auto& other, const auto& at) {
-    for (std::size_t begin = 0, end; begin < all.size(); begin = end) {
-      const std::int32_t edge = shared(at(begin).key);
-      for (end = begin + 1; end < all.size() && shared(at(end).key) == edge;) ++end;
-      for (std::size_t j = begin; j < end; ++j) {
-        for (std::size_t k = j + 1; k < end; ++k) {
-          Touch &one = at(j), &two = at(k);
-          if (one.crossing.gap == two.crossing.gap ||
-              body(other(one.key)) != body(other(two.key)) ||
-              !(one.crossing.normal.dot(two.crossing.normal) < 0.5)) {
-            continue;
-          }
-          (one.crossing.gap < two.crossing.gap ? one : two).outdone = true;
-        }
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      Touch& one = at(j);
+      for (std::size_t k = j + 1; k < all.size() && shared(at(k).key) == shared(one.key); ++k) {
+        Touch& two = at(k);
+        if (body(other(one.key)) != body(other(two.key))) continue;
+        if (!(one.crossing.normal.dot(two.crossing.normal) < 0.5)) continue;
+        one.outdone = one.outdone || one.crossing.gap < two.crossing.gap;
+        two.outdone = two.outdone || two.crossing.gap < one.crossing.gap;
       }
     }
   };

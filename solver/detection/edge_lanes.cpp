@@ -6,17 +6,12 @@
 #include <cstring>
 
 #include "solver/depth/nearest_face.h"
+#include "solver/lanes/in_registers.h"
 #include "solver/lanes/lane_geometry.h"
-#include "solver/lanes/lane_width.h"
 
 namespace stiction {
 
 namespace {
-
-template <class Number>
-STICTION_LANES_INLINE void store(const Number& all, Real* to) {
-  std::memcpy(to, &all.value, sizeof all.value);
-}
 
 // An edge a lane (`frame_of`).
 template <class Number>
@@ -54,12 +49,12 @@ struct LaneEdge {
 
 // `meet`, `inside_ends` and `face`, with their bits.
 template <int Bytes>
-STICTION_LANES_INLINE unsigned cross(const Topology& topology, const std::vector<Vec3>& x,
-                                     Real most_beyond, EdgeBatch& batch) {
+STICTION_LANES_INLINE unsigned can_touch(const Topology& topology, const std::vector<Vec3>& x,
+                                         Real most_beyond, EdgeBatch& batch) {
   using Number = Lanes<Bytes>;
   const Number zero(Real(0)), one(Real(1)), half(Real(0.5)), behind(kBehind), beyond(most_beyond);
   const LaneEdge<Number> a(topology, x, batch.a), b(topology, x, batch.b);
-  const LaneVector<Number> across = stiction::cross(a.whole, b.whole);
+  const LaneVector<Number> across = cross(a.whole, b.whole);
   const Number across2 = dot_as_eigen(across, across);
   const Number parallel2 = Number(kParallel * kParallel) * dot_as_eigen(a.whole, a.whole) *
                            dot_as_eigen(b.whole, b.whole);
@@ -67,8 +62,8 @@ STICTION_LANES_INLINE unsigned cross(const Topology& topology, const std::vector
   // Of those that aren't, a number that nothing is made of.
   const Number divisor = choose(crossed, across2, one);
   const LaneVector<Number> between = b.first - a.first;
-  const Number along_a = dot_as_eigen(stiction::cross(between, b.whole), across) / divisor;
-  const Number along_b = dot_as_eigen(stiction::cross(between, a.whole), across) / divisor;
+  const Number along_a = dot_as_eigen(cross(between, b.whole), across) / divisor;
+  const Number along_b = dot_as_eigen(cross(between, a.whole), across) / divisor;
   const auto far = [&](const Number& along) __attribute__((always_inline)) {
     return (one < along - half) | (one < half - along);
   };
@@ -85,35 +80,21 @@ STICTION_LANES_INLINE unsigned cross(const Topology& topology, const std::vector
   const auto hidden = (behind < before(b, 0)) | (behind < before(b, 1)) |
                       (dot_as_eigen(normal, a.into[0] + a.into[1]) <= zero) |
                       (before(a, 0) < -behind) | (before(a, 1) < -behind);
-  store(a.length, batch.length_a);
-  store(b.length, batch.length_b);
+  store_numbers(a.length, batch.length_a);
+  store_numbers(b.length, batch.length_b);
   Real found_a[Number::kCount], found_b[Number::kCount];
   FourNumbers plane[Number::kCount];
-  store(along_a, found_a);
-  store(along_b, found_b);
+  store_numbers(along_a, found_a);
+  store_numbers(along_b, found_b);
   store_records(normal.x, normal.y, normal.z, -dot_as_eigen(normal, between), plane);
   static_assert(offsetof(EdgeCrossing, gap) == offsetof(EdgeCrossing, normal) + 3 * sizeof(Real));
-  const int count = std::min(batch.count, Number::kCount);
-  for (int lane = 0; lane < count; ++lane) {
+  for (int lane = 0; lane < Number::kCount; ++lane) {
     EdgeCrossing& crossing = batch.crossing[lane];
     crossing.along_a = found_a[lane];
     crossing.along_b = found_b[lane];
     std::memcpy(crossing.normal.data(), &plane[lane], sizeof plane[lane]);  // and gap
   }
-  return (meet & held & ~hidden).bits() & ((1U << count) - 1);
-}
-
-unsigned cross_2(const Topology& topology, const std::vector<Vec3>& x, Real beyond,
-                 EdgeBatch& batch) {
-  return cross<16>(topology, x, beyond, batch);
-}
-STICTION_TARGET_4 unsigned cross_4(const Topology& topology, const std::vector<Vec3>& x,
-                                   Real beyond, EdgeBatch& batch) {
-  return cross<32>(topology, x, beyond, batch);
-}
-STICTION_TARGET_8 unsigned cross_8(const Topology& topology, const std::vector<Vec3>& x,
-                                   Real beyond, EdgeBatch& batch) {
-  return cross<64>(topology, x, beyond, batch);
+  return (meet & held & ~hidden).bits();
 }
 
 // Some contacts, the last of them for the lanes that are left.
@@ -156,24 +137,11 @@ STICTION_LANES_INLINE void weigh(const State& state, const std::vector<Velocity>
   FourNumbers weight[Number::kCount];
   store_records(weights.of[0], weights.of[1], weights.of[2], weights.of[3], weight);
   Real masses[Number::kCount];
-  store(inverse_mass, masses);
-  for (int lane = 0; lane < std::min(count, Number::kCount); ++lane) {
+  store_numbers(inverse_mass, masses);
+  for (int lane = 0; lane < count; ++lane) {
     std::memcpy(contact[lane].weight, &weight[lane], sizeof weight[lane]);
     contact[lane].inverse_mass = masses[lane];
   }
-}
-
-void weigh_2(const State& state, const std::vector<Velocity>& velocity, EdgeContact* contact,
-             int count) {
-  weigh<16>(state, velocity, contact, count);
-}
-STICTION_TARGET_4 void weigh_4(const State& state, const std::vector<Velocity>& velocity,
-                               EdgeContact* contact, int count) {
-  weigh<32>(state, velocity, contact, count);
-}
-STICTION_TARGET_8 void weigh_8(const State& state, const std::vector<Velocity>& velocity,
-                               EdgeContact* contact, int count) {
-  weigh<64>(state, velocity, contact, count);
 }
 
 }  // namespace
@@ -182,10 +150,12 @@ unsigned cross_side_by_side(const Topology& topology, const std::vector<Vec3>& x
                             int width, EdgeBatch& batch) {
   std::fill(batch.a + batch.count, batch.a + kMostLanes, batch.a[0]);
   std::fill(batch.b + batch.count, batch.b + kMostLanes, batch.b[0]);
-  width = width_for(batch.count, width);
-  return width == 8   ? cross_8(topology, x, beyond, batch)
-         : width == 4 ? cross_4(topology, x, beyond, batch)
-                      : cross_2(topology, x, beyond, batch);
+  unsigned can = 0;
+  in_lanes(
+      batch.count, width, [&](auto bytes) __attribute__((always_inline)) {
+        can = can_touch<bytes>(topology, x, beyond, batch);
+      });
+  return can & ((1U << batch.count) - 1);
 }
 
 void set_partners(const Scene& scene, const State& state, const std::vector<Velocity>& velocity,
@@ -194,14 +164,13 @@ void set_partners(const Scene& scene, const State& state, const std::vector<Velo
     const auto& corner = scene.elements[static_cast<std::size_t>(contact.element)].vertex;
     std::copy(std::begin(corner), std::end(corner), contact.partner);
   }
-  int count = 0;
-  for (std::size_t done = 0; done < contacts.size(); done += static_cast<std::size_t>(count)) {
-    count = static_cast<int>(
-        std::min(contacts.size() - done, static_cast<std::size_t>(lanes_of(width))));
-    const int least = width_for(count, width);
-    (least == 8   ? weigh_8
-     : least == 4 ? weigh_4
-                  : weigh_2)(state, velocity, &contacts[done], count);
+  const auto most = static_cast<std::size_t>(lanes_of(width));
+  for (std::size_t done = 0; done < contacts.size(); done += most) {
+    const auto count = static_cast<int>(std::min(contacts.size() - done, most));
+    in_lanes(
+        count, width, [&](auto bytes) __attribute__((always_inline)) {
+          weigh<bytes>(state, velocity, &contacts[done], count);
+        });
   }
 }
 

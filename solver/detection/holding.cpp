@@ -4,11 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
+#include "solver/lanes/in_registers.h"
 #include "solver/lanes/lane_geometry.h"
-#include "solver/lanes/lane_width.h"
 
 namespace stiction {
 
@@ -26,21 +25,8 @@ STICTION_LANES_INLINE void least_of(const Vec3& point, const std::vector<Vec3>& 
   Number smallest = weight.of[0];
   for (int k = 1; k < 4; ++k) smallest = choose(weight.of[k] < smallest, weight.of[k], smallest);
   Real all[Number::kCount];
-  std::memcpy(all, &smallest.value, sizeof all);
+  store_numbers(smallest, all);
   std::copy(all, all + count, least);
-}
-
-void least_of_2(const Vec3& point, const std::vector<Vec3>& x, const std::int32_t* const* corner,
-                int count, Real* least) {
-  least_of<16>(point, x, corner, count, least);
-}
-STICTION_TARGET_4 void least_of_4(const Vec3& point, const std::vector<Vec3>& x,
-                                  const std::int32_t* const* corner, int count, Real* least) {
-  least_of<32>(point, x, corner, count, least);
-}
-STICTION_TARGET_8 void least_of_8(const Vec3& point, const std::vector<Vec3>& x,
-                                  const std::int32_t* const* corner, int count, Real* least) {
-  least_of<64>(point, x, corner, count, least);
 }
 
 }  // namespace
@@ -59,8 +45,10 @@ Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
 
 void least_weights(const Vec3& point, const std::vector<Vec3>& x, const std::int32_t* const* corner,
                    int count, int width, Real* least) {
-  width = width_for(count, width);
-  (width == 8 ? least_of_8 : width == 4 ? least_of_4 : least_of_2)(point, x, corner, count, least);
+  in_lanes(
+      count, width, [&](auto bytes) __attribute__((always_inline)) {
+        least_of<bytes>(point, x, corner, count, least);
+      });
 }
 
 Real clearance(const Vec3& point, const std::array<Vec3, 4>& corner) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/elasticity/rotation.h"
+#include "solver/lanes/in_registers.h"
 #include "solver/lanes/lane_matrix.h"
 #include "solver/lanes/lane_width.h"
 #include "solver/prefetch.h"
@@ -274,28 +275,20 @@ STICTION_LANES_INLINE void add_forces(const ElementRange& range, const State& st
   }
 }
 
-void add_forces_2(const ElementRange& range, const State& state, std::vector<Force>& force) {
-  add_forces<16>(range, state, force);
-}
-STICTION_TARGET_4 void add_forces_4(const ElementRange& range, const State& state,
-                                    std::vector<Force>& force) {
-  add_forces<32>(range, state, force);
-}
-STICTION_TARGET_8 void add_forces_8(const ElementRange& range, const State& state,
-                                    std::vector<Force>& force) {
-  add_forces<64>(range, state, force);
-}
-
-using AddForces = decltype(add_forces_2)*;
-AddForces add_forces_at(int width) {
-  return width == 8 ? add_forces_8 : width == 4 ? add_forces_4 : add_forces_2;
+void add_forces_at(int width, const ElementRange& range, const State& state,
+                   std::vector<Force>& force) {
+  const auto count = static_cast<int>(range.end - range.begin);
+  in_lanes(
+      count, width, [&](auto bytes) __attribute__((always_inline)) {
+        add_forces<bytes>(range, state, force);
+      });
 }
 
 }  // namespace
 
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
                              std::vector<Force>& force, int width) {
-  add_forces_at(width)({elements, 0, elements.size(), nullptr}, state, force);
+  add_forces_at(width, {elements, 0, elements.size(), nullptr}, state, force);
 }
 
 void add_corotational_forces(const std::vector<Element>& elements, const State& state,
@@ -313,10 +306,10 @@ void add_corotational_forces(const Scene& scene, const State& state, const Team&
     return;
   }
   share_elements(scene, count, shares);
-  const AddForces add = add_forces_at(lane_width());
+  const int width = lane_width();
   for_each(&team, count, [&](std::size_t s) {
     ElementShare& share = shares.share[s];
-    add({scene.elements, share.begin, share.end, &share}, state, force);
+    add_forces_at(width, {scene.elements, share.begin, share.end, &share}, state, force);
   });
   add_forces_left_aside(shares, force);
 }

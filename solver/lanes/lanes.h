@@ -158,12 +158,6 @@ constexpr int lanes_of(int width) {
   return width * static_cast<int>(sizeof(double)) / static_cast<int>(sizeof(Real));
 }
 
-/// The narrowest width, up to `width`, at which a register holds so many: the bits are the same.
-constexpr int width_for(int count, int width) {
-  while (width > 2 && count <= lanes_of(width / 2)) width /= 2;
-  return width;
-}
-
 // What formulas ask of a single number beside arithmetic.
 inline Real choose(bool where, Real yes, Real no) { return where ? yes : no; }
 inline bool all_zero(Real x) { return x == 0; }
@@ -273,6 +267,12 @@ STICTION_LANES_INLINE Lanes<Bytes> load_numbers(const Real* const* number) {
   } else {
     return joined(load_numbers<Bytes / 2>(number), load_numbers<Bytes / 2>(number + kCount / 2));
   }
+}
+
+/// The lanes one after the other.
+template <int Bytes>
+STICTION_LANES_INLINE void store_numbers(const Lanes<Bytes>& lanes, Real* to) {
+  std::memcpy(to, &lanes.value, Bytes);
 }
 
 /// The way back: record[l] = {x, y, z, w} of lane l.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "solver/lanes/lane_width.h"
+#include "solver/lanes/in_registers.h"
 #include "solver/lanes/lanes.h"
 
 namespace stiction {
@@ -99,21 +99,6 @@ STICTION_LANES_INLINE To vector_cast(const PackedVec3& v) {
 template <class To>
 STICTION_LANES_INLINE To vector_cast(const Vec3& v) {
   return To(v);
-}
-
-/// Calls `work`, a lambda that is always inlined, compiled for registers of four doubles where the
-/// processor's are so wide.
-template <class Work>
-STICTION_TARGET_4 void in_registers_of_four(const Work& work) {
-  work();
-}
-template <class Work>
-void in_registers(int width, const Work& work) {
-  if (width >= 4) {
-    in_registers_of_four(work);
-  } else {
-    work();
-  }
 }
 
 }  // namespace stiction
