@@ -28,7 +28,7 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
         if (workspace.team != nullptr) {
           add_corotational_forces(scene, state, *workspace.team, workspace.shares, workspace.force);
         } else {
-          add_corotational_forces(scene.elements, state, workspace.force);
+          add_corotational_forces(scene, state, workspace.force);
         }
       }
       return;

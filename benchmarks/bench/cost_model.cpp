@@ -11,7 +11,8 @@ namespace {
 constexpr double kVec = sizeof(Vec3);
 constexpr double kPosition = sizeof(Position);
 constexpr double kVelocity = sizeof(Velocity);
-constexpr double kElement = sizeof(Element);
+constexpr double kElement = sizeof(Element) + sizeof(ElementConstants);
+constexpr double kCorners = sizeof(Element);
 constexpr double kPair = sizeof(PairContact);
 constexpr double kTriangle = sizeof(Topology::Triangle);
 constexpr double kMemoryKey = sizeof(ContactKey) + sizeof(ContactStatus);
@@ -57,14 +58,14 @@ ModelledCost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
     case Phase::kPredict:
       return {n.vertices * (kVec + 2 * kVelocity), n.vertices * (1 + kAxpy)};
     case Phase::kDetect: {
-      const double found = n.pairs * (kPair + kElement + 24) + n.obstacle * kOneSided;
+      const double found = n.pairs * (kPair + kCorners + 24) + n.obstacle * kOneSided;
       const double all = pairs_possible ? n.vertices * (kPosition + kVelocity + kVec)
                                         : n.surface * (kPosition + kVelocity);
       return {all + found,
               n.vertices * kAxpy + n.pairs * kBarycentric + n.surface * (kAxpy + kDot)};
     }
     case Phase::kDepth:
-      return {n.pairs * (2 * kPair + kTriangle + kElement + 3 * kVec + 5 * kPosition),
+      return {n.pairs * (2 * kPair + kTriangle + kCorners + 3 * kVec + 5 * kPosition),
               n.pairs * (kNearest + kCross + 2 * kDot + kBarycentric + 14)};
     case Phase::kNormalForce:
       // Twice over the pairs: loads and forces, then their application to five vertices.

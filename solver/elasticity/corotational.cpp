@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 
 #include "solver/elasticity/rotation.h"
@@ -14,10 +15,6 @@
 namespace stiction {
 
 namespace {
-
-Mat3 inverse_rest_edges(const Element& element) {
-  return Eigen::Map<const Mat3>(element.inverse_rest_edges);
-}
 
 // Columns x₁ − x₀, x₂ − x₀, x₃ − x₀.
 Mat3 edges(const Element& element, const std::vector<Position>& position) {
@@ -36,6 +33,7 @@ struct ElementGroup {
   static constexpr int kCount = Number::kCount;
 
   int count;  // of elements; lanes beyond it have the last again
+  std::size_t first;
   const Element* of[kCount];
   LaneMatrix<Number> inverse;  // of the rest edges
   Number two_mu_volume, lambda_volume, damping_time;
@@ -50,51 +48,50 @@ template <int Bytes, class Record>
 STICTION_LANES_INLINE LaneMatrix<Lanes<Bytes>> differences(const ElementGroup<Bytes>& group,
                                                            const std::vector<Record>& field) {
   constexpr int kCount = ElementGroup<Bytes>::kCount;
-  Lanes<Bytes> corner[4][4];
-  for (int k = 0; k < 4; ++k) {
+  const auto corner = [&](int k) __attribute__((always_inline)) {
     const Real* record[kCount];
     for (int lane = 0; lane < kCount; ++lane) {
       const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
       record[lane] = reinterpret_cast<const Real*>(&field[vertex]);
     }
-    load_records(record, corner[k]);
-  }
+    return LaneRecords<Bytes>::load(record);
+  };
+  const LaneRecords<Bytes> origin = corner(0);
   LaneMatrix<Lanes<Bytes>> d;
   for (int k = 0; k < 3; ++k) {
-    d.column[k] = {corner[k + 1][0] - corner[0][0], corner[k + 1][1] - corner[0][1],
-                   corner[k + 1][2] - corner[0][2]};
+    const auto numbers = (corner(k + 1) - origin).transposed();
+    d.column[k] = {numbers.part[0], numbers.part[1], numbers.part[2]};
   }
   return d;
 }
 
 // Elements come one after the other, but the processor's own asking ahead falls behind: out of the
 // cache this takes them from 23 to 17 ns each, and in it nothing.
-constexpr std::ptrdiff_t kElementsAhead = 32;
-constexpr std::size_t kCacheLine = 64;  // bytes; an element has two of them
+constexpr std::size_t kElementsAhead = 32;
 
 // Up to the root that is to be found.
 template <int Bytes>
-STICTION_LANES_INLINE void begin(const Element* first, std::size_t left,
+STICTION_LANES_INLINE void begin(const Scene& scene, std::size_t first, std::size_t left,
                                  const std::vector<Position>& position,
                                  ElementGroup<Bytes>& group) {
   using Number = Lanes<Bytes>;
   constexpr int kCount = Number::kCount;
+  static_assert(BlocksOfConstants::kBlock % kCount == 0);
   group.count = static_cast<int>(std::min(left, std::size_t{kCount}));
-  const Real* record[kCount];
+  group.first = first;
   for (int lane = 0; lane < kCount; ++lane) {
-    group.of[lane] = first + std::min(lane, group.count - 1);
-    ask_for(group.of[lane] + kElementsAhead);
-    ask_for(reinterpret_cast<const std::byte*>(group.of[lane] + kElementsAhead) + kCacheLine);
-    record[lane] = group.of[lane]->inverse_rest_edges;
+    group.of[lane] = &scene.elements[first] + std::min(lane, group.count - 1);
   }
+  constexpr std::size_t kNumbers = BlocksOfConstants::kNumbers;
+  Number constant[kNumbers];
+  const Real* const numbers = scene.constants.first(first);
+  unrolled<kNumbers>([&](auto k) __attribute__((always_inline)) {
+    const Real* const number = numbers + k * BlocksOfConstants::kBlock;
+    ask_for(number + kElementsAhead * kNumbers);
+    std::memcpy(&constant[k].value, number, Bytes);
+  });
   // Nine numbers of the inverse, then μV, λV, β.
-  static_assert(offsetof(Element, damping_time) ==
-                offsetof(Element, inverse_rest_edges) + 11 * sizeof(Real));
-  Number constant[12];
-  for (int k = 0; k < 12; k += 4) {
-    load_records(record, constant + k);
-    for (const Real*& numbers : record) numbers += 4;
-  }
+  static_assert(offsetof(ElementConstants, damping_time) == 11 * sizeof(Real));
   for (int k = 0; k < 3; ++k) {
     group.inverse.column[k] = {constant[3 * k], constant[3 * k + 1], constant[3 * k + 2]};
   }
@@ -115,12 +112,11 @@ template <int Bytes>
                                     LaneSymmetric<Lanes<Bytes>>& a, LaneMatrix<Lanes<Bytes>>& b) {
   for (int lane = 0; lane < Lanes<Bytes>::kCount; ++lane) {
     if (group.det[lane] > kFlattest) continue;  // no number is flat too
-    const Element& element = *group.of[lane];
     const Mat3 f = one_of(group.f, lane);
     const Mat3 r = polar_rotation_by_svd(f);
     const Real stretch = r.cwiseProduct(f).sum();
-    const Real two_mu = 2 * element.mu_volume;
-    const Mat3 rest = (element.lambda_volume * (stretch - 3) - two_mu) * r;
+    const Real two_mu = group.two_mu_volume[lane];
+    const Mat3 rest = (group.lambda_volume[lane] * (stretch - 3) - two_mu) * r;
     for (int k = 0; k < 3; ++k) {
       b.column[k].x.value[lane] = rest(0, k);
       b.column[k].y.value[lane] = rest(1, k);
@@ -188,18 +184,21 @@ struct ForceSink {
 };
 
 // Of a group that has such corners. Out of the way, so that the others' stay in registers.
-[[gnu::noinline]] void leave_aside(const Element* const* of, int count, std::size_t first,
-                                   const FourNumbers* forces, int lanes, ForceSink& sink,
+template <int Bytes>
+[[gnu::noinline]] void leave_aside(const ElementGroup<Bytes>& group,
+                                   const LaneRecords<Bytes>* corner, ForceSink& sink,
                                    std::vector<Force>& force) {
-  for (int lane = 0; lane < count; ++lane) {
-    const bool* const shared = sink.shared_of(first + static_cast<std::size_t>(lane));
+  FourNumbers forces[4][ElementGroup<Bytes>::kCount];
+  for (int k = 0; k < 4; ++k) corner[k].store(forces[k]);
+  for (int lane = 0; lane < group.count; ++lane) {
+    const bool* const shared = sink.shared_of(group.first + static_cast<std::size_t>(lane));
     for (int k = 0; k < 4; ++k) {
-      const FourNumbers of_corner = forces[k * lanes + lane];
-      const FourNumbers f = k == 0 ? -of_corner : of_corner;
+      const FourNumbers f = k == 0 ? forces[k][lane] : -forces[k][lane];
+      const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
       if (shared != nullptr && shared[k]) {
         reinterpret_cast<FourNumbers&>(sink.share->force[sink.forces++]) = f;
       } else {
-        reinterpret_cast<FourNumbers&>(force[static_cast<std::size_t>(of[lane]->vertex[k])]) += f;
+        reinterpret_cast<FourNumbers&>(force[vertex]) += f;
       }
     }
   }
@@ -207,7 +206,7 @@ struct ForceSink {
 
 // Adds the forces of the corners, an element after the other.
 template <int Bytes>
-STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group, std::size_t first,
+STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
                                const std::vector<Velocity>& velocity, ForceSink& sink,
                                std::vector<Force>& force) {
   using Number = Lanes<Bytes>;
@@ -215,34 +214,35 @@ STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group, std::size_t fir
   LaneMatrix<Number> b;
   elastic_stress(group, a, b);
   add_viscous_stress(group, velocity, a);
-  LaneMatrix<Number> minus_stress = group.f * a.whole();
-  for (int m = 0; m < 3; ++m) minus_stress.column[m] = -(minus_stress.column[m] + b.column[m]);
-  const LaneMatrix<Number> corner = minus_stress * group.inverse.transpose();
-  const auto& [f1, f2, f3] = corner.column;
-  const LaneVector<Number> minus_f0 = f1 + (f2 + f3);
-  FourNumbers forces[4][Number::kCount];
-  store_records(minus_f0.x, minus_f0.y, minus_f0.z, forces[0]);
-  store_records(f1.x, f1.y, f1.z, forces[1]);
-  store_records(f2.x, f2.y, f2.z, forces[2]);
-  store_records(f3.x, f3.y, f3.z, forces[3]);
-  const auto at = [&](int lane, int k) -> FourNumbers& {
-    const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
-    return reinterpret_cast<FourNumbers&>(force[vertex]);
+  LaneMatrix<Number> stress = group.f * a.whole();
+  for (int m = 0; m < 3; ++m) stress.column[m] = stress.column[m] + b.column[m];
+  const LaneMatrix<Number> minus_corner = stress * group.inverse.transpose();
+  const auto& [f1, f2, f3] = minus_corner.column;
+  const auto records = [](const LaneVector<Number>& f) __attribute__((always_inline)) {
+    return LaneRecords<Bytes>{{f.x, f.y, f.z, Number(Real(0))}}.transposed();
   };
-  if (first + static_cast<std::size_t>(group.count) <= sink.next_border) [[likely]] {
-    for (int lane = 0; lane < group.count; ++lane) {
-      for (int k = 1; k < 4; ++k) at(lane, k) += forces[k][lane];
-      at(lane, 0) -= forces[0][lane];
-    }
+  // Of corner 0 as it is, of others their opposites.
+  const LaneRecords<Bytes> of_corner[4] = {records(f1 + (f2 + f3)), records(f1), records(f2),
+                                           records(f3)};
+  if (group.first + static_cast<std::size_t>(group.count) > sink.next_border) [[unlikely]] {
+    leave_aside(group, of_corner, sink, force);
     return;
   }
-  leave_aside(group.of, group.count, first, &forces[0][0], Number::kCount, sink, force);
+  unrolled<Number::kCount>([&](auto lane) __attribute__((always_inline)) {
+    if (lane >= group.count) return;
+    const auto at = [&](int k) __attribute__((always_inline)) {
+      return reinterpret_cast<FourNumbers*>(
+          &force[static_cast<std::size_t>(group.of[lane]->vertex[k])]);
+    };
+    for (int k = 1; k < 4; ++k) *at(k) -= of_corner[k].template of_lane<lane>().value;
+    *at(0) += of_corner[0].template of_lane<lane>().value;
+  });
 }
 
 struct ElementRange {
-  const std::vector<Element>& elements;
-  std::size_t begin, end;
-  ElementShare* share;  // null: all elements
+  const Scene& scene;
+  std::size_t begin, end;  // begins a block of constants
+  ElementShare* share;     // null: all elements
 };
 
 // Groups at a time: the roots of several are found side by side, for each step waits for a division.
@@ -255,10 +255,9 @@ STICTION_LANES_INLINE void add_forces(const ElementRange& range, const State& st
   ForceSink sink(range.share);
   for (std::size_t e = range.begin; e < range.end;) {
     ElementGroup<Bytes> group[kGroups];
-    const std::size_t first = e;
     int groups = 0;
     for (; groups < kGroups && e < range.end; ++groups, e += kLanes) {
-      begin(&range.elements[e], range.end - e, state.position, group[groups]);
+      begin(range.scene, e, range.end - e, state.position, group[groups]);
     }
     using Number = Lanes<Bytes>;
     for (int step = 0; step < StretchRoot<Number>::kMostSteps; ++step) {
@@ -270,7 +269,7 @@ STICTION_LANES_INLINE void add_forces(const ElementRange& range, const State& st
       if (all_zero(running)) break;
     }
     for (int g = 0; g < groups; ++g) {
-      end(group[g], first + static_cast<std::size_t>(g) * kLanes, state.velocity, sink, force);
+      end(group[g], state.velocity, sink, force);
     }
   }
 }
@@ -286,14 +285,13 @@ void add_forces_at(int width, const ElementRange& range, const State& state,
 
 }  // namespace
 
-void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Force>& force, int width) {
-  add_forces_at(width, {elements, 0, elements.size(), nullptr}, state, force);
+void add_corotational_forces(const Scene& scene, const State& state, std::vector<Force>& force,
+                             int width) {
+  add_forces_at(width, {scene, 0, scene.elements.size(), nullptr}, state, force);
 }
 
-void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Force>& force) {
-  add_corotational_forces(elements, state, force, lane_width());
+void add_corotational_forces(const Scene& scene, const State& state, std::vector<Force>& force) {
+  add_corotational_forces(scene, state, force, lane_width());
 }
 
 void add_corotational_forces(const Scene& scene, const State& state, const Team& team,
@@ -302,25 +300,27 @@ void add_corotational_forces(const Scene& scene, const State& state, const Team&
   constexpr std::size_t kFewest = 2048;
   const std::size_t count = ranges_of(&team, scene.elements.size(), kFewest);
   if (count == 1) {
-    add_corotational_forces(scene.elements, state, force);
+    add_corotational_forces(scene, state, force);
     return;
   }
   share_elements(scene, count, shares);
   const int width = lane_width();
   for_each(&team, count, [&](std::size_t s) {
     ElementShare& share = shares.share[s];
-    add_forces_at(width, {scene.elements, share.begin, share.end, &share}, state, force);
+    add_forces_at(width, {scene, share.begin, share.end, &share}, state, force);
   });
   add_forces_left_aside(shares, force);
 }
 
-double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position) {
+double elastic_energy(const Scene& scene, const std::vector<Position>& position) {
   double energy = 0.0;
-  for (const Element& element : elements) {
-    const Mat3 f = edges(element, position) * inverse_rest_edges(element);
+  for (std::size_t e = 0; e < scene.elements.size(); ++e) {
+    const ElementConstants constants = scene.constants[e];
+    const Mat3 f =
+        edges(scene.elements[e], position) * Eigen::Map<const Mat3>(constants.inverse_rest_edges);
     const Mat3 strain = polar_rotation(f).transpose() * f - Mat3::Identity();
-    energy += element.mu_volume * strain.squaredNorm() +
-              Real(0.5) * element.lambda_volume * strain.trace() * strain.trace();
+    energy += constants.mu_volume * strain.squaredNorm() +
+              Real(0.5) * constants.lambda_volume * strain.trace() * strain.trace();
   }
   return energy;
 }

@@ -19,18 +19,17 @@ namespace stiction {
 /// stiffness-proportional (Rayleigh's βK) in the limit of small strain; written with the Green
 /// strain rate it is zero for every rigid motion, keeps angular momentum to round-off (P Fᵀ is
 /// symmetric) and never creates energy (β · 2μ|Ė|² + λ tr² ≥ 0).
-void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Force>& force);
+void add_corotational_forces(const Scene& scene, const State& state, std::vector<Force>& force);
 
 /// At one of `lane_widths`: the same forces to the bit.
-void add_corotational_forces(const std::vector<Element>& elements, const State& state,
-                             std::vector<Force>& force, int width);
+void add_corotational_forces(const Scene& scene, const State& state, std::vector<Force>& force,
+                             int width);
 
 /// By the team, in ranges that it leaves in `shares`: the same forces to the bit.
 void add_corotational_forces(const Scene& scene, const State& state, const Team& team,
                              ElementShares& shares, std::vector<Force>& force);
 
 /// Elastic energy Σ V (μ|S − I|² + ½λ tr²(S − I)), J.
-double elastic_energy(const std::vector<Element>& elements, const std::vector<Position>& position);
+double elastic_energy(const Scene& scene, const std::vector<Position>& position);
 
 }  // namespace stiction

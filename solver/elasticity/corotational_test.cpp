@@ -30,7 +30,7 @@ std::vector<Vec3> vectors(const std::vector<Force>& forces) {
 
 std::vector<Vec3> forces(const Scene& scene, const State& state) {
   std::vector<Force> force(state.position.size());
-  add_corotational_forces(scene.elements, state, force);
+  add_corotational_forces(scene, state, force);
   return vectors(force);
 }
 
@@ -54,9 +54,9 @@ double energy_slope(const Scene& scene, const State& state, std::size_t vertex, 
   std::vector<Position> position = state.position;
   const double x = position[vertex].x[axis];
   position[vertex].x[axis] = x + h;
-  const double ahead = elastic_energy(scene.elements, position);
+  const double ahead = elastic_energy(scene, position);
   position[vertex].x[axis] = x - h;
-  return (ahead - elastic_energy(scene.elements, position)) / (2.0 * h);
+  return (ahead - elastic_energy(scene, position)) / (2.0 * h);
 }
 
 TEST(ElasticForces, AreTheNegativeGradientOfTheEnergy) {
@@ -112,7 +112,7 @@ TEST(ElasticForces, OfAUniformStretchAreHookesLaw) {
   EXPECT_LT((at(2) - Vec3(0, -kLambda * s / 6.0, 0)).norm(), round_off);
   EXPECT_LT((at(3) - Vec3(0, 0, -kLambda * s / 6.0)).norm(), round_off);
   // Energy V (μ s² + ½λ s²).
-  EXPECT_NEAR(elastic_energy(scene.elements, state.position), (kMu + 0.5 * kLambda) * s * s / 6.0,
+  EXPECT_NEAR(elastic_energy(scene, state.position), (kMu + 0.5 * kLambda) * s * s / 6.0,
               s * round_off);
 }
 
@@ -131,7 +131,7 @@ TEST(ElasticAndViscousForces, VanishUnderRigidMotion) {
   // up to 30 m/s in the same way, times β = 1 ms. 24 elements meet in a vertex.
   const double round_off = 24.0 * 2.5e6 / 8.0 * (6.0 + 60.0 * 1e-3) * 4.0 * test::kEpsilon;
   for (const Vec3& f : forces(scene, state)) EXPECT_LT(f.norm(), round_off);
-  EXPECT_LT(elastic_energy(scene.elements, state.position), round_off * round_off / 1e6);
+  EXPECT_LT(elastic_energy(scene, state.position), round_off * round_off / 1e6);
 }
 
 class InternalForces : public testing::TestWithParam<unsigned> {};
@@ -193,7 +193,7 @@ TEST(ElasticForces, AreAddedToWhatIsThere) {
   const State state = deformed(scene, 3);
   const std::vector<Vec3> alone = forces(scene, state);
   std::vector<Force> force(alone.size(), {Vec3(1e9, 0, 0)});
-  add_corotational_forces(scene.elements, state, force);
+  add_corotational_forces(scene, state, force);
   // Sums near 1e9 N are rounded by 1e-7 N, once an element.
   for (std::size_t k = 0; k < alone.size(); ++k) {
     EXPECT_LT((force[k].f - Vec3(1e9, 0, 0) - alone[k]).norm(), 24 * 1.2e-7);
@@ -235,7 +235,7 @@ struct Separate {
 
 std::vector<Vec3> forces_at(const Scene& scene, const State& state, int width) {
   std::vector<Force> force(state.position.size());
-  add_corotational_forces(scene.elements, state, force, width);
+  add_corotational_forces(scene, state, force, width);
   return vectors(force);
 }
 
@@ -255,7 +255,13 @@ TEST(ElasticForces, AreTheSameBitsAtEachWidth) {
     std::vector<bool> inverted(count);
     for (std::size_t e = 0; e < count; ++e) inverted[e] = e % 5 == count % 5;
     Separate separate(inverted);
-    for (std::size_t e = 0; e < count; e += 3) separate.scene.elements[e].damping_time = 0;
+    BlocksOfConstants constants;
+    for (std::size_t e = 0; e < count; ++e) {
+      ElementConstants one = separate.scene.constants[e];
+      if (e % 3 == 0) one.damping_time = 0;
+      constants.push_back(one);
+    }
+    separate.scene.constants = constants;
     expect_same_bits_at_each_width(separate.scene, separate.state);
   }
   const Scene scene = cube();
@@ -270,8 +276,12 @@ TEST(ElasticForces, OfAnElementDoNotDependOnThoseBesideIt) {
     const Separate separate(inverted);
     const std::vector<Vec3> together = forces(separate.scene, separate.state);
     std::vector<Force> alone(together.size());
-    for (const Element& element : separate.scene.elements) {
-      add_corotational_forces({element}, separate.state, alone);
+    for (std::size_t e = 0; e < inverted.size(); ++e) {
+      Scene one = separate.scene;
+      one.elements = {separate.scene.elements[e]};
+      one.constants = {};
+      one.constants.push_back(separate.scene.constants[e]);
+      add_corotational_forces(one, separate.state, alone);
     }
     for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(together[k], alone[k].f) << k;
   }

@@ -5,6 +5,17 @@
 
 namespace stiction {
 
+namespace {
+
+// Where a share begins: a whole block of constants is one share's.
+std::size_t border_of(const Scene& scene, std::size_t share, std::size_t count) {
+  constexpr std::size_t kBlock = BlocksOfConstants::kBlock;
+  if (share == count) return scene.elements.size();
+  return scene.elements.size() * share / count / kBlock * kBlock;
+}
+
+}  // namespace
+
 void share_elements(const Scene& scene, std::size_t count, ElementShares& shares) {
   if (shares.scene == scene.serial && shares.share.size() == count) return;
   shares.scene = scene.serial;
@@ -13,8 +24,8 @@ void share_elements(const Scene& scene, std::size_t count, ElementShares& shares
   std::vector<std::size_t> owner(scene.mass.size(), kNone);
   for (std::size_t s = 0; s < count; ++s) {
     ElementShare& share = shares.share[s];
-    share.begin = scene.elements.size() * s / count;
-    share.end = scene.elements.size() * (s + 1) / count;
+    share.begin = border_of(scene, s, count);
+    share.end = border_of(scene, s + 1, count);
     for (std::size_t e = share.begin; e < share.end; ++e) {
       ElementShare::Border border{e, {}};
       for (int k = 0; k < 4; ++k) {

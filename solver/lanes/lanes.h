@@ -188,41 +188,107 @@ STICTION_LANES_INLINE Lanes<2 * Bytes> joined(const Lanes<Bytes>& low, const Lan
   (std::make_index_sequence<Lanes<2 * Bytes>::kCount>());
 }
 
-/// Four numbers of each of as many records as there are lanes, number by number: what `columns[k]`
-/// has in lane l is record[l][k].
+/// Calls `work` with 0 … kCount − 1, each as a constant.
+template <int kCount, class Work>
+STICTION_LANES_INLINE void unrolled(const Work& work) {
+  [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
+    (work(std::integral_constant<int, k>()), ...);
+  }
+  (std::make_integer_sequence<int, kCount>());
+}
+
+using OneRecord = Lanes<sizeof(FourNumbers)>;
+
+/// Four numbers of each of as many records as there are lanes, in four registers: as they lie in
+/// memory, or number by number. From four lanes on, register k has record k in its first four lanes,
+/// record k + 4 in the next, and so on; of two lanes, registers 0 and 2 have the halves of a record.
+template <int Bytes>
+struct LaneRecords {
+  static constexpr int kCount = Lanes<Bytes>::kCount;
+  Lanes<Bytes> part[4];
+
+  STICTION_LANES_INLINE static LaneRecords load(const Real* const* record) {
+    LaneRecords records;
+    for (int k = 0; k < 4; ++k) {
+      if constexpr (kCount == 2) {
+        std::memcpy(&records.part[k].value, record[k % 2] + k / 2 * 2, Bytes);
+      } else {
+        records.part[k] = every_fourth<Bytes>(record + k);
+      }
+    }
+    return records;
+  }
+  STICTION_LANES_INLINE void store(FourNumbers* record) const {
+    unrolled<kCount>([&](auto lane) __attribute__((always_inline)) {
+      record[lane] = of_lane<lane>().value;
+    });
+  }
+
+  /// From records to numbers: register k has number k of record l in lane l. And back.
+  STICTION_LANES_INLINE LaneRecords transposed() const {
+    if constexpr (kCount == 2) {
+      return {
+          {shuffled<0, 2>(0, 1), shuffled<1, 3>(0, 1), shuffled<0, 2>(2, 3), shuffled<1, 3>(2, 3)}};
+    } else {
+      const LaneRecords by_twos{{shuffled<0, 4, 2, 6>(0, 1), shuffled<1, 5, 3, 7>(0, 1),
+                                 shuffled<0, 4, 2, 6>(2, 3), shuffled<1, 5, 3, 7>(2, 3)}};
+      return {{by_twos.template shuffled<0, 1, 4, 5>(0, 2),
+               by_twos.template shuffled<0, 1, 4, 5>(1, 3),
+               by_twos.template shuffled<2, 3, 6, 7>(0, 2),
+               by_twos.template shuffled<2, 3, 6, 7>(1, 3)}};
+    }
+  }
+
+  /// The record of a lane, where registers have records.
+  template <int kLane>
+  STICTION_LANES_INLINE OneRecord of_lane() const {
+    if constexpr (kCount == 2) {
+      return joined(part[kLane], part[kLane + 2]);
+    } else {
+      constexpr int kFrom = kLane / 4 * 4;
+      const auto& of_some = part[kLane % 4].value;
+      return OneRecord::of(
+          __builtin_shufflevector(of_some, of_some, kFrom, kFrom + 1, kFrom + 2, kFrom + 3));
+    }
+  }
+
+  STICTION_LANES_INLINE friend LaneRecords operator-(const LaneRecords& a, const LaneRecords& b) {
+    return {{a.part[0] - b.part[0], a.part[1] - b.part[1], a.part[2] - b.part[2],
+             a.part[3] - b.part[3]}};
+  }
+
+ private:
+  template <int kBytes>
+  STICTION_LANES_INLINE static Lanes<kBytes> every_fourth(const Real* const* record) {
+    if constexpr (Lanes<kBytes>::kCount == 4) {
+      Lanes<kBytes> numbers;
+      std::memcpy(&numbers.value, record[0], kBytes);
+      return numbers;
+    } else {
+      return joined(every_fourth<kBytes / 2>(record),
+                    every_fourth<kBytes / 2>(record + Lanes<kBytes / 2>::kCount));
+    }
+  }
+
+  // As many lanes at a time as are said, shuffled with those of the other register at the same place.
+  template <int... kOf>
+  STICTION_LANES_INLINE Lanes<Bytes> shuffled(int a, int b) const {
+    constexpr int kSize = sizeof...(kOf), kFrom[] = {kOf...};
+    return [&]<int... kLane>(std::integer_sequence<int, kLane...>) __attribute__((always_inline)) {
+      return Lanes<Bytes>::of(
+          __builtin_shufflevector(part[a].value, part[b].value,
+                                  (kLane / kSize * kSize + kFrom[kLane % kSize] +
+                                   (kFrom[kLane % kSize] < kSize ? 0 : kCount - kSize))...));
+    }
+    (std::make_integer_sequence<int, kCount>());
+  }
+};
+
+/// Number by number: what `columns[k]` has in lane l is record[l][k].
 template <int Bytes>
 STICTION_LANES_INLINE void load_records(const Real* const* record, Lanes<Bytes>* columns) {
-  constexpr int kCount = Lanes<Bytes>::kCount;
-  if constexpr (kCount == 2) {
-    typename Lanes<Bytes>::Register a, b, c, d;
-    std::memcpy(&a, record[0], Bytes);
-    std::memcpy(&b, record[1], Bytes);
-    std::memcpy(&c, record[0] + 2, Bytes);
-    std::memcpy(&d, record[1] + 2, Bytes);
-    columns[0].value = __builtin_shufflevector(a, b, 0, 2);
-    columns[1].value = __builtin_shufflevector(a, b, 1, 3);
-    columns[2].value = __builtin_shufflevector(c, d, 0, 2);
-    columns[3].value = __builtin_shufflevector(c, d, 1, 3);
-  } else if constexpr (kCount == 4) {
-    typename Lanes<Bytes>::Register a, b, c, d;
-    std::memcpy(&a, record[0], Bytes);
-    std::memcpy(&b, record[1], Bytes);
-    std::memcpy(&c, record[2], Bytes);
-    std::memcpy(&d, record[3], Bytes);
-    const auto ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const auto ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const auto cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const auto cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    columns[0].value = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-    columns[1].value = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-    columns[2].value = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-    columns[3].value = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
-  } else {
-    Lanes<Bytes / 2> low[4], high[4];
-    load_records(record, low);
-    load_records(record + kCount / 2, high);
-    for (int k = 0; k < 4; ++k) columns[k] = joined(low[k], high[k]);
-  }
+  const auto numbers = LaneRecords<Bytes>::load(record).transposed();
+  for (int k = 0; k < 4; ++k) columns[k] = numbers.part[k];
 }
 
 /// The same of records of three numbers, with nothing behind them.
@@ -280,30 +346,7 @@ template <int Bytes>
 STICTION_LANES_INLINE void store_records(const Lanes<Bytes>& x, const Lanes<Bytes>& y,
                                          const Lanes<Bytes>& z, const Lanes<Bytes>& w,
                                          FourNumbers* record) {
-  constexpr int kCount = Lanes<Bytes>::kCount;
-  using Register = typename Lanes<Bytes>::Register;
-  Real* const to = reinterpret_cast<Real*>(record);
-  const auto store = [to](const Register& numbers, int at) __attribute__((always_inline)) {
-    std::memcpy(to + at, &numbers, Bytes);
-  };
-  if constexpr (kCount == 2) {
-    store(__builtin_shufflevector(x.value, y.value, 0, 2), 0);
-    store(__builtin_shufflevector(z.value, w.value, 0, 2), 2);
-    store(__builtin_shufflevector(x.value, y.value, 1, 3), 4);
-    store(__builtin_shufflevector(z.value, w.value, 1, 3), 6);
-  } else if constexpr (kCount == 4) {
-    const auto xy_even = __builtin_shufflevector(x.value, y.value, 0, 4, 2, 6);
-    const auto xy_odd = __builtin_shufflevector(x.value, y.value, 1, 5, 3, 7);
-    const auto zw_even = __builtin_shufflevector(z.value, w.value, 0, 4, 2, 6);
-    const auto zw_odd = __builtin_shufflevector(z.value, w.value, 1, 5, 3, 7);
-    store(__builtin_shufflevector(xy_even, zw_even, 0, 1, 4, 5), 0);
-    store(__builtin_shufflevector(xy_odd, zw_odd, 0, 1, 4, 5), 4);
-    store(__builtin_shufflevector(xy_even, zw_even, 2, 3, 6, 7), 8);
-    store(__builtin_shufflevector(xy_odd, zw_odd, 2, 3, 6, 7), 12);
-  } else {
-    store_records(low_half(x), low_half(y), low_half(z), low_half(w), record);
-    store_records(high_half(x), high_half(y), high_half(z), high_half(w), record + kCount / 2);
-  }
+  LaneRecords<Bytes>{{x, y, z, w}}.transposed().store(record);
 }
 
 /// Of three numbers, and a fourth that is 0.

@@ -89,6 +89,34 @@ TYPED_TEST(EachRegister, LoadsAndStoresRecords) {
   }
 }
 
+// Differences before numbers are put together are those after, and what is transposed twice is as before.
+TYPED_TEST(EachRegister, SubtractsAndTransposesRecords) {
+  using Records = LaneRecords<sizeof(TypeParam)>;
+  constexpr int kCount = TypeParam::kCount;
+  Real a[kCount][4], b[kCount][4];
+  const Real *of_a[kCount], *of_b[kCount];
+  for (int lane = 0; lane < kCount; ++lane) {
+    of_a[lane] = a[lane];
+    of_b[lane] = b[kCount - 1 - lane];
+    for (int k = 0; k < 4; ++k) {
+      a[lane][k] = Real(100 * lane + 7 * k);
+      b[kCount - 1 - lane][k] = Real(10 * lane + k);
+    }
+  }
+  const Records difference = Records::load(of_a) - Records::load(of_b);
+  const Records numbers = difference.transposed();
+  FourNumbers back[kCount];
+  numbers.transposed().store(back);
+  unrolled<kCount>([&](auto lane) {
+    for (int k = 0; k < 4; ++k) {
+      const Real wanted = Real(90 * lane + 6 * k);
+      EXPECT_EQ(numbers.part[k][lane], wanted) << lane << ", " << k;
+      EXPECT_EQ(difference.template of_lane<lane>()[k], wanted) << lane << ", " << k;
+      EXPECT_EQ(back[lane][k], wanted) << lane << ", " << k;
+    }
+  });
+}
+
 TYPED_TEST(EachRegister, LoadsTriplesAndNumbersAndStoresAllFour) {
   using L = TypeParam;
   constexpr int kCount = L::kCount;

@@ -10,6 +10,7 @@
 #include "solver/mesh/mesh.h"
 #include "solver/mesh/topology.h"
 #include "solver/real.h"
+#include "solver/scene/element_constants.h"
 #include "solver/scene/gravity.h"
 #include "solver/scene/load.h"
 #include "solver/scene/pair_friction.h"
@@ -60,15 +61,10 @@ struct SceneDescription {
   std::vector<PairFriction> pair_friction{};  ///< of pairs that have a μ of their own
 };
 
-/// One tetrahedron as the force kernel reads it: two cache lines, one in single precision.
-struct alignas(64) Element {
-  std::int32_t vertex[4];      ///< scene vertices
-  Real inverse_rest_edges[9];  ///< Dₘ⁻¹, column major, 1/m
-  Real mu_volume;              ///< second Lamé parameter × rest volume, J
-  Real lambda_volume;          ///< first Lamé parameter × rest volume, J
-  Real damping_time;           ///< β, s
+/// The corners of one tetrahedron.
+struct Element {
+  std::int32_t vertex[4];  ///< scene vertices
 };
-static_assert(sizeof(Element) == 16 * sizeof(Real));
 
 /// A body's place in the scene's arrays.
 struct Body {
@@ -127,6 +123,7 @@ struct Scene {
   std::vector<Real> inverse_mass;          ///< 1/kg, 0 where pinned
   std::vector<int> surface_vertex;         ///< vertices that can touch something, increasing
   std::vector<Element> elements;
+  BlocksOfConstants constants;    ///< of the elements
   std::vector<int> scene_vertex;  ///< scene vertex of the k-th described vertex (bodies in order)
 
   double stable_time_step = 0.0;  ///< s; infinite when nothing is elastic

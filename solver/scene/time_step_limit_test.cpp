@@ -229,12 +229,11 @@ double crumpled_energy(const BodyDescription& body, double edge, double crumple,
   }
   const Options options{.time_step = dt, .rule = "none"};
   Workspace workspace;
-  const double start = elastic_energy(scene.elements, state.position);
+  const double start = elastic_energy(scene, state.position);
   double most = 0.0;
   for (int n = 0; n < 2000; ++n) {
     step(scene, options, state, workspace);
-    most = std::max(most,
-                    elastic_energy(scene.elements, state.position) + kinetic_energy(scene, state));
+    most = std::max(most, elastic_energy(scene, state.position) + kinetic_energy(scene, state));
   }
   return most / start;
 }

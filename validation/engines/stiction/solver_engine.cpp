@@ -156,7 +156,7 @@ class StictionEngine final : public Engine {
     for (const Body& body : scene_.bodies) mass += body.mass;
     const double of_origin = -mass * scene_.gravity.at(time).dot(origin_);
     return {kinetic_energy(), gravity_energy(scene_, state_, time) + of_origin,
-            elastic_energy(scene_.elements, state_.position)};
+            elastic_energy(scene_, state_.position)};
   }
 
   double kinetic_energy() const override { return stiction::kinetic_energy(scene_, state_); }
