@@ -109,6 +109,8 @@ Batch& Measure::batch_of(const Chosen& chosen) {
                         thread_cpu_seconds() - start});
   }
   batch_ = std::make_unique<Batch>(*workload_, chosen.timed);
+  batch_->restore();
+  batch_->run();  // allocates what later runs have
   batch_name_ = chosen.name;
   return *batch_;
 }
