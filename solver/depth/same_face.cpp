@@ -177,7 +177,7 @@ class Measured {
 
   STICTION_LANES_INLINE Number depth() const {
     const Number zero(Real(0)), below = -height_;
-    const Number sunk = choose(zero < below, below, zero);
+    const Number sunk = choose_below(zero, below, below, zero);
     return choose(open_ | sunk_, sunk, distance_);
   }
   STICTION_LANES_INLINE LaneVector<Number> direction() const {

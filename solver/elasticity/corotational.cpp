@@ -160,7 +160,12 @@ STICTION_LANES_INLINE void add_viscous_stress(const ElementGroup<Bytes>& group,
       symmetric_product(group.f, differences(group, velocity) * group.inverse);
   LaneSymmetric<Lanes<Bytes>> stress = group.two_mu_volume * rate;
   stress.add_to_diagonal(group.lambda_volume * rate.trace());
-  a = choose_all<Bytes>(damped, a + group.damping_time * stress, a);
+  const LaneSymmetric<Lanes<Bytes>> sum = a + group.damping_time * stress;
+  if (all(damped)) [[likely]] {
+    a = sum;
+  } else {
+    a = choose_all<Bytes>(damped, sum, a);
+  }
 }
 
 // Where the forces of a range of elements go: to their vertices, but for corners that an earlier range

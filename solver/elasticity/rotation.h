@@ -69,7 +69,7 @@ struct StretchRoot {
     const Number change = value / slope;
     phi -= running * change;
     // The next change is below round-off.
-    running = choose(change < kNearRoot * phi, Number(Real(0)), running);
+    running = choose_below(change, kNearRoot * phi, Number(Real(0)), running);
   }
 
   STICTION_LANES_INLINE PolarTerms<Number> terms() const {

@@ -39,7 +39,7 @@ STICTION_LANES_INLINE Number dot_as_eigen(const LaneVector<Number>& a,
 template <class Number>
 STICTION_LANES_INLINE LaneVector<Number> normalized_as_eigen(const LaneVector<Number>& a) {
   const Number length2 = dot_as_eigen(a, a), zero(Real(0));
-  return a / choose(zero < length2, sqrt(length2), Number(Real(1)));
+  return a / choose_below(zero, length2, sqrt(length2), Number(Real(1)));
 }
 
 /// `barycentric` (detection/holding.h), lane by lane, with its bits.

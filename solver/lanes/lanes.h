@@ -50,6 +50,79 @@ STICTION_LANES_INLINE auto either(const Flags& flags) {
   }
 }
 
+/// Where something holds, lane by lane.
+template <int Bytes>
+struct LaneMask {
+  using Register = typename LaneRegister<Bytes>::Numbers;
+  using Flags = decltype(Register{} < Register{});
+  static constexpr int kCount = Bytes / static_cast<int>(sizeof(Real));
+  Flags value;
+
+  /// From and to a bit a lane, that of lane 0 the lowest.
+  STICTION_LANES_INLINE static LaneMask of(unsigned bits) {
+    using Flag = std::remove_reference_t<decltype(Flags{}[0])>;
+    return {((Flags{} + static_cast<Flag>(bits)) & bit_of_lane().value) != Flags{}};
+  }
+  STICTION_LANES_INLINE unsigned bits() const {
+    return static_cast<unsigned>(either<kCount>(value & bit_of_lane().value));
+  }
+
+  STICTION_LANES_INLINE friend LaneMask operator&(const LaneMask& a, const LaneMask& b) {
+    return {a.value & b.value};
+  }
+  STICTION_LANES_INLINE friend LaneMask operator|(const LaneMask& a, const LaneMask& b) {
+    return {a.value | b.value};
+  }
+  STICTION_LANES_INLINE LaneMask operator~() const { return {~value}; }
+  STICTION_LANES_INLINE bool operator[](int lane) const { return value[lane] != 0; }
+
+ private:
+  STICTION_LANES_INLINE static LaneMask bit_of_lane() {
+    return [&]<std::size_t... kLane>(std::index_sequence<kLane...>) __attribute__((always_inline)) {
+      return LaneMask{Flags{(1 << kLane)...}};
+    }
+    (std::make_index_sequence<kCount>());
+  }
+};
+
+/// By halves: outside a function that is compiled for AVX-512, the compiler takes what is compared for
+/// flags as wide as numbers, which AVX-512 has none of, and would compare lane by lane.
+template <>
+struct LaneMask<64> {
+  using Half = LaneMask<32>;
+  static constexpr int kCount = 2 * Half::kCount;
+  Half low, high;
+
+  STICTION_LANES_INLINE static LaneMask of(unsigned bits) {
+    return {Half::of(bits), Half::of(bits >> Half::kCount)};
+  }
+  STICTION_LANES_INLINE unsigned bits() const { return low.bits() | high.bits() << Half::kCount; }
+
+  STICTION_LANES_INLINE friend LaneMask operator&(const LaneMask& a, const LaneMask& b) {
+    return {a.low & b.low, a.high & b.high};
+  }
+  STICTION_LANES_INLINE friend LaneMask operator|(const LaneMask& a, const LaneMask& b) {
+    return {a.low | b.low, a.high | b.high};
+  }
+  STICTION_LANES_INLINE LaneMask operator~() const { return {~low, ~high}; }
+  STICTION_LANES_INLINE bool operator[](int lane) const {
+    return lane < Half::kCount ? low[lane] : high[lane - Half::kCount];
+  }
+};
+
+template <int Bytes>
+STICTION_LANES_INLINE bool none(const LaneMask<Bytes>& where) {
+  if constexpr (Bytes == 64) {
+    return none(where.low | where.high);
+  } else {
+    return where.bits() == 0;
+  }
+}
+template <int Bytes>
+STICTION_LANES_INLINE bool all(const LaneMask<Bytes>& where) {
+  return none(~where);
+}
+
 /// As many numbers as a register of `Bytes` bytes holds, that go through the same operations side by
 /// side: one formula handles as many elements. Each lane has the bits that a single number would
 /// have, at every width: nothing is fused, and no sum goes across lanes.
@@ -58,42 +131,7 @@ struct Lanes {
   using Register = typename LaneRegister<Bytes>::Numbers;
   static constexpr int kCount = Bytes / static_cast<int>(sizeof(Real));
 
-  /// Where something holds, lane by lane.
-  struct Mask {
-    using Flags = decltype(Register{} < Register{});
-    Flags value;
-
-    /// From and to a bit a lane, that of lane 0 the lowest.
-    STICTION_LANES_INLINE static Mask of(unsigned bits) {
-      using Flag = std::remove_reference_t<decltype(Flags{}[0])>;
-      return {((Flags{} + static_cast<Flag>(bits)) & bit_of_lane().value) != Flags{}};
-    }
-    STICTION_LANES_INLINE unsigned bits() const {
-      return static_cast<unsigned>(either<kCount>(value & bit_of_lane().value));
-    }
-
-    STICTION_LANES_INLINE friend Mask operator&(const Mask& a, const Mask& b) {
-      return {a.value & b.value};
-    }
-    STICTION_LANES_INLINE friend Mask operator|(const Mask& a, const Mask& b) {
-      return {a.value | b.value};
-    }
-    STICTION_LANES_INLINE Mask operator~() const { return {~value}; }
-    STICTION_LANES_INLINE friend bool all(const Mask& where) {
-      return where.bits() == (1U << kCount) - 1;
-    }
-    STICTION_LANES_INLINE friend bool none(const Mask& where) { return where.bits() == 0; }
-    STICTION_LANES_INLINE bool operator[](int lane) const { return value[lane] != 0; }
-
-   private:
-    STICTION_LANES_INLINE static Mask bit_of_lane() {
-      return [&]<std::size_t... kLane>(std::index_sequence<kLane...>)
-          __attribute__((always_inline)) {
-        return Mask{Flags{(1 << kLane)...}};
-      }
-      (std::make_index_sequence<kCount>());
-    }
-  };
+  using Mask = LaneMask<Bytes>;
 
   Register value;
 
@@ -130,19 +168,39 @@ struct Lanes {
   }
   STICTION_LANES_INLINE friend Lanes operator-(const Lanes& a) { return of(-a.value); }
   STICTION_LANES_INLINE friend Mask operator<(const Lanes& a, const Lanes& b) {
-    return {a.value < b.value};
+    if constexpr (Bytes == 64) {
+      return {low_half(a) < low_half(b), high_half(a) < high_half(b)};
+    } else {
+      return {a.value < b.value};
+    }
   }
   STICTION_LANES_INLINE friend Mask operator<=(const Lanes& a, const Lanes& b) {
-    return {a.value <= b.value};
+    if constexpr (Bytes == 64) {
+      return {low_half(a) <= low_half(b), high_half(a) <= high_half(b)};
+    } else {
+      return {a.value <= b.value};
+    }
   }
   /// `yes` where it holds, else `no`.
   STICTION_LANES_INLINE friend Lanes choose(const Mask& where, const Lanes& yes, const Lanes& no) {
-    return of(where.value ? yes.value : no.value);
+    if constexpr (Bytes == 64) {
+      return joined(choose(where.low, low_half(yes), low_half(no)),
+                    choose(where.high, high_half(yes), high_half(no)));
+    } else {
+      return of(where.value ? yes.value : no.value);
+    }
+  }
+  /// `yes` where a < b, else `no`: in one go, which takes no mask.
+  STICTION_LANES_INLINE friend Lanes choose_below(const Lanes& a, const Lanes& b, const Lanes& yes,
+                                                  const Lanes& no) {
+    return of(a.value < b.value ? yes.value : no.value);
   }
   STICTION_LANES_INLINE friend bool all_zero(const Lanes& a) {
-    bool zero = true;
-    for (int lane = 0; lane < kCount; ++lane) zero = zero && a[lane] == 0;
-    return zero;
+    if constexpr (Bytes == 64) {
+      return all_zero(low_half(a)) && all_zero(high_half(a));
+    } else {
+      return none(Mask{a.value != Register{}});
+    }
   }
   STICTION_LANES_INLINE friend Lanes sqrt(Lanes a) {
     for (int lane = 0; lane < kCount; ++lane) a.value[lane] = std::sqrt(a.value[lane]);
@@ -159,7 +217,7 @@ constexpr int lanes_of(int width) {
 }
 
 // What formulas ask of a single number beside arithmetic.
-inline Real choose(bool where, Real yes, Real no) { return where ? yes : no; }
+inline Real choose_below(Real a, Real b, Real yes, Real no) { return a < b ? yes : no; }
 inline bool all_zero(Real x) { return x == 0; }
 
 // Halves go by way of shuffles: what goes by way of memory, written in halves and read whole, waits
@@ -219,9 +277,8 @@ struct LaneRecords {
     return records;
   }
   STICTION_LANES_INLINE void store(FourNumbers* record) const {
-    unrolled<kCount>([&](auto lane) __attribute__((always_inline)) {
-      record[lane] = of_lane<lane>().value;
-    });
+    unrolled<kCount>([&](auto lane)
+                         __attribute__((always_inline)) { record[lane] = of_lane<lane>().value; });
   }
 
   /// From records to numbers: register k has number k of record l in lane l. And back.
