@@ -12,6 +12,7 @@
 #include "solver/depth/nearest.h"
 #include "solver/detection/boxes.h"
 #include "solver/detection/follow.h"
+#include "solver/lanes/in_registers.h"
 
 namespace stiction {
 
@@ -154,10 +155,21 @@ void bound_elements(const Scene& scene, std::size_t b, PairSearch& search) {
   }
 }
 
+// The vertices of a meeting that are in an element's box.
+template <int Bytes>
+STICTION_LANES_INLINE void note_vertices(const Scene& scene, const PairSearch::Meeting& meeting,
+                                         const PairSearch::ElementBox& in, PairSearch& search) {
+  const bool self = meeting.body == meeting.other;
+  const auto& corner = scene.elements[static_cast<std::size_t>(in.element)].vertex;
+  for (const std::int32_t vertex : search.hash.points_in<Bytes>(in.box)) {
+    if (self && std::count(corner, corner + 4, vertex) > 0) continue;
+    search.found.push_back({contact_key(vertex, meeting.body), in.element});
+  }
+}
+
 // Of a meeting; `element_box` is of its body.
 void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, PairSearch& search) {
   const Body& other = scene.bodies[static_cast<std::size_t>(meeting.other)];
-  const bool self = meeting.body == meeting.other;
   search.hash.clear(scene.topology.mean_edge);
   Box3 around;  // those vertices
   const auto [first, last] = surface_of(scene, other);
@@ -174,20 +186,17 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
   }
   search.hash.build();
   if (search.hash.empty()) return;
-  const auto note_vertices = [&](const PairSearch::ElementBox& in) {
-    const auto& corner = scene.elements[static_cast<std::size_t>(in.element)].vertex;
-    search.hash.for_each_in(in.box, [&](std::int32_t vertex) {
-      if (self && std::count(corner, corner + 4, vertex) > 0) return;
-      search.found.push_back({contact_key(vertex, meeting.body), in.element});
-    });
-  };
-  const std::size_t count = search.element_box.size();
-  for (std::size_t begin = 0; begin < count; begin += kBlock) {
-    if (apart(search.element_block[begin / kBlock], around)) continue;
-    for (std::size_t k = begin; k < std::min(begin + kBlock, count); ++k) {
-      if (meet(search.element_box[k].box, around)) note_vertices(search.element_box[k]);
-    }
-  }
+  in_lanes(
+      kMostLanes, lane_width(), [&](auto bytes) __attribute__((always_inline)) {
+        const std::size_t count = search.element_box.size();
+        for (std::size_t begin = 0; begin < count; begin += kBlock) {
+          if (apart(search.element_block[begin / kBlock], around)) continue;
+          for (std::size_t k = begin; k < std::min(begin + kBlock, count); ++k) {
+            const PairSearch::ElementBox& in = search.element_box[k];
+            if (meet(in.box, around)) note_vertices<bytes>(scene, meeting, in, search);
+          }
+        }
+      });
 }
 
 // Of all meetings; those of two bodies that have not moved are as they were.

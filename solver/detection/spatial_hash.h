@@ -3,11 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
+#include <span>
 #include <vector>
 
-#include "solver/detection/boxes.h"
+#include "solver/lanes/lanes.h"
 #include "solver/real.h"
 
 namespace stiction {
@@ -18,10 +21,10 @@ namespace stiction {
 ///
 /// Deviations: n is a power of two (twice the number of points or more); the modulus is taken of
 /// the unsigned product, so negative cells need no guard; the table is built by counting, which
-/// keeps the points of a cell in their order and allocates nothing once it is warm; each point
-/// carries its cell, so that two cells with one hash are told apart. Where the points fill the box of
-/// their cells, as those of a surface where it touches another do, the cells are numbered row by row
-/// instead, and a row is looked up at once.
+/// allocates nothing once it is warm; each point carries its cell, so that two cells with one hash are
+/// told apart. Where the points fill the box of their cells, as those of a surface where it touches
+/// another do, the cells are numbered row by row instead, and a row is looked up at once. Points of a
+/// cell or row are compared side by side; a few are all compared, as they came.
 class SpatialHash {
  public:
   using Cell = Eigen::Matrix<std::int32_t, 3, 1>;
@@ -36,20 +39,31 @@ class SpatialHash {
 
   /// To be called once, when all points are in.
   void build() {
+    const std::size_t count = entries_.size();
+    point_.resize(count);
+    inside_.resize(count);
+    // What the last register reads beyond the last point is a number, and not looked at.
+    for (std::vector<Real>& x : x_) x.resize(count + static_cast<std::size_t>(kMostLanes));
+    if (count <= kFew) {
+      for (std::size_t k = 0; k < count; ++k) put(k, entries_[k]);
+      return;
+    }
     number_cells();
     std::size_t size = cells_;
     if (!by_rows()) {
       size = 16;
-      while (size < 2 * entries_.size()) size *= 2;
+      while (size < 2 * count) size *= 2;
       mask_ = static_cast<std::uint32_t>(size - 1);
+      cell_.resize(count);
     }
     begin_.assign(size + 1, 0);
     for (const Entry& entry : entries_) ++begin_[bucket(entry.cell) + 1];
     for (std::size_t k = 1; k <= size; ++k) begin_[k] += begin_[k - 1];
-    sorted_.resize(entries_.size());
     for (const Entry& entry : entries_) {
       // Each bucket's begin moves to its end here, and back below.
-      sorted_[begin_[bucket(entry.cell)]++] = entry;
+      const std::size_t place = begin_[bucket(entry.cell)]++;
+      put(place, entry);
+      if (!by_rows()) cell_[place] = entry.cell;
     }
     for (std::size_t k = size; k > 0; --k) begin_[k] = begin_[k - 1];
     begin_[0] = 0;
@@ -60,54 +74,60 @@ class SpatialHash {
   Cell cell(const Vec3& x) const {
     constexpr Real kFarthest = 1e9;
     const auto number = [&](Real along) {
-      const Real place = std::floor(along * inverse_cell_size_);
-      return static_cast<std::int32_t>(place >= -kFarthest ? std::min(place, kFarthest)
-                                                           : -kFarthest);
+      const Real place = along * inverse_cell_size_;
+      const Real near = place >= -kFarthest ? std::min(place, kFarthest) : -kFarthest;
+      // Rounded down: without SSE 4.1, `std::floor` is a call.
+      const auto towards_zero = static_cast<std::int32_t>(near);
+      return towards_zero - static_cast<std::int32_t>(near < static_cast<Real>(towards_zero));
     };
     return {number(x[0]), number(x[1]), number(x[2])};
   }
 
-  /// Calls `use(point)` for each point in the box, once a point. Few points are walked, and so are all
-  /// where the box has far more cells than there are points.
-  template <class Use>
-  void for_each_in(const Box3& box, Use&& use) const {
-    const auto use_inside = [&](std::uint32_t begin, std::uint32_t end, const auto& also) {
-      for (std::uint32_t e = begin; e < end; ++e) {
-        const Entry& entry = sorted_[e];
-        if (also(entry) && holds(box, entry.x)) use(entry.point);
+  /// The points in the box, each once, until the next call, by registers of `Bytes`. All are compared
+  /// where they are few, or where the box has far more cells than there are points.
+  template <int Bytes>
+  STICTION_LANES_INLINE std::span<const std::int32_t> points_in(const Box3& box) {
+    const InBox<Bytes> in_box(box, *this);
+    std::size_t found = 0;
+    const auto note = [&](std::size_t begin, std::size_t end, const auto& also)
+        __attribute__((always_inline)) {
+      for (std::size_t first = begin; first < end; first += InBox<Bytes>::kCount) {
+        for (unsigned bits = in_box.bits(first, end); bits != 0; bits &= bits - 1) {
+          const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(bits));
+          if (also(k)) inside_[found++] = point_[k];
+        }
       }
     };
-    const auto any = [](const Entry&) { return true; };
-    const auto walk = [&] { use_inside(0, static_cast<std::uint32_t>(sorted_.size()), any); };
-    constexpr std::size_t kFew = 24;  // as in most meetings of a pile
-    if (sorted_.size() <= kFew) return walk();
+    const auto any = [](std::size_t) { return true; };
+    const auto all = [&]() __attribute__((always_inline)) {
+      note(0, point_.size(), any);
+      return std::span<const std::int32_t>(inside_.data(), found);
+    };
+    if (point_.size() <= kFew) return all();
     const Cell low = cell(box.min()), high = cell(box.max());
     if (by_rows()) {
       const Cell from = low.cwiseMax(low_), to = high.cwiseMin(high_);
-      if (from[0] > to[0]) return;
+      if (from[0] > to[0]) return {};
       for (std::int32_t k = from[2]; k <= to[2]; ++k) {
         for (std::int32_t j = from[1]; j <= to[1]; ++j) {
           const std::size_t first = bucket({from[0], j, k});
-          use_inside(begin_[first], begin_[first + static_cast<std::size_t>(to[0] - from[0]) + 1],
-                     any);
+          note(begin_[first], begin_[first + static_cast<std::size_t>(to[0] - from[0]) + 1], any);
         }
       }
-      return;
-    }
-    const Eigen::Array3d cells = (high - low).template cast<double>().array() + 1.0;
-    if (cells.prod() > 64.0 + 8.0 * static_cast<double>(entries_.size())) {
-      return walk();
-    }
-    for (std::int32_t k = low[2]; k <= high[2]; ++k) {
-      for (std::int32_t j = low[1]; j <= high[1]; ++j) {
-        for (std::int32_t i = low[0]; i <= high[0]; ++i) {
-          const Cell here(i, j, k);
-          const std::size_t b = bucket(here);
-          use_inside(begin_[b], begin_[b + 1],
-                     [&](const Entry& entry) { return entry.cell == here; });
+    } else {
+      const Eigen::Array3d cells = (high - low).template cast<double>().array() + 1.0;
+      if (cells.prod() > 64.0 + 8.0 * static_cast<double>(entries_.size())) return all();
+      for (std::int32_t k = low[2]; k <= high[2]; ++k) {
+        for (std::int32_t j = low[1]; j <= high[1]; ++j) {
+          for (std::int32_t i = low[0]; i <= high[0]; ++i) {
+            const Cell here(i, j, k);
+            const std::size_t b = bucket(here);
+            note(begin_[b], begin_[b + 1], [&](std::size_t e) { return cell_[e] == here; });
+          }
         }
       }
     }
+    return {inside_.data(), found};
   }
 
   bool empty() const { return entries_.empty(); }
@@ -118,6 +138,41 @@ class SpatialHash {
     Cell cell;
     std::int32_t point;
   };
+
+  static constexpr std::size_t kFew = 24;  // as in most meetings of a pile
+
+  // Which of the points side by side are in a box.
+  template <int Bytes>
+  struct InBox {
+    using Number = Lanes<Bytes>;
+    static constexpr std::size_t kCount = Number::kCount;
+    const SpatialHash& of;
+    Number low[3], high[3];
+
+    STICTION_LANES_INLINE InBox(const Box3& box, const SpatialHash& points) : of(points) {
+      for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = Number(box.min()[axis]);
+        high[axis] = Number(box.max()[axis]);
+      }
+    }
+    // Of the points from `first` on, below `end`: a bit each.
+    STICTION_LANES_INLINE unsigned bits(std::size_t first, std::size_t end) const {
+      const auto along = [&](std::size_t axis) __attribute__((always_inline)) {
+        Number x;
+        std::memcpy(&x.value, &of.x_[axis][first], Bytes);
+        return (low[axis] <= x) & (x <= high[axis]);
+      };
+      const unsigned inside = (along(0) & along(1) & along(2)).bits();
+      return end - first < kCount ? inside & ((1U << (end - first)) - 1) : inside;
+    }
+  };
+
+  void put(std::size_t place, const Entry& entry) {
+    for (int axis = 0; axis < 3; ++axis) {
+      x_[static_cast<std::size_t>(axis)][place] = entry.x[axis];
+    }
+    point_[place] = entry.point;
+  }
 
   bool by_rows() const { return cells_ > 0; }
 
@@ -151,8 +206,12 @@ class SpatialHash {
   Cell low_ = Cell::Zero(), high_ = Cell::Zero();  // of the points' cells
   std::size_t cells_ = 0;                          // between those; 0: they are hashed
   std::vector<Entry> entries_;
-  std::vector<Entry> sorted_;
   std::vector<std::uint32_t> begin_;
+  // Bucket by bucket:
+  std::array<std::vector<Real>, 3> x_;
+  std::vector<std::int32_t> point_;
+  std::vector<Cell> cell_;  // where they are hashed
+  std::vector<std::int32_t> inside_;
 };
 
 }  // namespace stiction

@@ -12,10 +12,19 @@
 namespace stiction {
 namespace {
 
-std::vector<int> found(const SpatialHash& hash, const Vec3& low, const Vec3& high) {
-  std::vector<int> points;
-  hash.for_each_in(Box3(low, high), [&](int point) { points.push_back(point); });
-  std::sort(points.begin(), points.end());
+template <int Bytes>
+std::vector<int> found_with(SpatialHash& hash, const Box3& box) {
+  const auto points = hash.points_in<Bytes>(box);
+  std::vector<int> sorted(points.begin(), points.end());
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+std::vector<int> found(SpatialHash& hash, const Vec3& low, const Vec3& high) {
+  const Box3 box(low, high);
+  const std::vector<int> points = found_with<16>(hash, box);
+  EXPECT_EQ(found_with<32>(hash, box), points);
+  EXPECT_EQ(found_with<64>(hash, box), points);
   return points;
 }
 
@@ -30,7 +39,7 @@ SpatialHash row_of_points(double apart = 1.0) {
 
 TEST(SpatialHash, FindsEachPointOfABoxOnce) {
   for (const double apart : {1.0, 100.0}) {  // in rows of cells; hashed
-    const SpatialHash hash = row_of_points(apart);
+    SpatialHash hash = row_of_points(apart);
     const double x = apart;
     EXPECT_EQ(found(hash, {-x, 0.0, -0.2}, {x, 0.2, 0.0}), (std::vector{29, 30, 31}));
     EXPECT_EQ(found(hash, {x - 0.01, 0.0, -0.2}, {x, 0.2, 0.0}), std::vector<int>{31});
@@ -63,7 +72,7 @@ TEST(SpatialHash, FindsWhatComparingWithEachFinds) {
 }
 
 TEST(SpatialHash, WalksThePointsWhereThereAreFarMoreCells) {
-  const SpatialHash hash = row_of_points(100.0);
+  SpatialHash hash = row_of_points(100.0);
   EXPECT_EQ(found(hash, Vec3::Constant(-1e5), {-2790, 1e5, 1e5}), (std::vector{0, 1, 2}));
 }
 
