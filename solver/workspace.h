@@ -14,6 +14,7 @@
 #include "solver/contact/pair_contacts.h"
 #include "solver/contact/pair_options.h"
 #include "solver/depth/consistent_scratch.h"
+#include "solver/detection/element_boxes.h"
 #include "solver/detection/spatial_hash.h"
 #include "solver/elasticity/element_shares.h"
 #include "solver/parallel/team.h"
@@ -121,13 +122,8 @@ struct PairSearch {
   std::vector<Candidate> old_found;
   std::vector<Group> old_group;
   std::vector<Near> old_near;
-  struct ElementBox {
-    Box3 box;
-    std::int32_t element;
-  };
-  std::vector<ElementBox> element_box;
-  std::vector<Box3> element_block;  ///< of several of those in turn
-  std::vector<Box3> vertex_block;   ///< of several surface vertices in turn, at the reference
+  ElementBoxes element_boxes;      ///< of one body, where it can meet another
+  std::vector<Box3> vertex_block;  ///< of several surface vertices in turn, at the reference
   SpatialHash hash;
   std::vector<std::int32_t> candidate_place;
 

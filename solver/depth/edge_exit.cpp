@@ -175,7 +175,7 @@ STICTION_LANES_INLINE Real walk_from(std::int32_t element, const Walk& walk, Wal
     if (from > to || from > first + same) continue;
     // Faces that this part comes near are those that it may go on through.
     const Four begins = p_height + Four(from) * rise, ends = p_height + Four(to) * rise;
-    const unsigned not_near = (choose_below(begins, ends, ends, begins) < -slack).bits();
+    const unsigned not_near = (greater(begins, ends) < -slack).bits();
     for (int k = 0; k < 4; ++k) {
       if ((not_near >> k & 1U) != 0) continue;
       const std::int32_t behind = walk.links.behind[e][static_cast<std::size_t>(k)];

@@ -23,8 +23,7 @@ STICTION_LANES_INLINE void least_of(const Vec3& point, const std::vector<Vec3>& 
   const LaneWeights<Number> weight({Number(point.x()), Number(point.y()), Number(point.z())}, at(0),
                                    at(1), at(2), at(3));
   Number smallest = weight.of[0];
-  for (int k = 1; k < 4; ++k)
-    smallest = choose_below(weight.of[k], smallest, weight.of[k], smallest);
+  for (int k = 1; k < 4; ++k) smallest = lesser(weight.of[k], smallest);
   Real all[Number::kCount];
   store_numbers(smallest, all);
   std::copy(all, all + count, least);

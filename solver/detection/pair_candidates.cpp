@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "solver/detection/boxes.h"
 #include "solver/detection/follow.h"
 #include "solver/lanes/in_registers.h"
+#include "solver/lanes/lane_geometry.h"
 
 namespace stiction {
 
@@ -56,8 +58,8 @@ void begin_scene(const Scene& scene, std::size_t vertices, PairSearch& search) {
                      {Vec3::Zero(), std::numeric_limits<Real>::infinity()});
 }
 
-// So many surface vertices, or boxes of elements, are asked for by one box around all at first: what is
-// next in number is near in space.
+// So many surface vertices are asked for by one box around all at first: what is next in number is
+// near in space.
 constexpr std::size_t kBlock = 16;
 
 // The places of a body's vertices in `surface_vertex`.
@@ -137,37 +139,23 @@ void find_meetings(const Scene& scene, PairSearch& search) {
   std::sort(search.meeting.begin(), search.meeting.end(), comes_before);
 }
 
-// The boxes of a body's elements where it can meet another.
-void bound_elements(const Scene& scene, std::size_t b, PairSearch& search) {
-  const Body& body = scene.bodies[b];
-  search.element_box.clear();
-  search.element_block.clear();
-  for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
-    Box3 box;
-    for (const std::int32_t v : scene.elements[static_cast<std::size_t>(e)].vertex) {
-      box.extend(search.reference[static_cast<std::size_t>(v)]);
-    }
-    widen(box, 2 * search.skin);
-    if (!meet(box, search.overlap[b])) continue;
-    if (search.element_box.size() % kBlock == 0) search.element_block.emplace_back();
-    search.element_box.push_back({box, e});
-    search.element_block.back().extend(box);
-  }
-}
-
 // The vertices of a meeting that are in an element's box.
 template <int Bytes>
 STICTION_LANES_INLINE void note_vertices(const Scene& scene, const PairSearch::Meeting& meeting,
-                                         const PairSearch::ElementBox& in, PairSearch& search) {
+                                         std::int32_t element, const Box3& box,
+                                         PairSearch& search) {
   const bool self = meeting.body == meeting.other;
-  const auto& corner = scene.elements[static_cast<std::size_t>(in.element)].vertex;
-  for (const std::int32_t vertex : search.hash.points_in<Bytes>(in.box)) {
+  const auto& corner = scene.elements[static_cast<std::size_t>(element)].vertex;
+  for (const std::int32_t vertex : search.hash.points_in<Bytes>(box)) {
     if (self && std::count(corner, corner + 4, vertex) > 0) continue;
-    search.found.push_back({contact_key(vertex, meeting.body), in.element});
+    search.found.push_back({contact_key(vertex, meeting.body), element});
   }
 }
 
-// Of a meeting; `element_box` is of its body.
+// Most rows and blocks have few: wider registers would be filled by half.
+constexpr int kSideBySide = 4;
+
+// Of a meeting; `element_boxes` are of its body.
 void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, PairSearch& search) {
   const Body& other = scene.bodies[static_cast<std::size_t>(meeting.other)];
   search.hash.clear(scene.topology.mean_edge);
@@ -187,15 +175,11 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
   search.hash.build();
   if (search.hash.empty()) return;
   in_lanes(
-      kMostLanes, lane_width(), [&](auto bytes) __attribute__((always_inline)) {
-        const std::size_t count = search.element_box.size();
-        for (std::size_t begin = 0; begin < count; begin += kBlock) {
-          if (apart(search.element_block[begin / kBlock], around)) continue;
-          for (std::size_t k = begin; k < std::min(begin + kBlock, count); ++k) {
-            const PairSearch::ElementBox& in = search.element_box[k];
-            if (meet(in.box, around)) note_vertices<bytes>(scene, meeting, in, search);
-          }
-        }
+      kSideBySide, lane_width(), [&](auto bytes) __attribute__((always_inline)) {
+        search.element_boxes.for_each_at<bytes>(
+            around, [&](std::int32_t element, const Box3& box) __attribute__((always_inline)) {
+              note_vertices<bytes>(scene, meeting, element, box, search);
+            });
       });
 }
 
@@ -203,7 +187,7 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
 void find_candidates(const Scene& scene, PairSearch& search) {
   search.old_found.swap(search.found);
   search.found.clear();
-  std::int32_t bounded = -1;  // the body that `element_box` is of
+  std::int32_t bounded = -1;  // the body that `element_boxes` are of
   auto old = search.old_meeting.begin();
   for (PairSearch::Meeting& meeting : search.meeting) {
     meeting.begin = search.found.size();
@@ -211,7 +195,9 @@ void find_candidates(const Scene& scene, PairSearch& search) {
     if (is_renewed(search, meeting.other, meeting.body)) {
       if (bounded != meeting.body) {
         bounded = meeting.body;
-        bound_elements(scene, static_cast<std::size_t>(bounded), search);
+        const auto b = static_cast<std::size_t>(bounded);
+        search.element_boxes.bound(scene, scene.bodies[b], search.reference, 2 * search.skin,
+                                   search.overlap[b], lane_width());
       }
       find_candidates(scene, meeting, search);
     } else {
@@ -225,9 +211,36 @@ void find_candidates(const Scene& scene, PairSearch& search) {
   }
 }
 
+template <int Bytes>
+STICTION_LANES_INLINE void bound_side_by_side(const Topology& topology, std::size_t begin,
+                                              std::size_t end, PairSearch& search) {
+  using Number = Lanes<Bytes>;
+  constexpr std::size_t kCount = Number::kCount;
+  for (std::size_t first = begin; first < end; first += kCount) {
+    const auto corner = [&](int k) __attribute__((always_inline)) {
+      return at_vertices<Number>(search.reference, [&](int lane) {
+        return topology.triangle[std::min(first + static_cast<std::size_t>(lane), end - 1)]
+            .vertex[k];
+      });
+    };
+    const LaneVector<Number> p = corner(0), q = corner(1), r = corner(2);
+    const LaneVector<Number> centre = (p + q + r) / Number(Real(3));
+    const auto to = [&](const LaneVector<Number>& a) __attribute__((always_inline)) {
+      const LaneVector<Number> away = a - centre;
+      return dot_as_eigen(away, away);
+    };
+    const Number radius =
+        sqrt(greater(to(p), greater(to(q), to(r)))) + Number(std::sqrt(Real(3)) * search.skin);
+    static_assert(sizeof(PairSearch::Ball) == sizeof(FourNumbers));
+    FourNumbers balls[kCount];
+    store_records(centre.x, centre.y, centre.z, radius, balls);
+    std::memcpy(static_cast<void*>(&search.ball[first]), balls,
+                std::min(kCount, end - first) * sizeof(*balls));
+  }
+}
+
 // Balls that hold the triangles as long as the lists do.
 void bound_triangles(const Topology& topology, PairSearch& search) {
-  const std::vector<Vec3>& x = search.reference;
   const PairSearch::Ball everywhere{Vec3::Zero(), std::numeric_limits<Real>::infinity()};
   for (std::size_t b = 0; b < search.overlap.size(); ++b) {
     const auto begin = static_cast<std::size_t>(topology.body_triangle_begin[b]);
@@ -240,16 +253,11 @@ void bound_triangles(const Topology& topology, PairSearch& search) {
                 search.ball.begin() + static_cast<std::ptrdiff_t>(end), everywhere);
       continue;
     }
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& v = topology.triangle[t].vertex;
-      const Vec3& p = x[static_cast<std::size_t>(v[0])];
-      const Vec3& q = x[static_cast<std::size_t>(v[1])];
-      const Vec3& r = x[static_cast<std::size_t>(v[2])];
-      const Vec3 centre = (p + q + r) / 3;
-      const Real radius2 = std::max(
-          {(p - centre).squaredNorm(), (q - centre).squaredNorm(), (r - centre).squaredNorm()});
-      search.ball[t] = {centre, std::sqrt(radius2) + std::sqrt(Real(3)) * search.skin};
-    }
+    in_lanes(
+        static_cast<int>(end - begin),
+        lane_width(), [&](auto bytes) __attribute__((always_inline)) {
+          bound_side_by_side<bytes>(topology, begin, end, search);
+        });
   }
 }
 

@@ -195,6 +195,12 @@ struct Lanes {
                                                   const Lanes& no) {
     return of(a.value < b.value ? yes.value : no.value);
   }
+  STICTION_LANES_INLINE friend Lanes lesser(const Lanes& a, const Lanes& b) {
+    return choose_below(a, b, a, b);
+  }
+  STICTION_LANES_INLINE friend Lanes greater(const Lanes& a, const Lanes& b) {
+    return choose_below(a, b, b, a);
+  }
   STICTION_LANES_INLINE friend bool all_zero(const Lanes& a) {
     if constexpr (Bytes == 64) {
       return all_zero(low_half(a)) && all_zero(high_half(a));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/lanes/lane_matrix.h"
@@ -29,7 +30,8 @@ TYPED_TEST(EachRegister, ReckonsEachLaneAsANumberAlone) {
   const L a = counted<L>(0.3, 1.7), b = counted<L>(-2.1, 0.9);
   const L sum = a + b, difference = a - b, product = a * b, quotient = a / b, minus = -a,
           root = sqrt(a);
-  const L chosen = choose(a < b * b, a, b), below = choose_below(a, b * b, a, b);
+  const L chosen = choose(a < b * b, a, b), below = choose_below(a, b * b, a, b),
+          least = lesser(a, b), most = greater(a, b);
   for (int lane = 0; lane < L::kCount; ++lane) {
     const Real x = a[lane], y = b[lane];
     EXPECT_EQ(sum[lane], x + y);
@@ -40,6 +42,8 @@ TYPED_TEST(EachRegister, ReckonsEachLaneAsANumberAlone) {
     EXPECT_EQ(root[lane], std::sqrt(x));
     EXPECT_EQ(chosen[lane], x < y * y ? x : y);
     EXPECT_EQ(below[lane], x < y * y ? x : y);
+    EXPECT_EQ(least[lane], std::min(x, y));
+    EXPECT_EQ(most[lane], std::max(x, y));
   }
 }
 
