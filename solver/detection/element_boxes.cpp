@@ -30,10 +30,9 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
       store_numbers(most, high[axis]);
       return (least <= Number(within.max()[axis])) & (Number(within.min()[axis]) <= most);
     };
-    unsigned bits =
-        (along(0, a.x, b.x, c.x, d.x) & along(1, a.y, b.y, c.y, d.y) & along(2, a.z, b.z, c.z, d.z))
-            .bits();
-    if (end - first < kCount) bits &= (1U << (end - first)) - 1;
+    const auto meets =
+        along(0, a.x, b.x, c.x, d.x) & along(1, a.y, b.y, c.y, d.y) & along(2, a.z, b.z, c.z, d.z);
+    unsigned bits = first_bits(meets, static_cast<std::size_t>(end - first));
     for (; bits != 0; bits &= bits - 1) {
       const int lane = std::countr_zero(bits);
       for (std::size_t axis = 0; axis < 3; ++axis) {

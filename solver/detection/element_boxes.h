@@ -58,9 +58,7 @@ class ElementBoxes {
       const auto of_axis = static_cast<Eigen::Index>(axis);
       return (low <= Number(around.max()[of_axis])) & (Number(around.min()[of_axis]) <= high);
     };
-    const unsigned meets = (along(0) & along(1) & along(2)).bits();
-    constexpr std::size_t kCount = Number::kCount;
-    return end - first < kCount ? meets & ((1U << (end - first)) - 1) : meets;
+    return first_bits(along(0) & along(1) & along(2), end - first);
   }
 
   Box3 box(std::size_t k) const {

@@ -162,8 +162,7 @@ class SpatialHash {
         std::memcpy(&x.value, &of.x_[axis][first], Bytes);
         return (low[axis] <= x) & (x <= high[axis]);
       };
-      const unsigned inside = (along(0) & along(1) & along(2)).bits();
-      return end - first < kCount ? inside & ((1U << (end - first)) - 1) : inside;
+      return first_bits(along(0) & along(1) & along(2), end - first);
     }
   };
 

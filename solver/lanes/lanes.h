@@ -110,6 +110,12 @@ struct LaneMask<64> {
   }
 };
 
+/// The bits of the first `count` lanes; others are not looked at.
+template <int Bytes>
+STICTION_LANES_INLINE unsigned first_bits(const LaneMask<Bytes>& where, std::size_t count) {
+  constexpr std::size_t kLanes = LaneMask<Bytes>::kCount;
+  return count < kLanes ? where.bits() & ((1U << count) - 1) : where.bits();
+}
 template <int Bytes>
 STICTION_LANES_INLINE bool none(const LaneMask<Bytes>& where) {
   if constexpr (Bytes == 64) {

@@ -65,6 +65,9 @@ TYPED_TEST(EachRegister, CountsWhereSomethingHolds) {
   EXPECT_EQ((~below).bits(), kAll - 1);
   EXPECT_EQ((a <= L(Real(1))).bits(), 3U & kAll);
   for (unsigned bits = 0; bits <= kAll; ++bits) EXPECT_EQ(L::Mask::of(bits).bits(), bits);
+  for (std::size_t count = 1; count < 2 * L::kCount; ++count) {
+    EXPECT_EQ(first_bits(~below, count), (kAll - 1) & ((1U << count) - 1)) << count;
+  }
   for (int lane = 0; lane < L::kCount; ++lane) {
     L one(Real(0));
     one.value[lane] = 1;
