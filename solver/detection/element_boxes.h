@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "solver/detection/boxes.h"
@@ -52,9 +51,7 @@ class ElementBoxes {
                                          std::size_t end) const {
     using Number = Lanes<Bytes>;
     const auto along = [&](std::size_t axis) __attribute__((always_inline)) {
-      Number low, high;
-      std::memcpy(&low.value, &low_[axis][first], Bytes);
-      std::memcpy(&high.value, &high_[axis][first], Bytes);
+      const Number low = Number::load(&low_[axis][first]), high = Number::load(&high_[axis][first]);
       const auto of_axis = static_cast<Eigen::Index>(axis);
       return (low <= Number(around.max()[of_axis])) & (Number(around.min()[of_axis]) <= high);
     };

@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -158,8 +157,7 @@ class SpatialHash {
     // Of the points from `first` on, below `end`: a bit each.
     STICTION_LANES_INLINE unsigned bits(std::size_t first, std::size_t end) const {
       const auto along = [&](std::size_t axis) __attribute__((always_inline)) {
-        Number x;
-        std::memcpy(&x.value, &of.x_[axis][first], Bytes);
+        const Number x = Number::load(&of.x_[axis][first]);
         return (low[axis] <= x) & (x <= high[axis]);
       };
       return first_bits(along(0) & along(1) & along(2), end - first);

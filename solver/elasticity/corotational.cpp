@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 
 #include "solver/elasticity/rotation.h"
 #include "solver/lanes/in_registers.h"
 #include "solver/lanes/lane_matrix.h"
+#include "solver/lanes/lane_records.h"
 #include "solver/lanes/lane_width.h"
 #include "solver/prefetch.h"
 
@@ -88,7 +88,7 @@ STICTION_LANES_INLINE void begin(const Scene& scene, std::size_t first, std::siz
   unrolled<kNumbers>([&](auto k) __attribute__((always_inline)) {
     const Real* const number = numbers + k * BlocksOfConstants::kBlock;
     ask_for(number + kElementsAhead * kNumbers);
-    std::memcpy(&constant[k].value, number, Bytes);
+    constant[k] = Number::load(number);
   });
   // Nine numbers of the inverse, then μV, λV, β.
   static_assert(offsetof(ElementConstants, damping_time) == 11 * sizeof(Real));

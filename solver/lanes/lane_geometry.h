@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/lanes/lane_matrix.h"
+#include "solver/lanes/lane_records.h"
 
 namespace stiction {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "solver/lanes/lane_matrix.h"
+#include "solver/lanes/lane_records.h"
 #include "solver/lanes/lane_width.h"
 #include "solver/testing/test_scenes.h"
 
