@@ -16,6 +16,7 @@
 #include "solver/depth/consistent_scratch.h"
 #include "solver/detection/element_boxes.h"
 #include "solver/detection/spatial_hash.h"
+#include "solver/detection/triangle_balls.h"
 #include "solver/elasticity/element_shares.h"
 #include "solver/parallel/team.h"
 #include "solver/state.h"
@@ -108,13 +109,8 @@ struct PairSearch {
     Real distance;  ///< of the group's vertex at the reference, m
     std::int32_t triangle;
   };
-  std::vector<Near> near;  ///< of each group: by distance, then triangle
-  /// Per surface triangle: a ball around it; infinite while the body can meet no other.
-  struct Ball {
-    Vec3 centre;  ///< m
-    Real radius;  ///< m
-  };
-  std::vector<Ball> ball;
+  std::vector<Near> near;          ///< of each group: by distance, then triangle
+  std::vector<TriangleBall> ball;  ///< per triangle; infinite while its body can meet no other
 
   // Scratch of making lists: what they were before, a meeting's elements and vertices, and where each
   // vertex's next candidate comes.

@@ -65,7 +65,7 @@ Projection project_by_balls(const Topology& topology, const PairSearch& search, 
   Nearest nearest{topology, search.predicted, point, resting};
   if (contact.triangle >= 0) nearest.consider(contact.triangle);
   const auto consider = [&](std::int32_t t) {
-    const PairSearch::Ball& ball = search.ball[static_cast<std::size_t>(t)];
+    const TriangleBall& ball = search.ball[static_cast<std::size_t>(t)];
     const Real least = nearest.reach + ball.radius;
     if (t == contact.triangle || (point - ball.centre).squaredNorm() > least * least * kRounding) {
       return;

@@ -89,7 +89,7 @@ class Measured {
       on_itself |= unsigned{is_on_itself(contact)} << lane;
     }
     open_ = Mask::of(open);
-    const Number deepest = Number(kSqueezed) * numbers(least_width);
+    const Number deepest = Number(kSqueezed) * Number::load(least_width);
     // A number, and one that is not too deep to be sure.
     const Mask near = (nearest_.distance2 < deepest * deepest) & (height_ <= height_);
     const Mask kept = open_ & (height_ < gap) & (off_plane2 <= border2);
@@ -177,7 +177,7 @@ class Measured {
 
   STICTION_LANES_INLINE Number depth() const {
     const Number zero(Real(0)), below = -height_;
-    const Number sunk = choose_below(zero, below, below, zero);
+    const Number sunk = greater(zero, below);
     return choose(open_ | sunk_, sunk, distance_);
   }
   STICTION_LANES_INLINE LaneVector<Number> direction() const {
@@ -204,11 +204,6 @@ class Measured {
     return has_corner<4>(&step_.scene.elements[element].vertex[0], contact.vertex);
   }
 
-  STICTION_LANES_INLINE static Number numbers(const Real* of) {
-    Number all;
-    std::memcpy(&all.value, of, Bytes);
-    return all;
-  }
   STICTION_LANES_INLINE LaneVector<Number> corner(int k) const {
     return at_vertices<Number>(x(),
                                [&](int lane) { return triangle(*batch_.contact[lane]).vertex[k]; });

@@ -17,13 +17,7 @@ inline bool holds(const Box3& box, const Vec3& x) {
          (x[1] <= high[1]) & (x[2] <= high[2]);
 }
 
-/// Whether two boxes have a point in common; an empty one has none.
-inline bool meet(const Box3& a, const Box3& b) {
-  return (a.min()[0] <= b.max()[0]) & (a.min()[1] <= b.max()[1]) & (a.min()[2] <= b.max()[2]) &
-         (b.min()[0] <= a.max()[0]) & (b.min()[1] <= a.max()[1]) & (b.min()[2] <= a.max()[2]);
-}
-
-/// Whether they have certainly none; where a border is no number, nothing is certain.
+/// Whether two boxes have certainly no point in common; where a border is no number, nothing is certain.
 inline bool apart(const Box3& a, const Box3& b) {
   return (a.min()[0] > b.max()[0]) | (a.min()[1] > b.max()[1]) | (a.min()[2] > b.max()[2]) |
          (b.min()[0] > a.max()[0]) | (b.min()[1] > a.max()[1]) | (b.min()[2] > a.max()[2]);

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -14,7 +13,6 @@
 #include "solver/detection/boxes.h"
 #include "solver/detection/follow.h"
 #include "solver/lanes/in_registers.h"
-#include "solver/lanes/lane_geometry.h"
 
 namespace stiction {
 
@@ -211,37 +209,10 @@ void find_candidates(const Scene& scene, PairSearch& search) {
   }
 }
 
-template <int Bytes>
-STICTION_LANES_INLINE void bound_side_by_side(const Topology& topology, std::size_t begin,
-                                              std::size_t end, PairSearch& search) {
-  using Number = Lanes<Bytes>;
-  constexpr std::size_t kCount = Number::kCount;
-  for (std::size_t first = begin; first < end; first += kCount) {
-    const auto corner = [&](int k) __attribute__((always_inline)) {
-      return at_vertices<Number>(search.reference, [&](int lane) {
-        return topology.triangle[std::min(first + static_cast<std::size_t>(lane), end - 1)]
-            .vertex[k];
-      });
-    };
-    const LaneVector<Number> p = corner(0), q = corner(1), r = corner(2);
-    const LaneVector<Number> centre = (p + q + r) / Number(Real(3));
-    const auto to = [&](const LaneVector<Number>& a) __attribute__((always_inline)) {
-      const LaneVector<Number> away = a - centre;
-      return dot_as_eigen(away, away);
-    };
-    const Number radius =
-        sqrt(greater(to(p), greater(to(q), to(r)))) + Number(std::sqrt(Real(3)) * search.skin);
-    static_assert(sizeof(PairSearch::Ball) == sizeof(FourNumbers));
-    FourNumbers balls[kCount];
-    store_records(centre.x, centre.y, centre.z, radius, balls);
-    std::memcpy(static_cast<void*>(&search.ball[first]), balls,
-                std::min(kCount, end - first) * sizeof(*balls));
-  }
-}
-
 // Balls that hold the triangles as long as the lists do.
-void bound_triangles(const Topology& topology, PairSearch& search) {
-  const PairSearch::Ball everywhere{Vec3::Zero(), std::numeric_limits<Real>::infinity()};
+void renew_balls(const Topology& topology, PairSearch& search) {
+  const Real moves = std::sqrt(Real(3)) * search.skin;
+  const TriangleBall everywhere{Vec3::Zero(), std::numeric_limits<Real>::infinity()};
   for (std::size_t b = 0; b < search.overlap.size(); ++b) {
     const auto begin = static_cast<std::size_t>(topology.body_triangle_begin[b]);
     const auto end = static_cast<std::size_t>(topology.body_triangle_begin[b + 1]);
@@ -253,11 +224,7 @@ void bound_triangles(const Topology& topology, PairSearch& search) {
                 search.ball.begin() + static_cast<std::ptrdiff_t>(end), everywhere);
       continue;
     }
-    in_lanes(
-        static_cast<int>(end - begin),
-        lane_width(), [&](auto bytes) __attribute__((always_inline)) {
-          bound_side_by_side<bytes>(topology, begin, end, search);
-        });
+    bound_triangles(topology, begin, end, search.reference, moves, lane_width(), search.ball);
   }
 }
 
@@ -330,7 +297,7 @@ bool update_candidates(const Scene& scene, Real dt, const State& state,
   if (!follow(scene, dt, state, velocity, team, search)) return false;
   bound_bodies(scene, search);
   find_meetings(scene, search);
-  bound_triangles(scene.topology, search);
+  renew_balls(scene.topology, search);
   find_candidates(scene, search);
   sort_candidates(scene.mass.size(), search);
   group_candidates(scene.topology, search);
@@ -347,7 +314,7 @@ void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Gr
   const auto end = topology.near.begin() + topology.near_begin[e + 1];
   if (begin == end) return;
   ++group.listings;
-  const auto ball = [&](std::int32_t t) -> const PairSearch::Ball& {
+  const auto ball = [&](std::int32_t t) -> const TriangleBall& {
     return search.ball[static_cast<std::size_t>(t)];
   };
   // D is at most the distance of any triangle; that with the nearest centre is a good one.

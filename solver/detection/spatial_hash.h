@@ -34,7 +34,7 @@ class SpatialHash {
     entries_.clear();
   }
 
-  void add(std::int32_t point, const Vec3& x) { entries_.push_back({x, cell(x), point}); }
+  void add(std::int32_t point, const Vec3& x) { entries_.push_back({x, Cell::Zero(), point}); }
 
   /// To be called once, when all points are in.
   void build() {
@@ -134,7 +134,7 @@ class SpatialHash {
  private:
   struct Entry {
     Vec3 x;
-    Cell cell;
+    Cell cell;  // where they are more than a few
     std::int32_t point;
   };
 
@@ -176,9 +176,9 @@ class SpatialHash {
   // The box of the points' cells, and how many it has where they are few enough to be numbered.
   void number_cells() {
     cells_ = 0;
-    if (entries_.empty()) return;
-    low_ = high_ = entries_[0].cell;
-    for (const Entry& entry : entries_) {
+    low_ = high_ = cell(entries_[0].x);
+    for (Entry& entry : entries_) {
+      entry.cell = cell(entry.x);
       low_ = low_.cwiseMin(entry.cell);
       high_ = high_.cwiseMax(entry.cell);
     }
