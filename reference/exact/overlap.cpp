@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace stiction::reference {
 
@@ -35,6 +36,8 @@ Triangles triangles_of(const Skin& skin) {
   }
   return all;
 }
+
+}  // namespace
 
 class Solid {
  public:
@@ -102,6 +105,8 @@ class Solid {
   Tree tree_;
 };
 
+namespace {
+
 // Whether a plane shows that no point of `inner` is deeper than `allowed` in `outer`: as far as that beyond
 // the plane there is nothing of `outer`, and of `inner` all. Between bodies that touch by faces that are
 // nearly flat, one of a face does, or one across the way between their middles.
@@ -142,6 +147,9 @@ bool is_apart(const Skin& inner, const Skin& outer, double allowed) {
   return false;
 }
 
+// Depths up to this part of what is allowed are less than that, whatever the rounding.
+constexpr double kNearly = 0.999;
+
 // Whether the way from a to b touches the box.
 bool meets_box(const Vector3d& a, const Vector3d& b, const Vector3d& low, const Vector3d& high) {
   double from = 0.0, to = 1.0;
@@ -178,6 +186,7 @@ Skin::Skin(Eigen::Matrix3Xi triangles, Eigen::Matrix3Xd vertices)
 
 void Skin::move(Eigen::Matrix3Xd vertices) {
   vertices_ = std::move(vertices);
+  solid_.reset();
   low_.setConstant(std::numeric_limits<double>::infinity());
   high_ = -low_;
   for (const int v : used_) {
@@ -186,8 +195,12 @@ void Skin::move(Eigen::Matrix3Xd vertices) {
   }
 }
 
+const Solid& Skin::solid() const {
+  if (!solid_) solid_ = std::make_shared<const Solid>(*this);
+  return *solid_;
+}
+
 double Skin::thickness() const {
-  const Solid solid(*this);
   const double diagonal = (high_ - low_).norm();
   std::vector<std::pair<double, double>> ways;  // and areas
   double area = 0.0;
@@ -197,7 +210,7 @@ double Skin::thickness() const {
                    c = vertices_.col(triangles_(2, t));
     const Vector3d normal = (b - a).cross(c - a);  // twice the area
     if (!(normal.norm() > 0.0)) continue;
-    ways.emplace_back(solid.way_through((a + b + c) / 3.0, -normal.normalized(), diagonal),
+    ways.emplace_back(solid().way_through((a + b + c) / 3.0, -normal.normalized(), diagonal),
                       normal.norm());
     area += normal.norm();
   }
@@ -219,37 +232,52 @@ std::optional<Overlap> deepest(const Skin& inner, const Skin& outer, double allo
   }
   if (is_apart(inner, outer, allowed)) return std::nullopt;
   const Eigen::Matrix3Xd& x = inner.vertices();
-  std::optional<Solid> solid;
-  const auto body = [&]() -> const Solid& {
-    if (!solid) solid.emplace(outer);
-    return *solid;
-  };
   std::optional<Overlap> worst;
   const auto note = [&](const Vector3d& at) {
-    const double depth = body().distance(at);
+    const double depth = outer.solid().distance(at);
     if (depth > allowed && (!worst || depth > worst->depth)) worst = {depth, at, false};
   };
   const auto in_box = [&](const Vector3d& at) {
     return (at.array() >= low.array()).all() && (at.array() <= high.array()).all();
   };
-  std::vector<std::optional<bool>> held(static_cast<std::size_t>(x.cols()));
+  struct Crossed {
+    int a, b;
+    std::vector<double> shares;
+  };
+  std::vector<Crossed> crossed;
+  // Ends of an edge that meets no triangle are both inside or both outside, and so on along such edges.
+  std::vector<int> as(static_cast<std::size_t>(x.cols()));
+  std::iota(as.begin(), as.end(), 0);
+  const auto first_as = [&](int v) {
+    const auto next = [&](int of) -> int& { return as[static_cast<std::size_t>(of)]; };
+    while (next(v) != v) v = next(v) = next(next(v));
+    return v;
+  };
+  for (const auto& [a, b] : inner.edges()) {
+    if (!meets_box(x.col(a), x.col(b), low, high)) continue;
+    crossed.push_back({a, b, outer.solid().crossings(x.col(a), x.col(b))});
+    if (crossed.back().shares.size() == 2) as[static_cast<std::size_t>(first_as(a))] = first_as(b);
+  }
+  std::vector<std::optional<bool>> held(as.size());
   const auto holds = [&](int v) {
-    std::optional<bool>& known = held[static_cast<std::size_t>(v)];
-    if (!known) known = body().holds(x.col(v));
+    std::optional<bool>& known = held[static_cast<std::size_t>(first_as(v))];
+    if (!known) known = outer.solid().holds(x.col(v));
     return *known;
   };
   for (const int v : inner.used()) {
     if (in_box(x.col(v)) && holds(v)) note(x.col(v));
   }
-  for (const auto& [a, b] : inner.edges()) {
-    if (!meets_box(x.col(a), x.col(b), low, high)) continue;
-    const std::vector<double> shares = body().crossings(x.col(a), x.col(b));
-    if (shares.size() == 2 && !holds(a)) continue;  // it is outside, and so is all of the edge
+  for (const auto& [a, b, shares] : crossed) {
+    const bool meets = shares.size() > 2;
+    if (!meets && !holds(a)) continue;  // it is outside, and so is all of the edge
+    const double length = (x.col(b) - x.col(a)).norm();
     for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
+      // The surface is no farther than an end of the stretch, where it is met.
+      if (meets && 0.5 * (shares[k + 1] - shares[k]) * length < kNearly * allowed) continue;
       const Vector3d middle = x.col(a) + 0.5 * (shares[k] + shares[k + 1]) * (x.col(b) - x.col(a));
       if (!in_box(middle)) continue;
       const double before = worst ? worst->depth : 0.0;
-      if (body().holds(middle)) note(middle);
+      if (outer.solid().holds(middle)) note(middle);
       if (worst && worst->depth > before) worst->by_an_edge = !holds(a) && !holds(b);
     }
   }

@@ -62,6 +62,8 @@ TEST(Overlap, OfABarThroughASheetIsHalfItsThickness) {
   ASSERT_TRUE(bar_in_sheet);
   EXPECT_TRUE(bar_in_sheet->by_an_edge);
   EXPECT_NEAR(bar_in_sheet->depth, 0.005, 1e-15);
+  EXPECT_TRUE(deepest(bar, sheet, 0.00499)) << "just more than is allowed";
+  EXPECT_FALSE(deepest(bar, sheet, 0.00501));
 }
 
 TEST(Overlap, OfASwallowedBodyIsOfItsVertices) {
@@ -70,6 +72,37 @@ TEST(Overlap, OfASwallowedBodyIsOfItsVertices) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->depth, 0.5, 0.1 + 1e-12);  // at least that of a vertex, 0.4
   EXPECT_FALSE(deepest(big, small, 0.01));
+}
+
+// What was known of the surface, and of which vertices it holds, is of the places of then.
+TEST(Overlap, IsAskedAnewWhereBodiesHaveMoved) {
+  Skin big = box({1, 1, 1}, {0, 0, 0}), small = box({0.2, 0.2, 0.2}, {0, 0, 0});
+  const Eigen::Matrix3Xd here = big.vertices(), inside = small.vertices();
+  ASSERT_TRUE(deepest(small, big, 0.01));
+  big.move(here.colwise() + Vector3d(5, 0, 0));
+  EXPECT_FALSE(deepest(small, big, 0.01));
+  small.move(inside.colwise() + Vector3d(5.5, 0, 0));
+  const auto found = deepest(small, big, 0.01);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->depth, 0.1, 1e-14);
+}
+
+// Parts that no edge joins, one inside and one outside, of any order of vertices.
+TEST(Overlap, OfOnePartSaysNothingOfAnother) {
+  const Skin big = box({1, 1, 1}, {0, 0, 0}, {2, 2, 2}), part = box({0.2, 0.2, 0.2}, {0, 0, 0});
+  const Eigen::Index count = part.vertices().cols(), faces = part.triangles().cols();
+  Eigen::Matrix3Xi triangles(3, 2 * faces);
+  triangles << part.triangles(), part.triangles().array() + static_cast<int>(count);
+  for (const bool first_inside : {false, true}) {
+    const Vector3d away(0.9, 0.0, 0.0);
+    Eigen::Matrix3Xd vertices(3, 2 * count);
+    vertices << part.vertices().colwise() + (first_inside ? Vector3d(0, 0, 0) : away),
+        part.vertices().colwise() + (first_inside ? away : Vector3d(0, 0, 0));
+    const auto found = deepest(Skin(triangles, vertices), big, 0.05);
+    ASSERT_TRUE(found) << first_inside;
+    EXPECT_NEAR(found->depth, 0.5, 0.1 + 1e-12);
+  }
+  EXPECT_FALSE(deepest(big, part, 0.11));
 }
 
 // By the closed form: centres d apart, of radius r, leave 2r − d; facets take up to their sagitta.
