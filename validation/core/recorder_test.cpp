@@ -100,7 +100,8 @@ TEST(Recorder, WhatIsKeptIsNamedInTheRecord) {
   const std::vector<Job> jobs = {slide(0.0), slide(0.05)};
   std::vector<Record> records(2);
   const auto finished = [&](std::size_t index, Record record) { records[index] = record; };
-  run_jobs(jobs, 1, 1.0, finished, [](std::size_t index, const Recording& recording) {
+  const std::size_t order[] = {0, 1};
+  run_jobs(jobs, order, 1, 1.0, finished, [](std::size_t index, const Recording& recording) {
     return std::to_string(index) + ":" + std::to_string(recording.frames.size());
   });
   EXPECT_EQ(records[0].frames, "");

@@ -144,11 +144,12 @@ void run_numbered(std::size_t count, int threads, const std::function<void(std::
   });
 }
 
-void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
-              const std::function<void(std::size_t, Record)>& finished, const KeepRecording& keep) {
+void run_jobs(const std::vector<Job>& jobs, std::span<const std::size_t> order, int threads,
+              double tolerance_scale, const std::function<void(std::size_t, Record)>& finished,
+              const KeepRecording& keep) {
   std::mutex one_at_a_time;
-  // Jobs are taken in order, so that their results can be shown in order soon after they are known.
-  run_numbered(jobs.size(), threads, [&](std::size_t k) {
+  run_numbered(order.size(), threads, [&](std::size_t place) {
+    const std::size_t k = order[place];
     std::optional<Recording> recording;
     Record record = run_job(jobs[k], tolerance_scale, keep ? &recording : nullptr);
     const std::lock_guard<std::mutex> lock(one_at_a_time);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,12 +54,12 @@ void run_numbered(std::size_t count, int threads, const std::function<void(std::
 /// Keeps the recording of the job with this index; gives the record's `frames`.
 using KeepRecording = std::function<std::string(std::size_t, const Recording&)>;
 
-/// Runs the jobs on `threads` threads, each job on one. `finished(index, record)` is called once a
-/// job, from any thread, one call at a time, and `keep` just before it when the case recorded
-/// something; when one throws, no further job starts and the exception leaves this function.
-/// Without `keep` nothing is recorded.
-void run_jobs(const std::vector<Job>& jobs, int threads, double tolerance_scale,
-              const std::function<void(std::size_t, Record)>& finished,
+/// Runs jobs on `threads` threads, each job on one, begun in `order`: indices, each once.
+/// `finished(index, record)` is called once a job, from any thread, one call at a time, and `keep` just
+/// before it when the case recorded something; when one throws, no further job starts and the exception
+/// leaves this function. Without `keep` nothing is recorded.
+void run_jobs(const std::vector<Job>& jobs, std::span<const std::size_t> order, int threads,
+              double tolerance_scale, const std::function<void(std::size_t, Record)>& finished,
               const KeepRecording& keep = {});
 
 }  // namespace stiction

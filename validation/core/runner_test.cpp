@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 
@@ -150,10 +151,16 @@ std::vector<Job> sliding_jobs() {
   return jobs;
 }
 
+std::vector<std::size_t> in_order(std::size_t jobs) {
+  std::vector<std::size_t> order(jobs);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
 std::vector<Record> run_all(const std::vector<Job>& jobs, int threads) {
   std::vector<Record> records(jobs.size());
   std::vector<int> calls(jobs.size(), 0);
-  run_jobs(jobs, threads, 1.0, [&](std::size_t index, Record record) {
+  run_jobs(jobs, in_order(jobs.size()), threads, 1.0, [&](std::size_t index, Record record) {
     records[index] = std::move(record);
     ++calls[index];
   });
@@ -178,6 +185,14 @@ TEST(RunJobs, GivesTheSameRecordsOnOneThreadAndOnTwo) {
   }
 }
 
+TEST(RunJobs, BeginsThemInTheOrderThatIsSaid) {
+  const std::size_t order[] = {4, 0, 5, 1, 2, 3};
+  std::vector<std::size_t> finished;
+  run_jobs(sliding_jobs(), order, 1, 1.0,
+           [&](std::size_t index, const Record&) { finished.push_back(index); });
+  EXPECT_EQ(finished, std::vector<std::size_t>(std::begin(order), std::end(order)));
+}
+
 TEST(RunJobs, StopsWhenARecordCannotBeKeptAndPassesTheReasonOn) {
   for (const int threads : {1, 2}) {
     std::atomic<int> started{0};
@@ -193,7 +208,7 @@ TEST(RunJobs, StopsWhenARecordCannotBeKeptAndPassesTheReasonOn) {
     const auto keep = [&](std::size_t, const Record&) {
       if (records++ == 0) throw std::runtime_error("disk full");
     };
-    EXPECT_THROW(run_jobs(jobs, threads, 1.0, keep), std::runtime_error);
+    EXPECT_THROW(run_jobs(jobs, in_order(jobs.size()), threads, 1.0, keep), std::runtime_error);
     EXPECT_LE(started.load(), threads) << "no further job starts";
   }
 }

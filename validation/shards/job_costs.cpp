@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -65,6 +66,22 @@ std::vector<double> estimated_seconds(const std::vector<Job>& jobs) {
         job.which.name, called_configuration(job.engine, job.which.name, job.settings).name));
   }
   return seconds;
+}
+
+std::vector<std::size_t> order_to_begin(const std::vector<double>& seconds, int threads) {
+  std::vector<std::size_t> left(seconds.size()), order;
+  std::iota(left.begin(), left.end(), 0);
+  double of_left = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  while (!left.empty()) {
+    const auto longest =
+        std::max_element(left.begin(), left.end(),
+                         [&](std::size_t a, std::size_t b) { return seconds[a] < seconds[b]; });
+    const auto next = seconds[*longest] * threads >= of_left ? longest : left.begin();
+    order.push_back(*next);
+    of_left -= seconds[*next];
+    left.erase(next);
+  }
+  return order;
 }
 
 std::vector<std::size_t> jobs_of(const Shard& shard, const std::vector<Job>& jobs,

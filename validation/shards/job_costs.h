@@ -26,6 +26,10 @@ enum class Together { kCases, kNothing };
 /// as this project's.
 std::vector<double> estimated_seconds(const std::vector<Job>& jobs);
 
+/// The order in which so many threads begin jobs that take so long, s: theirs, but one that would go on
+/// alone after all others behind it is begun sooner, when what is left takes the threads no longer.
+std::vector<std::size_t> order_to_begin(const std::vector<double>& seconds, int threads);
+
 /// The jobs of a shard, in order, balanced by what they cost.
 std::vector<std::size_t> jobs_of(const Shard& shard, const std::vector<Job>& jobs,
                                  Together together);

@@ -55,6 +55,16 @@ TEST(JobCosts, TheTableNamesEachCaseAndConfigurationOnce) {
   EXPECT_GT(seen.size(), 200u) << "case_costs.py writes it from the records of ./stiction validate";
 }
 
+TEST(OrderToBegin, TakesALongJobBeforeItWouldBeTheLastAlone) {
+  using Order = std::vector<std::size_t>;
+  EXPECT_EQ(order_to_begin({}, 2), Order{});
+  EXPECT_EQ(order_to_begin({1, 1, 1, 1}, 2), (Order{0, 1, 2, 3}));
+  EXPECT_EQ(order_to_begin({1, 1, 1, 1, 1, 1, 1, 1, 4}, 2), (Order{0, 1, 2, 3, 8, 4, 5, 6, 7}));
+  EXPECT_EQ(order_to_begin({1, 1, 1, 1, 1, 1, 1, 1, 4}, 1), (Order{0, 1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(order_to_begin({1, 1, 9}, 2), (Order{2, 0, 1})) << "longer than all others";
+  EXPECT_EQ(order_to_begin({1, 1, 1, 1, 1, 3, 2}, 3), (Order{0, 5, 6, 1, 2, 3, 4}));
+}
+
 TEST(JobCosts, JobsOfACaseStayTogetherWhereTheyMayShare) {
   const std::vector<Job> jobs = jobs_of_cases({"a/x", "b/y", "a/x", "c/z", "b/y", "a/x"});
   for (std::size_t number = 1; number <= 3; ++number) {

@@ -58,7 +58,10 @@ void Portion::run(RecordStore& store, int threads, double tolerance_scale,
     record.job = numbers_[job];
     finished(job, std::move(record));
   };
-  if (!parts_) return run_jobs(jobs_, threads, tolerance_scale, numbered, keep);
+  if (!parts_) {
+    const std::vector<std::size_t> order = order_to_begin(estimated_seconds(jobs_), threads);
+    return run_jobs(jobs_, order, threads, tolerance_scale, numbered, keep);
+  }
   for (std::size_t job = 0; job < jobs_.size(); ++job) {
     Record record = parts_->record(numbers_[job]);
     take_recording(record, parts_->folder(numbers_[job]), store.folder());
