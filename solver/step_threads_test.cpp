@@ -32,17 +32,47 @@ Scene sliding_plates() {
   return build_scene(description);
 }
 
+// Bars across bars, which meet by their edges, some at once and others later.
+Scene crossed_bars() {
+  constexpr int kBars = 24;
+  const Material material{1000.0, 1e5, 0.3, 1e-4};
+  SceneDescription description;
+  for (const bool above : {false, true}) {
+    for (int k = 0; k < kBars; ++k) {
+      const Eigen::Vector3i cells =
+          above ? Eigen::Vector3i(1, 2 * kBars, 1) : Eigen::Vector3i(2 * kBars, 1, 1);
+      BodyDescription bar = test::elastic_body(test::grid_mesh(cells, kCell), material);
+      bar.name = (above ? "above " : "below ") + std::to_string(k);
+      const double aside = (2.0 * k + 0.37) * kCell;
+      const double gap = 1e-5 * (k % 7 - 1);
+      bar.mesh.vertices.colwise() += above ? Vec3(aside, 0.0, kCell + gap) : Vec3(0.0, aside, 0.0);
+      bar.initial_velocity =
+          Vec3(0.0, 0.0, above ? -0.2 : 0.0).replicate(1, bar.mesh.vertices.cols()) +
+          test::noise(bar.mesh.vertices.cols(), 0.01, static_cast<unsigned>(k));
+      description.bodies.push_back(std::move(bar));
+    }
+  }
+  description.friction = 0.3;
+  return build_scene(description);
+}
+
 struct Ran {
   std::uint64_t hash = 0;
-  std::size_t pairs = 0, obstacles = 0;
+  std::size_t pairs = 0, obstacles = 0, edge_candidates = 0;
+  std::size_t edges = 0;  // of all steps
 };
 
 Ran run(const Scene& scene, const Options& options, const Team* team) {
   State state = initial_state(scene);
   Workspace workspace;
   workspace.team = team;
-  for (int k = 0; k < kSteps; ++k) step(scene, options, state, workspace);
-  return {hash_of(state), workspace.pairs.size(), workspace.contacts.size()};
+  std::size_t edges = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    step(scene, options, state, workspace);
+    edges += workspace.edges.size();
+  }
+  return {hash_of(state), workspace.pairs.size(), workspace.contacts.size(),
+          workspace.search.edge_candidate.size(), edges};
 }
 
 Options quiet() { return {.time_step = 5e-5}; }
@@ -69,6 +99,20 @@ TEST(StepThreads, HaveTheBitsOfOneAtAnyNumber) {
       EXPECT_EQ(run(scene, options, &team).hash, alone.hash)
           << options.rule << " with " << threads << " threads";
     }
+  }
+}
+
+TEST(StepThreads, HaveTheBitsOfOneWhereEdgesCross) {
+  if (most_threads() == 1) GTEST_SKIP() << "built without oneTBB";
+  const Scene scene = crossed_bars();
+  const Ran alone = run(scene, quiet(), nullptr);
+  ASSERT_GE(alone.edge_candidates, 2048u) << "two threads take half each";
+  ASSERT_GE(alone.edges, 2000u);
+  for (const int threads : {2, 3, 8}) {
+    const Team team(threads);
+    const Ran together = run(scene, quiet(), &team);
+    EXPECT_EQ(together.hash, alone.hash) << threads << " threads";
+    EXPECT_EQ(together.edges, alone.edges) << threads << " threads";
   }
 }
 

@@ -162,7 +162,6 @@ struct PairSearch {
     std::int8_t apart = 0;  ///< steps in a row in which they couldn't
   };
   std::vector<EdgePair> edge_candidate;  ///< in the order of their keys
-  std::vector<Vec3> start;               ///< x_t0 of the vertices at such edges, m
   /// How two edges pass each other.
   struct EdgeCrossing {
     Real along_a, along_b;  ///< where, 0 … 1 from the first end
@@ -177,6 +176,12 @@ struct PairSearch {
   };
   std::vector<EdgeTouch> edge_touch;
   std::vector<std::uint64_t> touch_by_b;  ///< their places below their edges b
+  /// … of a part of the candidates, which a thread of a team looks at.
+  struct EdgePart {
+    std::vector<EdgeTouch> touch;
+    std::vector<Vec3> start;  ///< x_t0 of the vertices at edges that were asked for, m
+  };
+  std::vector<EdgePart> edge_part;
 };
 
 /// What a sweep changed.

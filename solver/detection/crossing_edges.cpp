@@ -11,6 +11,7 @@
 #include "solver/detection/lasting.h"
 #include "solver/detection/pair_candidates.h"
 #include "solver/lanes/lane_width.h"
+#include "solver/parallel/team.h"
 
 namespace stiction {
 
@@ -85,21 +86,24 @@ EdgeContact contact_of(const Topology& topology, const Touch& touch) {
   return contact;
 }
 
-// Tests the candidates of a step, several side by side.
+// Tests a part of the candidates of a step, several side by side.
 class EdgeTest {
  public:
-  EdgeTest(const Scene& scene, const Options& options, const State& state, PairSearch& search)
+  EdgeTest(const Scene& scene, const Options& options, const State& state, PairSearch& search,
+           PairSearch::EdgePart& part)
       : topology_(scene.topology),
         state_(state),
         search_(search),
+        part_(part),
         deepest_(kDeepest * scene.topology.mean_edge),
         limits_(scene, options, state),
         width_(lane_width()) {}
 
-  // Leaves those that touch in `search.edge_touch`.
-  void run() {
-    search_.edge_touch.clear();
-    for (PairSearch::EdgePair& candidate : search_.edge_candidate) {
+  // Leaves those of begin … end − 1 that touch in `part.touch`.
+  void run(std::size_t begin, std::size_t end) {
+    part_.touch.clear();
+    for (std::size_t c = begin; c < end; ++c) {
+      PairSearch::EdgePair& candidate = search_.edge_candidate[c];
       if (path_of(candidate) < candidate.apart_until) continue;
       const auto lane = static_cast<std::size_t>(batch_.count++);
       asked_[lane] = &candidate;
@@ -126,7 +130,7 @@ class EdgeTest {
                list_rounding(search_, search_.predicted[v].norm());
       });
       if (!apart && touches(lane)) {
-        search_.edge_touch.push_back({pair.key, batch_.crossing[lane]});
+        part_.touch.push_back({pair.key, batch_.crossing[lane]});
       }
     }
     batch_.count = 0;
@@ -147,7 +151,7 @@ class EdgeTest {
   }
 
   bool was_apart(ContactKey key) {
-    std::vector<Vec3>& start = search_.start;
+    std::vector<Vec3>& start = part_.start;
     start.resize(state_.position.size());
     for (const std::int32_t e : {first_of(key), second_of(key)}) {
       for (const std::int32_t v :
@@ -189,12 +193,38 @@ class EdgeTest {
   const Topology& topology_;
   const State& state_;
   PairSearch& search_;
+  PairSearch::EdgePart& part_;
   Real deepest_;
   OpenLimits limits_;
   int width_;
   EdgeBatch batch_;
   PairSearch::EdgePair* asked_[kMostLanes];
 };
+
+// With fewer candidates in a part, what it takes to wake a thread is more than it does.
+constexpr std::size_t kCandidatesToShare = 1024;
+
+// Leaves the candidates that touch in `search.edge_touch`, in their order.
+void find_touches(const Scene& scene, const Options& options, const State& state,
+                  Workspace& workspace) {
+  PairSearch& search = workspace.search;
+  const std::size_t count = search.edge_candidate.size();
+  const std::size_t parts = ranges_of(workspace.team, count, kCandidatesToShare);
+  if (search.edge_part.size() < parts) search.edge_part.resize(parts);
+  for_each(workspace.team, parts, [&](std::size_t k) {
+    EdgeTest(scene, options, state, search, search.edge_part[k])
+        .run(count * k / parts, count * (k + 1) / parts);
+  });
+  if (parts == 1) {
+    std::swap(search.edge_touch, search.edge_part[0].touch);
+    return;
+  }
+  search.edge_touch.clear();
+  for (std::size_t k = 0; k < parts; ++k) {
+    const std::vector<Touch>& touch = search.edge_part[k].touch;
+    search.edge_touch.insert(search.edge_touch.end(), touch.begin(), touch.end());
+  }
+}
 
 }  // namespace
 
@@ -207,7 +237,7 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
                     Workspace& workspace) {
   const Topology& topology = scene.topology;
   PairSearch& search = workspace.search;
-  EdgeTest(scene, options, state, search).run();
+  find_touches(scene, options, state, workspace);
   EdgeContacts& contacts = workspace.edges;
   contacts.clear();
   mark_outdone(topology, search);
