@@ -213,7 +213,7 @@ void find_touches(const Scene& scene, const Options& options, const State& state
   if (search.edge_part.size() < parts) search.edge_part.resize(parts);
   for_each(workspace.team, parts, [&](std::size_t k) {
     EdgeTest(scene, options, state, search, search.edge_part[k])
-        .run(count * k / parts, count * (k + 1) / parts);
+        .run(range_begin(count, k, parts), range_begin(count, k + 1, parts));
   });
   if (parts == 1) {
     std::swap(search.edge_touch, search.edge_part[0].touch);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/parallel/team.h"
+
 namespace stiction {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 std::size_t border_of(const Scene& scene, std::size_t share, std::size_t count) {
   constexpr std::size_t kBlock = BlocksOfConstants::kBlock;
   if (share == count) return scene.elements.size();
-  return scene.elements.size() * share / count / kBlock * kBlock;
+  return range_begin(scene.elements.size(), share, count) / kBlock * kBlock;
 }
 
 }  // namespace

@@ -70,12 +70,20 @@ inline std::size_t ranges_of(const Team* team, std::size_t count, std::size_t gr
   return std::min(count / grain, 4 * static_cast<std::size_t>(team->size()));
 }
 
+/// Where the k-th of the ranges begins; at `ranges` that is `count`. Each is shorter than those before it,
+/// so that who finds none left waits for a short one of another's.
+inline std::size_t range_begin(std::size_t count, std::size_t k, std::size_t ranges) {
+  const std::size_t left = ranges - k;
+  return count - count * left * left / (ranges * ranges);
+}
+
 /// Calls work(begin, end) for those ranges, which make up 0 … count.
 template <class Work>
 void for_ranges(const Team* team, std::size_t count, std::size_t grain, const Work& work) {
   const std::size_t ranges = ranges_of(team, count, grain);
-  for_each(team, ranges,
-           [&](std::size_t k) { work(count * k / ranges, count * (k + 1) / ranges); });
+  for_each(team, ranges, [&](std::size_t k) {
+    work(range_begin(count, k, ranges), range_begin(count, k + 1, ranges));
+  });
 }
 
 }  // namespace stiction

@@ -173,6 +173,12 @@ TEST_F(TeamOfMany, RangesMakeUpTheWhole) {
     });
     for (const auto& times : seen) EXPECT_EQ(times, 1);
   }
+  for (std::size_t k = 1; k < 12; ++k) {
+    const auto length = [](std::size_t of) {
+      return range_begin(1'000'000, of + 1, 12) - range_begin(1'000'000, of, 12);
+    };
+    EXPECT_LT(length(k), length(k - 1)) << "the last are short";
+  }
   EXPECT_EQ(ranges_of(&team, 19, 10), 1u);
   EXPECT_EQ(ranges_of(&team, 20, 10), 2u);
   EXPECT_EQ(ranges_of(&team, 1000, 10), 12u);
