@@ -17,6 +17,9 @@ namespace stiction::reference {
 
 namespace {
 
+// Depths up to this part of what is allowed are less than that, whatever the rounding.
+constexpr double kNearly = 0.999;
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangles = std::vector<Kernel::Triangle_3>;
@@ -146,9 +149,6 @@ bool is_apart(const Skin& inner, const Skin& outer, double allowed) {
   }
   return false;
 }
-
-// Depths up to this part of what is allowed are less than that, whatever the rounding.
-constexpr double kNearly = 0.999;
 
 // Whether the way from a to b touches the box.
 bool meets_box(const Vector3d& a, const Vector3d& b, const Vector3d& low, const Vector3d& high) {

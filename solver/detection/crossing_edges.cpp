@@ -211,10 +211,10 @@ void find_touches(const Scene& scene, const Options& options, const State& state
   const std::size_t count = search.edge_candidate.size();
   const std::size_t parts = ranges_of(workspace.team, count, kCandidatesToShare);
   if (search.edge_part.size() < parts) search.edge_part.resize(parts);
-  for_each(workspace.team, parts, [&](std::size_t k) {
-    EdgeTest(scene, options, state, search, search.edge_part[k])
-        .run(range_begin(count, k, parts), range_begin(count, k + 1, parts));
-  });
+  for_each_range(workspace.team, count, parts,
+                 [&](std::size_t k, std::size_t begin, std::size_t end) {
+                   EdgeTest(scene, options, state, search, search.edge_part[k]).run(begin, end);
+                 });
   if (parts == 1) {
     std::swap(search.edge_touch, search.edge_part[0].touch);
     return;

@@ -222,18 +222,16 @@ void merge_with_kept(const Scene& scene, const PairSearch& search, const PairGeo
   }
   // Counted first, so that each range knows where its contacts come.
   std::vector<std::size_t> first(ranges + 1, 0);
-  for_each(team, ranges, [&](std::size_t r) {
-    merge(range_begin(groups, r, ranges), range_begin(groups, r + 1, ranges),
-          [&](ContactKey, std::int32_t, std::int32_t, bool) { ++first[r + 1]; });
+  for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
+    merge(begin, end, [&](ContactKey, std::int32_t, std::int32_t, bool) { ++first[r + 1]; });
   });
   std::partial_sum(first.begin(), first.end(), first.begin());
   pairs.resize(first[ranges]);
-  for_each(team, ranges, [&](std::size_t r) {
+  for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
     PairContact* next = pairs.data() + first[r];
-    merge(range_begin(groups, r, ranges), range_begin(groups, r + 1, ranges),
-          [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
-            *next++ = contact_at(scene, key, element, triangle, open);
-          });
+    merge(begin, end, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
+      *next++ = contact_at(scene, key, element, triangle, open);
+    });
   });
 }
 

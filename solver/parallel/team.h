@@ -62,9 +62,9 @@ void for_each(const Team* team, std::size_t count, const Work& work) {
   Team::run(team, count, call, &work);
 }
 
-/// Into how many ranges of at least `grain` numbers `count` of them are cut for a team: four for each
-/// thread, so that one that another program holds up holds up no more than a quarter; one where
-/// there is no team, or nothing to share.
+/// Into how many ranges of `grain` numbers or more, on average, `count` of them are cut for a team: four
+/// for each thread, so that where another program holds one up the others have the rest; one where there
+/// is no team, or nothing to share.
 inline std::size_t ranges_of(const Team* team, std::size_t count, std::size_t grain) {
   if (team == nullptr || team->size() == 1 || count < 2 * grain) return 1;
   return std::min(count / grain, 4 * static_cast<std::size_t>(team->size()));
@@ -77,13 +77,19 @@ inline std::size_t range_begin(std::size_t count, std::size_t k, std::size_t ran
   return count - count * left * left / (ranges * ranges);
 }
 
-/// Calls work(begin, end) for those ranges, which make up 0 … count.
+/// Calls work(k, begin, end) for so many ranges, which make up 0 … count.
+template <class Work>
+void for_each_range(const Team* team, std::size_t count, std::size_t ranges, const Work& work) {
+  for_each(team, ranges, [&](std::size_t k) {
+    work(k, range_begin(count, k, ranges), range_begin(count, k + 1, ranges));
+  });
+}
+
+/// Calls work(begin, end) for as many as `ranges_of` says.
 template <class Work>
 void for_ranges(const Team* team, std::size_t count, std::size_t grain, const Work& work) {
-  const std::size_t ranges = ranges_of(team, count, grain);
-  for_each(team, ranges, [&](std::size_t k) {
-    work(range_begin(count, k, ranges), range_begin(count, k + 1, ranges));
-  });
+  for_each_range(team, count, ranges_of(team, count, grain),
+                 [&](std::size_t, std::size_t begin, std::size_t end) { work(begin, end); });
 }
 
 }  // namespace stiction
