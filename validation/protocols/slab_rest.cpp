@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace stiction {
 
@@ -16,10 +17,13 @@ SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& 
   SlabOutcome outcome;
   double now = 0.0, before = INFINITY;  // highest kinetic energy in this window and the last, J
   int in_window = 0, stalled = 0, rested = 0;
+  std::deque<SlabSample> late;  // those of the last half second
   for (int k = 1; kEvery * k <= kLongest; ++k) {
     slab.advance_to(kEvery * k);
     outcome.last = slab.sample();
     if (history) history->add(outcome.last);
+    late.push_back(outcome.last);
+    if (late.size() > kRested) late.pop_front();
     if (slab.time() <= setup.load.tangential_full) continue;
     // One sample below the bounds is no rest: it must last.
     const bool rests =
@@ -35,6 +39,10 @@ SlabOutcome bring_to_rest(CaseRun& run, const SlabSetup& setup, const Settings& 
     before = now;
     now = 0.0;
     in_window = 0;
+  }
+  for (const SlabSample& sample : late) {
+    outcome.fastest_slip = std::max(outcome.fastest_slip, sample.fastest_slip);
+    outcome.kinetic = std::max(outcome.kinetic, sample.kinetic);
   }
   return outcome;
 }

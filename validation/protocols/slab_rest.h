@@ -13,6 +13,8 @@ inline constexpr double kStallWindow = 0.3;   ///< s
 struct SlabOutcome {
   bool at_rest = false;  ///< all samples of the last half second are below both bounds
   SlabSample last;
+  double fastest_slip = 0.0;  ///< largest of the samples of the last half second, m/s
+  double kinetic = 0.0;       ///< … J
 };
 
 /// Runs until the box has rested for half a second, or until nothing decays any more: when twice running the

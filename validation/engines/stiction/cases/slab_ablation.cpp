@@ -17,7 +17,7 @@ enum class Effect {
   kBrings,  // slips that stay fall to round-off
   kTakes,   // … and come back
   kStirs,   // what the sweeps' tolerance leaves comes back
-  kTenth    // a tenth of the slip is left
+  kTenth    // a tenth to a hundredth of the slip is left
 };
 
 struct Ingredient {
@@ -28,7 +28,9 @@ struct Ingredient {
   std::size_t against = 0;  // row
 };
 
-constexpr std::size_t kGain = 1, kAll = 7;  // rows
+constexpr std::size_t kGain = 1, kAll = 7;     // rows
+constexpr double kCycle = 1.0, kRested = 0.5;  // noise of limit cycles and of round-off, decades
+constexpr double kLeastSlip = 1e-17, kLeastEnergy = 1e-34;  // m/s, J: what round-off may leave
 
 // From the paper's method to quiet, one ingredient after another, then quiet without each. Three of
 // quiet's ingredients have no effect on rest in any pose tried (these, and 60 others: fixed and
@@ -76,6 +78,7 @@ std::vector<Ingredient> ingredients() {
   return list;
 }
 
+// Of all poses: who is at rest, and the geometric means of the fastest slip and of the kinetic energy.
 struct Outcome {
   double share = 0.0, fastest = 0.0, kinetic = 0.0;  // 1, m/s, J
 };
@@ -106,14 +109,17 @@ void check_effect(CaseRun& run, const Ingredient& one, const Outcome& seen, cons
     switch (one.effect) {
       case Effect::kBrings:
         return {"the slip falls to round-off", -16.0, -6.0};
-      case Effect::kTakes:
-        return {"the slip is no longer round-off", 6.0, 16.0};
+      case Effect::kTakes:  // of each pose that does not rest
+        return {"the slip is no longer round-off", 6.0 * (1.0 - one.most), 16.0};
       case Effect::kStirs:
-        return {"each step stirs contacts that the sweeps then still to 1e-7 gΔt", 3.0, 8.0};
+        return {"each step stirs contacts that the sweeps then still to 1e-7 gΔt", 1.0, 8.0};
       case Effect::kTenth:
-        return {"the stored vector alone divides the slip by ten", -1.5, -0.5};
-      default:
-        return {"no measurable effect on the slip", -0.5, 0.5};
+        return {"the stored vector alone divides the slip by ten or more, and does not end it",
+                -1.5 - kCycle, -1.5 + kCycle};
+      default: {
+        const double noise = one.least == 1.0 ? kRested : kCycle;
+        return {"no measurable effect on the slip", -noise, noise};
+      }
     }
   };
   const Claim claim = claimed();
@@ -121,40 +127,67 @@ void check_effect(CaseRun& run, const Ingredient& one, const Outcome& seen, cons
       {.quantity = "decades of slip: " + one.name + " ÷ " + other.name,
        .unit = "1",
        .statement = claim.words,
-       .formula = "log₁₀ of the ratio of the fastest slips",
+       .formula = "log₁₀ of the ratio of the fastest slips of the last half second, geometric "
+                  "means of the poses",
        .source = "measured on 60 other poses",
        .kind = ReferenceKind::kSelfConverged,
        .expected = 0.5 * (claim.least + claim.most),
        .tolerance = 0.5 * (claim.most - claim.least),
        .reason = "slips that stay are 1e-7 to 1e-2 m/s, what sweeps leave is 1e-10 to 1e-9 m/s, "
-                 "round-off is 1e-17 to 1e-13 m/s; the "
-                 "slip of a limit cycle, or of round-off, at one moment varies by a factor "
-                 "of three either way"},
+                 "round-off is 1e-17 to 1e-13 m/s. What must not matter (an ulp, a turn, a mirror, "
+                 "another order: 19 runs) changes ratios of limit cycles by 0.25 decades and those "
+                 "of round-off by 0.05, one standard deviation; 1 and 0.5 are allowed"},
       std::log10(seen.fastest / before.fastest));
+}
+
+// Judged of twenty poses: four vary by 0.4 decades, too much to tell the effect from none.
+void check_energy(CaseRun& run, const std::vector<Outcome>& seen, std::size_t poses) {
+  const Claim claim{
+      .quantity = "decades of kinetic energy: + harmonic gain ÷ paper",
+      .unit = "1",
+      .statement = "the bounded gain ends limit cycles of the normal direction",
+      .formula =
+          "log₁₀ of the ratio of the largest energies of the last half second, geometric "
+          "means of the poses, < 0",
+      .source = "derived: z² − 2(1 − κ)z + (1 − κ) = 0 alternates for κ > 1 (slab/kappa)",
+      .kind = ReferenceKind::kSelfConverged,
+      .expected = -1.0,
+      .tolerance = 1.0,
+      .reason =
+          "tangential limit cycles, which it does not end, keep a hundredth of the energy at "
+          "least; what must not matter (6 runs) changes the ratio by 0.2"};
+  const double decades = std::log10(seen[kGain].kinetic / seen[0].kinetic);
+  if (poses < 20) {
+    run.show(claim, decades);
+  } else {
+    run.check(claim, decades);
+  }
 }
 
 void run_ablation(CaseRun& run, const std::vector<SlabSetup>& setups) {
   Series shares{"share at rest", "1", "ingredient", "1", {}, {}};
-  Series slips{"largest fastest slip", "m/s", "ingredient", "1", {}, {}};
+  Series slips{"fastest slip, geometric mean", "m/s", "ingredient", "1", {}, {}};
   const std::vector<Ingredient> list = ingredients();
   std::vector<Outcome> seen;
   for (const Ingredient& one : list) {
     int at_rest = 0;
-    Outcome sum;
+    double slip = 0.0, energy = 0.0;  // logarithms
     for (const SlabSetup& setup : setups) {
       const SlabOutcome outcome = bring_to_rest(run, setup, one.settings, nullptr);
       at_rest += outcome.at_rest;
-      sum.fastest = std::max(sum.fastest, outcome.last.fastest_slip);
-      sum.kinetic = std::max(sum.kinetic, outcome.last.kinetic);
+      slip += std::log10(std::max(outcome.fastest_slip, kLeastSlip));
+      energy += std::log10(std::max(outcome.kinetic, kLeastEnergy));
     }
-    sum.share = at_rest / static_cast<double>(setups.size());
+    const auto poses = static_cast<double>(setups.size());
+    const Outcome sum{at_rest / poses, std::pow(10.0, slip / poses),
+                      std::pow(10.0, energy / poses)};
     shares.x.push_back(static_cast<double>(seen.size()));
     shares.y.push_back(sum.share);
     slips.x.push_back(shares.x.back());
     slips.y.push_back(sum.fastest);
     run.note(
-        fmt::format("{} {}: {} of {} at rest, fastest slip {:.1e} m/s, kinetic energy "
-                    "{:.1e} J",
+        fmt::format("{} {}: {} of {} at rest, on (geometric) average fastest slip {:.1e} m/s, "
+                    "kinetic energy {:.1e} J",
                     seen.size(), one.name, at_rest, setups.size(), sum.fastest, sum.kinetic));
     seen.push_back(sum);
   }
@@ -163,18 +196,7 @@ void run_ablation(CaseRun& run, const std::vector<SlabSetup>& setups) {
     if (list[k].effect == Effect::kFirst) continue;
     check_effect(run, list[k], seen[k], list[list[k].against], seen[list[k].against]);
   }
-  run.check({.quantity = "decades of kinetic energy: + harmonic gain ÷ paper",
-             .unit = "1",
-             .statement = "the bounded gain ends the normal direction's limit cycle",
-             .formula = "log₁₀ of the ratio ≤ −1",
-             .source = "derived: z² − 2(1 − κ)z + (1 − κ) = 0 alternates for κ > 1 (slab/kappa)",
-             .kind = ReferenceKind::kSelfConverged,
-             .expected = -8.0,
-             .tolerance = 7.0,
-             .reason = "what tangential slips of 5e-5 m/s leave is 2e-10 J; a limit cycle of a "
-                       "light contact, g Δt = 2e-3 m/s of a vertex of 20 g, has 4e-8 J: a decade "
-                       "at least lies between"},
-            std::log10(seen[kGain].kinetic / seen[0].kinetic));
+  check_energy(run, seen, setups.size());
   run.add(std::move(shares));
   run.add(std::move(slips));
 }
