@@ -30,13 +30,13 @@ void run_threshold(CaseRun& run, const InclineSetup& setup) {
                        "decayed below 1e-11 m/s",
              .headline = "critical slope on a half-space, tan θ"},
             bracket.middle());
-  // Shown only: the bisection ends at the width that it was asked for, so it can't fail.
+  // Shown only: the search ends at the width that it was asked for, so it can't fail.
   run.show({.quantity = "bracket width",
             .unit = "1",
             .statement = "how far the threshold is resolved",
-            .source = "bisection",
+            .source = "search",
             .kind = ReferenceKind::kAnalytic,
-            .reason = "not judged: the bisection ends at the width that it was asked for"},
+            .reason = "not judged: the search ends at the width that it was asked for"},
            bracket.width());
   run.note(
       fmt::format("bracket on tan θ: holds at {:.11g}, slides at {:.11g}; θ_c − atan μ = "

@@ -87,7 +87,7 @@ void run_slope(CaseRun& run) {
                levels, [&](CaseRun& part, const Level& level) {
                  InclineSetup sloped = setup;
                  sloped.tan_slope = setup.friction * (1.0 + level.x);
-                 return !incline_holds(part, sloped);
+                 return !incline_holds(part, sloped).holds;
                });
 }
 

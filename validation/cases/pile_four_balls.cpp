@@ -67,9 +67,10 @@ double sinks(CaseRun& run, double friction) {
   return sunk;
 }
 
-bool stands(CaseRun& run, double friction) {
+Holding stands(CaseRun& run, double friction) {
   run.bodies_are_thrown();
-  return sinks(run, friction) < kSunk * kRadius;
+  const double excess = sinks(run, friction) - kSunk * kRadius;
+  return {excess < 0.0, excess};
 }
 
 void run_threshold(CaseRun& run) {

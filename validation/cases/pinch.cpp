@@ -152,10 +152,11 @@ void run_threshold(CaseRun& run, PinchSetup setup) {
     setup.force = force;
     const PinchFall fall = fall_of(run, setup);
     pressed[force] = fall.pressed;
-    return fall.acceleration < kGives * kStandardGravity;
+    const double excess = fall.acceleration - kGives * kStandardGravity;
+    return Holding(excess < 0.0, excess);
   };
-  const Bracket bracket =
-      find_threshold_near(1.013 * least, -0.05 * least, 0.6 * least, kWidth * least, holds);
+  const Bracket bracket = find_threshold_near(0.963 * least, -0.05 * least, 0.6 * least,
+                                              kWidth * least, holds, kStandardGravity / least);
   const double share = std::isnan(bracket.holds)
                            ? bracket.holds
                            : 0.5 * (pressed.at(bracket.holds) + pressed.at(bracket.fails));

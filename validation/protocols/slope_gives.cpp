@@ -20,7 +20,8 @@ SlopeResponse slope_response(CaseRun& run, const InclineSetup& setup, const Accu
   const double fast = (third - second) / (end - middle);
   const double acceleration = (fast - slow) / (0.5 * (end - start));
   const double free = kStandardGravity * std::sin(std::atan(setup.tan_slope));
-  return {fast, acceleration, !(acceleration < kGiving * free)};
+  const double excess = acceleration - kGiving * free;
+  return {fast, acceleration, excess, !(excess < 0.0)};
 }
 
 Bracket slope_that_gives(CaseRun& run, const InclineSetup& setup, double width,
@@ -28,13 +29,15 @@ Bracket slope_that_gives(CaseRun& run, const InclineSetup& setup, double width,
   const auto holds = [&](double tan_slope) {
     InclineSetup sloped = setup;
     sloped.tan_slope = tan_slope;
-    return !slope_response(run, sloped, accuracy).gives;
+    const SlopeResponse response = slope_response(run, sloped, accuracy);
+    return Holding(!response.gives, response.excess);
   };
   const double expected = giving_slope(setup.friction);
-  // Begun so that no slope tried is Coulomb's own, and outwards in growing steps from there: a
-  // bracket about a right answer costs four runs.
-  const double guess = expected - 0.37 * width;
-  const Bracket near = find_threshold_near(guess, width, 0.98 * guess, width, holds);
+  // Begun so that no slope tried is Coulomb's own, where it gives: by how much leads to a right answer in
+  // two more runs.
+  const double guess = expected + 3.7 * width;
+  const Bracket near = find_threshold_near(guess, width, 0.98 * guess, width, holds,
+                                           acceleration_by_slope(setup.friction));
   if (!std::isnan(near.holds)) return near;
   Bracket far = find_threshold(0.02 * guess, 3.0 * guess, width, holds);
   far.evaluations += near.evaluations;

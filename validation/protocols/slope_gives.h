@@ -19,6 +19,7 @@ constexpr double giving_slope(double friction) { return friction / (1.0 - kGivin
 struct SlopeResponse {
   double speed = 0.0;         ///< mean of the last half second, downhill, m/s
   double acceleration = 0.0;  ///< the gain between the mean speeds of two half seconds, m/s²
+  double excess = 0.0;        ///< of the acceleration over that at which it gives, m/s²
   bool gives = false;         ///< also where that is no number: the engine has lost the body
 };
 SlopeResponse slope_response(CaseRun& run, const InclineSetup& setup,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "validation/protocols/incline_run.h"
 #include "validation/protocols/paper_figure.h"
@@ -30,6 +31,10 @@ constexpr double kCreeps = 1e-5;  // m/s
 // creep of a limit cycle, which is noise, by a fifth.
 constexpr double kSlideSlows = 0.98, kCreepSlows = 0.8;
 
+// What gains more than this from window to window slides, and its acceleration tells how far the slope
+// is from the critical one; of what creeps nothing does.
+constexpr double kSlideGains = 0.02;
+
 }  // namespace
 
 Descent descend(CaseRun& run, const SlabSetup& setup, const Accuracy& accuracy) {
@@ -37,21 +42,22 @@ Descent descend(CaseRun& run, const SlabSetup& setup, const Accuracy& accuracy) 
   const Vec3 downhill = slab_downhill(setup);
   slab.advance_to(setup.load.tangential_full);
   Descent seen{.slope = setup.slope};
-  double place = slab.travel().dot(downhill), before = INFINITY;
+  double place = slab.travel().dot(downhill), speed = INFINITY, before = INFINITY;
   int steady = 0, rested = 0;
   while (slab.time() < kLongest && place < kFar) {
     slab.advance_to(slab.time() + kWindow);
     const double now = slab.travel().dot(downhill);
     seen.creep = (now - place) / kWindow;
     place = now;
-    const double speed = std::abs(seen.creep);
+    before = std::exchange(speed, std::abs(seen.creep));
     seen.holds = speed <= kCreeps;
     steady = speed > (seen.holds ? kCreepSlows : kSlideSlows) * before ? steady + 1 : 0;
-    before = speed;
     rested += speed <= kStaticSlip;
     if (rested == 2 || steady == 3) break;
   }
   seen.holds = seen.holds && place < kFar;
+  const double gain = speed - before;
+  if (gain > kSlideGains * before) seen.excess = gain / kWindow;
   seen.until = slab.time();
   return seen;
 }
@@ -63,14 +69,17 @@ SlopeSearch search_slope(CaseRun& run, const SlabSetup& flat, double expected, d
     SlabSetup setup = flat;
     setup.slope = radians(slope);
     found.seen.push_back(descend(run, setup));
-    return found.seen.back().holds;
+    return Holding(found.seen.back().holds, found.seen.back().excess);
   };
   const auto creeps = [&] {
     return std::any_of(found.seen.begin(), found.seen.end(), [](const Descent& one) {
       return one.holds && std::abs(one.creep) > kStaticSlip;
     });
   };
-  found.bracket = find_threshold_near(guess, 2.0 * coarse, 2.0, coarse, holds_at);
+  // d/dθ g (sin θ − μ cos θ) at the critical slope, for each degree.
+  const double steeper =
+      acceleration_by_slope(flat.friction) / std::pow(std::cos(std::atan(flat.friction)), 2);
+  found.bracket = find_threshold_near(guess, 2.0 * coarse, 2.0, coarse, holds_at, radians(steeper));
   if (!creeps()) found.bracket = narrow(found.bracket, width, holds_at);
   std::sort(found.seen.begin(), found.seen.end(),
             [](const Descent& a, const Descent& b) { return a.slope < b.slope; });

@@ -10,10 +10,11 @@ namespace stiction {
 
 /// How a box on one slope ended.
 struct Descent {
-  double slope = 0.0;  // rad
-  bool holds = false;  // it rests, or creeps
-  double creep = 0.0;  // mean speed in the last window, m/s
-  double until = 0.0;  // s
+  double slope = 0.0;                 // rad
+  bool holds = false;                 // it rests, or creeps
+  double creep = 0.0;                 // mean speed in the last window, m/s
+  double excess = Holding::kUnknown;  // where it slides, see threshold.h, m/s²
+  double until = 0.0;                 // s
 };
 
 /// The box is watched in windows until it has rested in two, has slid away, or does not get slower

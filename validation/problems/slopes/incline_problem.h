@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include "validation/engine/problem.h"
 
 namespace stiction {
 
 inline constexpr double kStandardGravity = 9.81;  ///< m/s², as in the peers' figures
+
+/// By how much what slides accelerates more for each unit of tan θ, next to tan θ = μ: the derivative of
+/// g (sin θ − μ cos θ), m/s².
+inline double acceleration_by_slope(double friction) {
+  return kStandardGravity / std::hypot(1.0, friction);
+}
 
 /// The flat box of the incline family: 0.2 × 0.2 × 0.1 m, 1 kg. It topples only at
 /// tan θ = width/height = 2, far above every μ used.
