@@ -108,12 +108,12 @@ std::vector<Case> cases_box_row() {
        .run = [three](CaseRun& run) { run_shear(run, three); }},
       {.name = "clamp/row/threshold/n=3",
        .title = "least force that holds three boxes between jaws",
-       .run = [search](CaseRun& run) { check_clamp_threshold(run, search, 1.5e-3, 0.5e-3, 4e-7); }},
+       .run = [search](CaseRun& run) { check_clamp_threshold(run, search, 1.5e-3, 0.5e-3, 2e-7); }},
       {.name = "clamp/row/threshold/n=3/half-step",
        .title = "least force that holds three boxes, at half the time step too",
        .set = CaseSet::kFull,
        .run = [search](CaseRun& run) {
-         check_clamp_threshold(run, search, 1.5e-3, 0.5e-3, 4e-7, true);
+         check_clamp_threshold(run, search, 1.5e-3, 0.5e-3, 2e-7, true);
        }}};
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "reference/meshes/box_mesh.h"
-#include "validation/estimate/threshold.h"
 #include "validation/observe/observe.h"
 
 namespace stiction {
@@ -113,56 +113,101 @@ double clamp_force(const Engine& engine, const ClampSetup& setup) {
 
 ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Accuracy& accuracy,
                        bool twice) {
-  constexpr double kStays = 1e-4, kSags = 2e-3;  // m
-  constexpr double kWindow = 0.3;                // s
+  constexpr double kCreeps = 1e-4;              // m/s
+  constexpr double kSags = 2e-3, kLeft = 2e-2;  // m
+  constexpr double kWindow = 0.3;               // s
   const auto simulation = run.simulate(clamp_problem(setup), accuracy);
   const Engine& engine = simulation->engine();
+  const auto fall = [&] { return -engine.body(0).velocity.z(); };
   ClampProbe probe;
   simulation->advance_to(kFallFrom);
   const double start = pose_of(engine, 0).height;
   probe.unloaded = clamp_force(engine, setup);
   simulation->advance_to(setup.fall_full + kWindow);
-  double before = pose_of(engine, 0).height;
   probe.force = clamp_force(engine, setup);
   const JointForce left = joint_force(engine, setup, 0);
   const JointForce right = joint_force(engine, setup, setup.boxes);
   probe.slope = (left.height - right.height) / (right.across - left.across);
   probe.lift = right.lift;
   probe.along = right.along;
-  const auto stays = [&](double time) {
-    simulation->advance_to(time);
+  // From the present on until then.
+  const auto watch = [&](double end) {
+    const double before = pose_of(engine, 0).height, speed = fall();
+    simulation->advance_to(end);
     const double after = pose_of(engine, 0).height;
     probe.creep = (before - after) / kWindow;
-    before = after;
-    return std::abs(probe.creep * kWindow) < kStays && std::abs(after - start) < kSags;
+    probe.excess = fall() - speed;
+    probe.holds =
+        (std::abs(probe.creep) < kCreeps || probe.excess < 0.0) && std::abs(after - start) < kSags;
   };
-  if (std::abs(before - start) >= kSags) return probe;
-  probe.holds = stays(setup.fall_full + 2.0 * kWindow);
+  if (std::abs(pose_of(engine, 0).height - start) > kLeft) return probe;  // out of the clamp
+  watch(setup.fall_full + 2.0 * kWindow);
   if (!twice || !probe.holds) return probe;
   const double end = 2.0 * (setup.fall_full + 2.0 * kWindow);
   simulation->advance_to(end - kWindow);
-  before = pose_of(engine, 0).height;
-  probe.holds = stays(end);
+  watch(end);
   return probe;
 }
 
+namespace {
+
+// Least force of a clamp whose forces fall to a fold at `fails`, by the two nearest that hold; no number
+// if there is but one.
+double force_at_fold(const std::map<double, ClampProbe>& probes, double fails) {
+  double near = 0.0, next = 0.0;  // roots of distances
+  double of_near = std::nan(""), of_next = std::nan("");
+  for (const auto& [squeeze, probe] : probes) {
+    if (!probe.holds) continue;
+    const double root = std::sqrt(std::abs(squeeze - fails));
+    if (std::isnan(of_near) || root < near) {
+      next = std::exchange(near, root);
+      of_next = std::exchange(of_near, probe.force);
+    } else if (std::isnan(of_next) || root < next) {
+      next = root;
+      of_next = probe.force;
+    }
+  }
+  return of_near - near * (of_next - of_near) / (next - near);
+}
+
+// How the excess grows with the way, by the two farthest apart of those that fail; no number if there is
+// but one. 1/s.
+double slope_of(const std::map<double, ClampProbe>& probes) {
+  std::vector<std::pair<double, double>> known;
+  for (const auto& [squeeze, probe] : probes) {
+    if (!probe.holds && probe.excess > 0.0) known.emplace_back(squeeze, probe.excess);
+  }
+  if (known.empty()) return std::nan("");
+  return std::abs((known.back().second - known.front().second) /
+                  (known.back().first - known.front().first));
+}
+
+}  // namespace
+
 ClampThreshold clamp_threshold(CaseRun& run, ClampSetup setup, const ClampSearch& search,
                                const Accuracy& accuracy) {
-  ClampThreshold result;
   std::map<double, ClampProbe> probes;  // by squeeze
   const Bracket bracket = find_threshold_near(
-      search.guess, -search.step, search.reach, search.width, [&](double squeeze) {
+      search.guess, -search.step, search.reach, search.width,
+      [&](double squeeze) {
         setup.squeeze = squeeze;
-        return (probes[squeeze] = probe_clamp(run, setup, accuracy)).holds;
-      });
-  if (!std::isnan(bracket.holds)) {
-    result.holds = probes.at(bracket.holds);
-    result.fails = probes.at(bracket.fails);
-  }
-  result.squeeze = bracket.holds;
-  result.evaluations = bracket.evaluations;
-  result.upper = std::isnan(bracket.holds) ? bracket.holds : result.holds.force;
-  result.lower = result.upper * result.fails.unloaded / result.holds.unloaded;
+        const ClampProbe& probe = probes[squeeze] = probe_clamp(run, setup, accuracy);
+        return Holding(probe.holds, probe.excess);
+      },
+      search.slope);
+  ClampThreshold result{.holds = {},
+                        .fails = {},
+                        .squeeze = bracket.holds,
+                        .slope = slope_of(probes),
+                        .evaluations = bracket.evaluations,
+                        .upper = bracket.holds,
+                        .lower = bracket.holds};
+  if (std::isnan(bracket.holds)) return result;
+  result.holds = probes.at(bracket.holds);
+  result.fails = probes.at(bracket.fails);
+  result.upper = result.holds.force;
+  // Of two numbers the larger; of a number and none that number.
+  result.lower = std::fmax(result.fails.force, force_at_fold(probes, bracket.fails));
   return result;
 }
 

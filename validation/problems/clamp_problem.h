@@ -6,6 +6,7 @@
 
 #include "validation/core/case_run.h"
 #include "validation/engine/problem.h"
+#include "validation/estimate/threshold.h"
 
 namespace stiction {
 
@@ -57,11 +58,11 @@ JointForce joint_force(const Engine& engine, const ClampSetup& setup, int joint)
 /// Mean of Σ fⁿ at the two jaws, N.
 double clamp_force(const Engine& engine, const ClampSetup& setup);
 
-/// Runs until gravity is full and tells whether the first box stays: it falls less than 0.1 mm from
-/// 0.3 to 0.6 s after that. What is just short of holding by the fraction ε of its weight
-/// accelerates at ε g, so that this criterion moves a threshold by 8e-5 only. Nor may it have sunk
-/// by 2 mm in all: a box that slips can be caught by the upper edge of a bar. With `twice` it is
-/// watched for as long again, and must not fall by 0.1 mm in the last 0.3 s either.
+/// Runs until gravity is full and tells whether the first box stays: from 0.3 to 0.6 s after that it
+/// creeps by less than 1e-4 m/s, or what is left of the way by which it has settled slows down. What is
+/// just short of holding by the fraction ε of its weight accelerates at ε g, so that this criterion moves
+/// a threshold by 2.3e-5 at most. Nor may it have sunk by 2 mm in all: a box that slips can be caught by
+/// the upper edge of a bar. With `twice` it is watched for as long again, and judged by the last 0.3 s.
 struct ClampProbe {
   bool holds = false;
   double unloaded = 0.0;  ///< N of the clamp before gravity, N
@@ -70,6 +71,7 @@ struct ClampProbe {
   double lift = 0.0;      ///< vertical part of the normal force at the right jaw over N, then
   double along = 0.0;     ///< share of the friction there that is vertical, then
   double creep = 0.0;     ///< mean speed of the fall over the last 0.3 s, m/s
+  double excess = 0.0;    ///< what its fall has gained in them, m/s (threshold.h); 0: not seen
 };
 ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Accuracy& accuracy = {},
                        bool twice = false);
@@ -77,18 +79,23 @@ ClampProbe probe_clamp(CaseRun& run, const ClampSetup& setup, const Accuracy& ac
 /// Where a search over `squeeze` begins and how it goes on (threshold.h), m.
 struct ClampSearch {
   double guess = 0.0;
-  double step = 0.0;   ///< > 0, taken towards less
-  double reach = 0.0;  ///< beyond this from the guess it gives up
-  double width = 0.0;  ///< of the bracket
+  double step = 0.0;                 ///< > 0, taken towards less
+  double reach = 0.0;                ///< beyond this from the guess it gives up
+  double width = 0.0;                ///< of the bracket
+  double slope = Holding::kUnknown;  ///< of the excess, if it is known, 1/s
 };
 
 /// Clamps at either side of the threshold, found by a search over `squeeze`.
 struct ClampThreshold {
   ClampProbe holds, fails;
   double squeeze = 0.0;  ///< of the clamp that holds, m
+  double slope = 0.0;    ///< of the excess, 1/s
   int evaluations = 0;
-  /// Forces under load, N; NaN when nothing was bracketed. That of the failing clamp is scaled from
-  /// its force before gravity as the holding one's changed, because a slipping box moves in it.
+  /// Forces under load, N; NaN when nothing was bracketed. The lower one is that of the failing clamp at
+  /// the same moment, which goes on smoothly from those that hold, unless the box has left it by then:
+  /// where it turns as it is loaded it gives at a fold, towards which the force falls as the root of the
+  /// distance. No lower than where that root leads, through the last two that hold, if the fold is at the
+  /// clamp that fails.
   double upper = 0.0, lower = 0.0;
   double middle() const { return 0.5 * (lower + upper); }
   double half() const { return 0.5 * std::abs(upper - lower); }

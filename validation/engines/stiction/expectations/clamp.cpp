@@ -34,6 +34,11 @@ constexpr Cause kCreeps{
     "kCreeps",
     "the scalar ξ leaves slip across ũ: what the method holds creeps on (compare, frozen/clamp)",
     kScalarLeaves};
+constexpr Cause kCreepsBeside{
+    "kCreepsBeside",
+    "what the method holds creeps on (kCreeps), and next to the threshold by more than the 1e-4 "
+    "m/s that count as holding: it needs 3e-4 more force at 16 E, quiet 1e-6",
+    kScalarLeaves};
 constexpr Cause kNoThreshold{
     "kNoThreshold",
     "what the method holds creeps on (kCreeps), so that holding is not a matter of force alone: at "
@@ -78,20 +83,22 @@ Expectations expectations_clamp() {
       {"clamp/row/shear/n=3", "method=paper", "fastest contact slip", {1.8e-07, 2e-06}, kRefuted, kRow, kFactorThree},
       {"clamp/row/shear/n=3", "method=paper rule=secant", "fastest contact slip", {2.4e-07, 2.5e-06}, kRefuted, kRow, kFactorThree},
       {"clamp/row/threshold/n=3/half-step", "method=paper", "critical clamp force, rigid limit", {29.5, 33.8}, kShortfall, kNoThreshold, kUnsure},
-      {"clamp/row/threshold/n=3/half-step", "method=paper", "critical clamp force at half the step ÷ at the whole one", {0.93, 0.99}, kShortfall, kNoThreshold, kUnsure},
-      {"clamp/row/threshold/n=3/half-step", "method=paper", "creep of the clamp that holds, after twice the time", {-1.8e-06, -4.4e-09}, kShortfall, kCreeps, kTwoRuns},
+      {"clamp/row/threshold/n=3/half-step", "method=paper", "creep of the clamp that holds, after twice the time", {2.6e-06, 2.4e-05}, kShortfall, kCreeps, kOneRun},
+      {"paper/fig3-clamped-box/threshold", "method=paper", "critical clamp force, rigid limit", {9.811, 9.8193}, kShortfall, kCreepsBeside, kOneRun},
       {"paper/fig3-clamped-box/threshold", "method=paper", "creep of the clamp that holds, after twice the time", {6.4e-07, 5.8e-06}, kShortfall, kCreeps, kOneRun},
+      {"paper/fig3-clamped-box/threshold/half-step", "method=paper", "critical clamp force, rigid limit", {9.811, 9.8193}, kShortfall, kCreepsBeside, kOneRun},
+      {"paper/fig3-clamped-box/threshold/half-step", "method=paper", "critical clamp force at half the step ÷ at the whole one", {0.99943, 0.999938}, kShortfall, kCreepsBeside, kOneRun},
       {"paper/fig3-clamped-box/threshold/half-step", "method=paper", "creep of the clamp that holds, after twice the time", {6.4e-07, 5.8e-06}, kShortfall, kCreeps, kOneRun},
-      {"paper/fig3-clamped-box/threshold/half-step", "method=paper rule=secant", "creep of the clamp that holds, after twice the time", {4.3e-08, 5.6e-07}, kShortfall, kCreeps, kTwoRuns},
+      {"paper/fig3-clamped-box/threshold/half-step", "method=paper rule=secant", "critical clamp force, rigid limit", {9.81098, 9.8189}, kShortfall, kCreepsBeside, kOneRun},
+      {"paper/fig3-clamped-box/threshold/half-step", "method=paper rule=secant", "critical clamp force at half the step ÷ at the whole one", {0.99933, 0.999926}, kShortfall, kCreepsBeside, kOneRun},
+      {"paper/fig3-clamped-box/threshold/half-step", "method=paper rule=secant", "creep of the clamp that holds, after twice the time", {6e-07, 5.5e-06}, kShortfall, kCreeps, kOneRun},
       {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper", "critical clamp force, rigid limit", {18.0, 18.9}, kShortfall, kVertices, kTwoPerCent},
-      {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper", "creep of the clamp that holds, after twice the time", {7.6e-09, 7e-08}, kShortfall, kCreeps, kOneRun},
-      {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper", "critical clamp force at half the step ÷ at the whole one", {0.98, 0.9994}, kShortfall, kNoThreshold, kTwoPerCent},
+      {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper", "creep of the clamp that holds, after twice the time", {2.3e-07, 2.2e-06}, kShortfall, kCreeps, kOneRun},
       {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper rule=secant", "critical clamp force, rigid limit", {18.2, 19.2}, kShortfall, kVertices, kTwoPerCent},
       {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper rule=secant", "creep of the clamp that holds, after twice the time", {-2.6e-06, 1.9e-05}, kShortfall, kCreeps, kTwoRuns},
-      {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper rule=secant", "critical clamp force at half the step ÷ at the whole one", {0.976, 0.9994}, kShortfall, kNoThreshold, kTwoPerCent},
       {"paper/fig3-clamped-box/threshold/offset/half-step", "method=quiet", "critical clamp force, rigid limit", {11.5, 12.1}, kShortfall, kNotAssociated, kTwoPerCent},
       {"paper/fig3-clamped-box/threshold/offset/vertices", "method=paper", "critical clamp force, rigid limit", {18.0, 18.9}, kShortfall, kVertices, kTwoPerCent},
-      {"paper/fig3-clamped-box/threshold/offset/vertices", "method=paper", "creep of the clamp that holds, after twice the time", {7.6e-09, 6e-07}, kShortfall, kCreeps, kTwoRuns},
+      {"paper/fig3-clamped-box/threshold/offset/vertices", "method=paper", "creep of the clamp that holds, after twice the time", {2.3e-07, 2.2e-06}, kShortfall, kCreeps, kOneRun},
       {"paper/fig3-clamped-box/threshold/offset", "method=quiet", "critical clamp force, rigid limit", {11.5, 12.1}, kShortfall, kNotAssociated, kTwoPerCent},
       {"paper/fig3-clamped-box", "method=old", "displacement", {-0.1, -0.05}, kShortfall, kOldSlipsOut, kLeaves},
       {"paper/fig3-clamped-box", "method=old", "rotation", {4.3, 40}, kShortfall, kOldSlipsOut, kThirdToThree},
