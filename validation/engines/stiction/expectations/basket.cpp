@@ -37,9 +37,10 @@ constexpr Words kSeeds{
     "so that this bounds little, and the median over ten seeds is what should be judged"};
 constexpr Cause kSwings{
     "kSwings",
-    "in seeds 2, 3, 8 and 10 objects that only swing, without slip, lose a factor of 2 to 8 of "
-    "their energy a second to the strain alone, and ξ = 1 rests as well in the last three (4e-8, "
-    "3e-8, 6e-7 J). They decay from then on: at 20 s 1e-10, 1e-20, 9e-19 and 5e-15 J",
+    "in seeds 2 and 6 objects that only swing have more than a hundredth of ξ = 1's motion, which "
+    "rests as well in the latter (9e-9 J). There no contact slips, and the strain alone takes a "
+    "factor of 2.4 of the energy a second: one goes 7e-5 m in the last second, 1.3e-6 m at 17 s, "
+    "at 4e-10 J",
     kSwing};
 constexpr Words kOrder{
     "kOrder",
@@ -70,7 +71,7 @@ Expectations expectations_basket() {
       {"paper/fig6-basket/objects=20", "method=paper rule=secant", "farthest way of an object in the window", {6.5e-05, 0.0006}, kShortfall, kWay, kOneRun},
       {"paper/fig6-basket/objects=20", "method=paper rule=secant", "mean kinetic energy at rest ÷ that with ξ = 1", {0.011, 6100}, kRefuted, kSecant, kSeeds},
       {"paper/fig6-basket/objects=20", "method=paper rule=secant", "late spikes: largest kinetic energy ÷ mean before", {2.1, 19}, kShortfall, kBursts, kSeeds},
-      {"paper/fig6-basket/objects=112", "method=paper", "farthest way of an object in the window", {0.0014, 0.014}, kShortfall, kWay, kOneRun},
+      {"paper/fig6-basket/objects=112", "method=paper", "farthest way of an object in the window", {0.00027, 0.0025}, kShortfall, kWay, kOneRun},
       {"paper/fig6-basket/objects=112", "method=paper", "mean kinetic energy at rest ÷ that with ξ = 1", {0.23, 96}, kRefuted, kMany, kOneDraw},
       {"paper/fig6-basket/objects=112", "method=paper", "late spikes: largest kinetic energy ÷ mean before", {3.5, 1500}, kShortfall, kMany, kOneDraw},
       {"paper/fig6-basket/objects=112", "method=paper rule=secant", "farthest way of an object in the window", {0.00013, 0.0013}, kShortfall, kWay, kOneRun},
@@ -83,7 +84,8 @@ Expectations expectations_basket() {
       {"paper/fig6-basket/objects=20/seeds=10", "method=paper rule=secant", "median of mean kinetic energy at rest ÷ that with ξ = 1", {0.016, 13}, kRefuted, kSecant, kOrder},
       {"paper/fig6-basket/objects=20/seeds=10", "method=paper rule=secant", "farthest way of an object in the window, worst seed", {7e-04, 0.07}, kShortfall, kWay, kOrder},
       {"paper/fig6-basket/objects=20/seeds=10", "method=paper", "late spikes: largest kinetic energy ÷ mean before, worst seed", {46, 4700}, kShortfall, kBursts, kOrder},
-      {"paper/fig6-basket/objects=20/seeds=10", "method=paper rule=secant", "late spikes: largest kinetic energy ÷ mean before, worst seed", {53, 5400}, kShortfall, kBursts, kOrder},
+      {"paper/fig6-basket/objects=20/seeds=10", "method=paper rule=secant", "late spikes: largest kinetic energy ÷ mean before, worst seed", {2, 104}, kShortfall, kBursts, kOrder},
+      {"paper/fig6-basket/objects=20/seeds=10", "method=quiet", "farthest way of an object in the window, worst seed", {5e-05, 0.0007}, kShortfall, kSwings, kOrder},
       {"paper/fig6-basket/objects=20/seeds=10", "method=quiet", "share of seeds with a hundredth of the motion", {0.4, 0.89}, kShortfall, kSwings, kOrder},
   };
 }
