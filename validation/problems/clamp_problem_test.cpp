@@ -12,8 +12,8 @@ ClampThreshold threshold_of(double width) {
   run.bodies_are_thrown();
   ClampSetup setup;
   setup.elasticity.poisson_ratio = 0.0;
-  return clamp_threshold(run, setup,
-                         {.guess = 3.65e-4, .step = 4e-7, .reach = 1e-5, .width = width});
+  return clamp_threshold(
+      run, setup, {.guess = 3.648e-4, .step = 4e-7, .reach = 1e-5, .width = width, .slope = 2e4});
 }
 
 // Next to the threshold a clamp loses twice as much of its force under load as of that before
