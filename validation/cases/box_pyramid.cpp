@@ -127,9 +127,10 @@ void run_figure(CaseRun& run, const PyramidSetup& setup, double window, double f
   series.add_to(run);
 }
 
-// Whether no box moves by 0.2 mm from 1.4 to 2 s. Sliding at tan θ = μ + ε covers 0.42 g ε m in
-// that time, so that the criterion moves a threshold of tan θ by 5e-5.
+// From 1.4 to 2 s sliding at tan θ = μ + ε covers so many g ε m.
 constexpr double kSlides = 0.42;  // s²
+
+// Whether no box moves by 0.2 mm in that time, which moves a threshold of tan θ by 5e-5.
 Holding stands(CaseRun& run, PyramidSetup setup, double tan_slope) {
   setup.tan_slope = tan_slope;
   const auto simulation = run.simulate(pyramid_problem(setup));

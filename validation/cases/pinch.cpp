@@ -155,6 +155,7 @@ void run_threshold(CaseRun& run, PinchSetup setup) {
     const double excess = fall.acceleration - kGives * kStandardGravity;
     return Holding(excess < 0.0, excess);
   };
+  // Begun where it falls, for that tells how far from the threshold it is.
   const Bracket bracket = find_threshold_near(0.963 * least, -0.05 * least, 0.6 * least,
                                               kWidth * least, holds, kStandardGravity / least);
   const double share = std::isnan(bracket.holds)

@@ -39,8 +39,9 @@ bool ask(Bracket& bracket, double at, const HoldingAt& holds_at) {
 
 // Excess for each unit beyond the critical value: between the two that fail, or by theory.
 double slope_of(const Bracket& bracket) {
-  const auto& [nearest, next] = std::pair(bracket.nearest, bracket.next);
-  const double measured = (next.excess - nearest.excess) / std::abs(next.at - nearest.at);
+  const Bracket::Tried& near = bracket.nearest;
+  const Bracket::Tried& next = bracket.next;
+  const double measured = (next.excess - near.excess) / std::abs(next.at - near.at);
   return std::isnan(measured) ? bracket.slope : measured;
 }
 

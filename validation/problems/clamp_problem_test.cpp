@@ -12,8 +12,8 @@ ClampThreshold threshold_of(double width) {
   run.bodies_are_thrown();
   ClampSetup setup;
   setup.elasticity.poisson_ratio = 0.0;
-  return clamp_threshold(
-      run, setup, {.guess = 3.648e-4, .step = 4e-7, .reach = 1e-5, .width = width, .slope = 2e4});
+  return clamp_threshold(run, setup,
+                         {.guess = 3.65e-4, .step = 4e-7, .reach = 1e-5, .width = width});
 }
 
 // Next to the threshold a clamp loses twice as much of its force under load as of that before
@@ -23,6 +23,7 @@ TEST(ClampThreshold, ItsBracketHoldsTheForceThatANarrowerSearchFinds) {
   const ClampThreshold wide = threshold_of(2e-7), fine = threshold_of(2e-8);
   EXPECT_TRUE(wide.holds.holds && !wide.fails.holds);
   EXPECT_TRUE(fine.holds.holds && !fine.fails.holds);
+  EXPECT_LE(wide.lower, wide.fails.force) << "nothing turns: no fold";
   EXPECT_LE(wide.lower, fine.lower);
   EXPECT_GE(wide.upper, fine.upper);
   EXPECT_LT(fine.half(), 0.25 * wide.half());

@@ -87,10 +87,10 @@ void check_rest(CaseRun& run, ClampSetup setup, const ClampThreshold& soft, doub
             longer.holds ? longer.creep : std::nan(""));
 }
 
-void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold& soft,
+void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold& whole,
                      double width, double rigid) {
   const ClampThreshold fine =
-      search_about(run, setup, soft.squeeze, width, soft.slope, rigid, {.finer = 2.0});
+      search_about(run, setup, whole.squeeze, width, whole.slope, rigid, {.finer = 2.0});
   run.check({.quantity = "critical clamp force at half the step ÷ at the whole one",
              .unit = "1",
              .statement = "how hard a clamp must press does not depend on the time step",
@@ -98,9 +98,9 @@ void check_half_step(CaseRun& run, const ClampSetup& setup, const ClampThreshold
              .source = "Coulomb's law",
              .kind = ReferenceKind::kSelfConverged,
              .expected = 1.0,
-             .tolerance = (fine.half() + soft.half()) / rigid + 2.0 * kRest,
+             .tolerance = (fine.half() + whole.half()) / rigid + 2.0 * kRest,
              .reason = "half of either bracket, and 2.3e-5 of the criterion of rest each"},
-            fine.middle() / soft.middle());
+            fine.middle() / whole.middle());
 }
 
 }  // namespace
@@ -111,8 +111,8 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
   const ClampLimit limit = clamp_limit(setup);
   const double rigid = reference::in_nine_digits(0.5 * (limit.lower + limit.upper));
   const ClampSetup middle = stiffer(setup, kStiffer), hard = stiffer(middle, kStiffer);
-  // Begun where a clamp of rigid bodies would need no more; then, stiffer, at the force found; then
-  // where the trend of the two leads.
+  // Begun where a clamp of rigid bodies would need no more; then, stiffer, where the force found leads;
+  // then where the trend of the two does.
   const double guess = way_for(run, setup, most, rigid);
   const ClampThreshold a = search(run, setup,
                                   {.guess = guess,
@@ -124,11 +124,11 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
   // What elasticity adds falls with 1/E, if it is little.
   constexpr double kLittle = 0.02;
   const bool near_rigid = std::abs(known / rigid - 1.0) < kLittle;
-  const double stiff = near_rigid ? rigid + (known - rigid) / kStiffer : known;
+  const double wanted = near_rigid ? rigid + (known - rigid) / kStiffer : known;
   // A stiffer clamp's force, and with it the excess, changes by as much more with its way.
   const ClampThreshold b =
-      search_about(run, middle, way_for(run, middle, a.squeeze / kStiffer, stiff), width / kStiffer,
-                   kStiffer * a.slope, rigid);
+      search_about(run, middle, way_for(run, middle, a.squeeze / kStiffer, wanted),
+                   width / kStiffer, kStiffer * a.slope, rigid);
   const double trend = b.holds.unloaded + (b.holds.unloaded - known) / kStiffer;
   const ClampThreshold c = search_about(run, hard, way_for(run, hard, b.squeeze / kStiffer, trend),
                                         width / (kStiffer * kStiffer), kStiffer * b.slope, rigid);
@@ -170,9 +170,10 @@ void check_clamp_threshold(CaseRun& run, const ClampSetup& setup, double most, d
                   limit.lower, limit.upper, coarse, fine, free.order, free.limit));
   check_rest(run, setup, a, width);
   if (!half_step) return;
-  // Contacts yield by as much as Δt² allows. That moves a soft clamp's force by 1.4e-4 (Fig. 3's, at E),
-  // which is gone at 16 E; but one that turns gives at a fold, and there the contacts' share of what yields
-  // is the larger the stiffer the bodies are (N before gravity 13.31 N at 16 E, 13.13 N at half the step).
+  // The claim is of rigid bodies: Fig. 3's clamp at E needs 1.4e-4 less at half the step, at 16 E no less
+  // than the brackets tell. But one that turns gives at a fold, and contacts, which yield by as much as Δt²
+  // allows, have the larger share in that the stiffer the bodies are (N before gravity 13.31 N at 16 E,
+  // 13.13 N at half the step).
   if (near_rigid) {
     check_half_step(run, hard, c, width / (kStiffer * kStiffer), rigid);
   } else {

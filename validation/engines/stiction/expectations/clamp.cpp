@@ -26,9 +26,9 @@ constexpr Cause kVertices{
 constexpr Cause kNotAssociated{
     "kNotAssociated",
     "limit analysis is necessary, not sufficient: Coulomb's sliding is not associated. When the "
-    "box "
-    "gives, the pressure centres stand 0.178 to 0.182 of the width apart at E, 4 E and 16 E, where "
-    "an equilibrium with 0.083 would need less force; it holds without creep (4e-11 m/s)",
+    "box gives, the pressure centres stand 0.169, 0.177 and 0.183 of the width apart at E, 4 E and "
+    "16 E, where an equilibrium with 0.083 would need less force; it holds without creep (8e-11 "
+    "m/s)",
     kNotSufficient};
 constexpr Cause kCreeps{
     "kCreeps",
