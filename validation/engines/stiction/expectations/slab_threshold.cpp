@@ -32,6 +32,7 @@ constexpr Cause kStaleForce{
 constexpr Words kNowhere{
     "kNowhere",
     "the last slope that the search tries, 2° below theory: the box still slides on it"};
+constexpr Words kSomewhere{"kSomewhere", "anywhere from there to theory: luck"};
 
 }  // namespace
 
@@ -51,6 +52,7 @@ Expectations expectations_slab_threshold() {
       {"slab/threshold/fine", "method=paper rule=secant", "fastest creep of the slopes that hold", {1.5e-09, 1.5e-08}, kRefuted, kCreepsFine, kOneRun},
       {"slab/threshold/fine", "method=paper", "fastest creep of the slope that holds, at half the step and from then to twice the time", {2.6e-09, 2.6e-08}, kRefuted, kCreepsFine, kOneRun},
       {"slab/threshold/fine", "method=paper rule=secant", "fastest creep of the slope that holds, at half the step and from then to twice the time", {2.6e-09, 2.6e-08}, kRefuted, kCreepsFine, kOneRun},
+      {"slab/threshold/fine", "memory=keep method=paper", "critical slope, rigid limit", {24.5, 26.6}, kShortfall, kStaleForce, kSomewhere},
       {"slab/threshold/fine", "memory=keep method=paper", "fastest creep of the slopes that hold", {9e-08, 8.2e-07}, kShortfall, kStaleForce, kOneRun},
       {"slab/threshold/fine", "memory=keep method=paper", "verdicts that half the step or twice the time turns", {1, 2}, kShortfall, kStaleForce, kCount},
       {"slab/threshold/fine", "memory=keep method=paper", "fastest creep of the slope that holds, at half the step and from then to twice the time", {1.1e-05, 0.00011}, kShortfall, kStaleForce, kOneRun},
