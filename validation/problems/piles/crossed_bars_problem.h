@@ -19,7 +19,8 @@ struct CrossedBarsSetup {
   int cells = 3;               ///< along a bar; one across
   double friction = 0.5;       ///< μ
   double density = 1000.0;     ///< kg/m³
-  Elasticity elasticity{.youngs_modulus = 1e7, .poisson_ratio = 0.3, .damping_time = 1e-4};
+  /// So soft that a step is as large as those of other piles.
+  Elasticity elasticity{.youngs_modulus = 2.5e6, .poisson_ratio = 0.3, .damping_time = 2e-4};
   Drag drag{.rate = 20.0, .full_until = 2.0, .ends = 3.0};  ///< gone before rest is judged
 };
 

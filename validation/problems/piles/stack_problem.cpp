@@ -24,12 +24,10 @@ Eigen::Vector3i cells_of(const Vec3& size, const StackSetup& setup) {
 
 ProblemBody ground_of(const StackSetup& setup) {
   Vec3 size = setup.size;
-  if (setup.ground == Ground::kSlab) size = size.cwiseProduct(Vec3(3.0, 3.0, 0.5));
+  if (setup.ground == Ground::kSlab) size = size.cwiseProduct(Vec3(3.0, 3.0, 1.0));
   ProblemBody slab;
   slab.name = setup.ground == Ground::kSlab ? "slab" : "base";
-  Eigen::Vector3i cells = cells_of(size, setup);
-  if (setup.ground == Ground::kSlab) cells.z() = 1;
-  slab.shape = MeshShape{reference::box_mesh(size, cells)};
+  slab.shape = MeshShape{reference::box_mesh(size, cells_of(size, setup))};
   slab.mass = setup.density * size.prod();
   slab.elasticity = setup.elasticity;
   slab.position = Vec3(0.0, 0.0, -0.5 * size.z());

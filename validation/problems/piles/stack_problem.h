@@ -11,8 +11,9 @@ namespace stiction {
 /// What a stack stands on.
 enum class Ground {
   kRigid,  ///< a half-space
-  kSlab,   ///< a deformable slab three times as wide and half as high, its lower face held
-  kFlush   ///< a deformable block exactly as wide as the stack, its lower face held
+  kSlab,  ///< a deformable slab three times as wide and as high, its lower face held; a thinner one
+          ///< would make the step smaller
+  kFlush  ///< a deformable block exactly as wide as the stack, its lower face held
 };
 std::string word(Ground ground);
 
