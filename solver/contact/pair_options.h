@@ -59,7 +59,7 @@ struct PairOptions {
   bool count_hysteresis = true;  ///< such contacts count in the harmonic gain
   /// A contact stays with its triangle while that is at most this much farther than the nearest,
   /// relative to the depth. Where a vertex is as near to two faces, rounding alone would choose
-  /// anew in each step, and the normal would jump.
+  /// anew in each step, and the normal would jump. Not once it is no longer over that triangle.
   Real tie_margin = 1e-3;
   /// A depth is wrong by up to this share of it, evenly spread and anew in each step: what a coarse
   /// or approximate detection does to friction. 0 but in tests.

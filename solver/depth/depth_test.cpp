@@ -45,6 +45,29 @@ TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
   EXPECT_LT((normal_after(y, 0.5 * nearer / depth) - x).norm(), 1e-12) << "beyond the margin too";
 }
 
+// Pushed to the nearest point of a triangle that it has left for the next one in a flat face, a vertex would be
+// pushed aside, and one that sticks there held by more than its friction.
+TEST(TieMargin, DoesNotPushAVertexAsideThatHasPassedAnEdgeOfAFlatFace) {
+  const double depth = 0.01;
+  SceneDescription description;
+  description.bodies = {test::elastic_body(test::cube_mesh(1)), {}};
+  description.bodies[1].mesh.vertices = Vec3(0.5, 0.5, 1.0 - depth);
+  description.bodies[1].point_mass = 1.0;
+  const Scene scene = build_scene(description);
+  const Options options;
+  State state = initial_state(scene);
+  // Over the middle of the face, across whichever diagonal its two triangles share.
+  for (const double beside : {-0.1, 0.01, 0.05, 0.1}) {
+    state.position.back().x.x() = 0.5 + beside * depth;
+    const test::Found now(scene, options, state);
+    ASSERT_EQ(now.workspace.pairs.size(), 1u);
+    const PairContact& contact = now.workspace.pairs[0];
+    EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 1e-14) << beside;
+    EXPECT_NEAR(contact.depth, depth, 1e-15) << beside;
+    remember_pairs(now.workspace.pairs, scene.topology, state.pair_geometry);
+  }
+}
+
 // Two cubes of one cell, the upper one exactly on the lower one but for `depth`.
 SceneDescription flush_cubes(double depth) {
   SceneDescription description;

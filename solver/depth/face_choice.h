@@ -18,6 +18,14 @@ struct Choice {
   Real unexplained = 0.0;
 };
 
+/// Whether a vertex beside a triangle is over it but for rounding: the way to the nearest point, on the border,
+/// is the normal but for 1.4e-5 rad. Of its distance and how far it is below the plane, m; numbers or lanes.
+template <class Number>
+auto is_straight(const Number& distance, const Number& below) {
+  constexpr Real kStraight = 1 + by_precision(1e-10, 1e-6);
+  return distance <= Number(kStraight) * below;
+}
+
 /// With `resting`, the vertex's number, the nearest triangle counts only if it can rest on it; else
 /// the nearest on which it can does, if the contact was there before or can have come through it in
 /// this step. `margin`: see PairOptions::tie_margin. Positions are those of the search.

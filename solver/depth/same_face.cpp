@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "solver/depth/face_choice.h"
 #include "solver/depth/lane_triangle.h"
 #include "solver/depth/nearest_face.h"
 #include "solver/detection/detect_pairs.h"
@@ -168,10 +169,14 @@ class Measured {
       known |= unsigned{passes_over >= 0} << lane;
       over |= unsigned{passes_over == 1} << lane;
     }
-    const Mask found = ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2) &
+    // Off by more than rounding, one that passes over none may have left its triangle for another.
+    const Mask passed = Mask::of(over);
+    const Mask alone =
+        step_.options.tie_margin > 0.0 ? ~(passed | is_straight(distance_, -height_)) : Mask::of(0);
+    const Mask found = ~(open_ | nearest_.inside | alone) & (Number(Real(0)) < nearest_.distance2) &
                        Mask::of(known & batch_.stays & asked);
-    to_foot_ = found & ~Mask::of(over);
-    sunk_ = found & Mask::of(over);
+    to_foot_ = found & ~passed;
+    sunk_ = found & passed;
     return found.bits();
   }
 

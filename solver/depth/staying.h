@@ -13,8 +13,9 @@ struct Staying {
 };
 
 /// How far vertex and triangles may still move while `choose_face` (face_choice.h) still chooses the
-/// triangle that a contact is on, of those near its element, which must be listed in its group; 0 or
-/// less where that is not known, or it is not among them.
+/// triangle that a contact is on, as long as the vertex is over it or beside it by no more than rounding;
+/// of those near its element, which must be listed in its group; 0 or less where that is not known, or it
+/// is not among them.
 ///
 ///   own distance d₀, another triangle's d, margin of a tie m:   ((1 + m) d − d₀)/(2 + m)
 ///

@@ -115,14 +115,19 @@ PinchFall fall_of(CaseRun& run, const PinchSetup& setup) {
 }
 
 // A jaw of height h and width w leans on elastic feet, by φ = C h/(E I): the couple C is that of the
-// friction, m g w/4, and of the force where the body has come to be `fallen` (m) lower. Both faces
-// then push the body down by F φ, in terms of its weight, with 2 μ F about m g:
+// friction, m g w/4, and of the force where the body has come to be `fallen` (m) lower. Under the friction
+// τ its face slopes by (1 + ν)(1 − 2ν) τ/E besides [Johnson1985, sec. 2.5]. Both faces then push the body
+// down by F times either, in terms of its weight, with 2 μ F about m g:
 double lean_share(const PinchSetup& setup, double fallen) {
+  const Elasticity& jaw = setup.elasticity;
   const double weight = setup.mass * kStandardGravity;
   const double couple = 0.25 * weight * setup.jaw.x() + least_pinch(setup) * fallen;
   const double section = setup.jaw.y() * std::pow(setup.jaw.x(), 3) / 12.0;
-  const double lean = couple * setup.jaw.z() / (setup.elasticity.youngs_modulus * section);
-  return lean / setup.friction;
+  const double lean = couple * setup.jaw.z() / (jaw.youngs_modulus * section);
+  const double shear = 0.5 * weight / (setup.edge * setup.edge);
+  const double slope =
+      (1.0 + jaw.poisson_ratio) * (1.0 - 2.0 * jaw.poisson_ratio) * shear / jaw.youngs_modulus;
+  return (lean + slope) / setup.friction;
 }
 
 void run_slide(CaseRun& run, PinchSetup setup, double share) {
@@ -140,8 +145,8 @@ void run_slide(CaseRun& run, PinchSetup setup, double share) {
        .relative = true,
        .tolerance = lean_share(setup, kFallen) / (1.0 - share),
        .reason = "a velocity grows by the same amount every step, so there is no truncation error; "
-                 "elastic jaws lean by φ = (m g w/4 + F d) h/(E I), d = 1 cm fallen, and push by "
-                 "2 F φ"},
+                 "elastic jaws lean by φ = (m g w/4 + F d) h/(E I), d = 1 cm fallen, their faces "
+                 "slope by σ = (1 + ν)(1 − 2ν) τ/E, and they push by 2 F (φ + σ)"},
       fall.acceleration + kStandardGravity * share * (fall.pressed - 1.0));
   run.note(fmt::format("the jaws press with {:.6f} F", fall.pressed));
 }
@@ -164,17 +169,19 @@ void run_threshold(CaseRun& run, PinchSetup setup) {
   const double share = std::isnan(bracket.holds)
                            ? bracket.holds
                            : 0.5 * (pressed.at(bracket.holds) + pressed.at(bracket.fails));
-  run.check({.quantity = "least force",
-             .unit = "N",
-             .statement = "the body gives, that is falls faster than 1e-3 g, below a force",
-             .formula = "N = (1 − 1e-3) m g/(2μ), N = F − M dv/dt",
-             .source = kPinchSource,
-             .kind = ReferenceKind::kAnalytic,
-             .expected = (1.0 - kGives) * least,
-             .relative = true,
-             .tolerance = 0.5 * kWidth + lean_share(setup, 0.0),
-             .reason = "half the bracket (1e-5), and the lean of elastic jaws, φ/μ"},
-            share * bracket.middle());
+  run.check(
+      {.quantity = "least force",
+       .unit = "N",
+       .statement = "the body gives, that is falls faster than 1e-3 g, below a force",
+       .formula = "N = (1 − 1e-3) m g/(2μ), N = F − M dv/dt",
+       .source = kPinchSource,
+       .kind = ReferenceKind::kAnalytic,
+       .expected = (1.0 - kGives) * least,
+       .relative = true,
+       .tolerance = 0.5 * kWidth + lean_share(setup, 0.0),
+       .reason =
+           "half the bracket (1e-5), and the lean of elastic jaws and their faces, (φ + σ)/μ"},
+      share * bracket.middle());
   run.note(
       fmt::format("F holds at {:.8g} N, gives at {:.8g} N, where the jaws press with {:.6f} F; "
                   "m g/(2μ) = {:.8g} N; {} runs",

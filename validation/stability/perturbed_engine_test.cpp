@@ -8,6 +8,7 @@
 
 #include "reference/process/child.h"
 #include "solver/demand.h"
+#include "validation/engines/stiction/solver_view.h"
 #include "validation/problems/free_boxes.h"
 #include "validation/problems/slopes/incline_problem.h"
 #include "validation/problems/slopes/slab_problem.h"
@@ -167,6 +168,12 @@ TEST(PerturbedEngine, IsNotApplicableWhereItCannotBe) {
   Problem damped = incline_problem({});
   damped.drag = {.rate = 1.0, .full_until = 1.0, .ends = 2.0};
   EXPECT_THROW(perturbed(damped, find_perturbation("drifting"), 1), NotApplicable);
+}
+
+// Nor is what looks into the solver, past the wrapper.
+TEST(PerturbedEngine, HidesTheSolver) {
+  const auto engine = perturbed(find_engine("stiction"), find_perturbation("ulp/1")).make({});
+  EXPECT_THROW(solver_view(*engine), NotApplicable);
 }
 
 TEST(Perturbations, HaveNamesOfTheirOwnAndAGroup) {

@@ -307,7 +307,7 @@ std::map<std::string, std::string> settings_help() {
 
 SolverView solver_view(const Engine& engine) {
   const auto* const own = dynamic_cast<const StictionEngine*>(&engine);
-  demand(own != nullptr, "a study of the solver runs on the engine 'stiction'");
+  if (own == nullptr) throw NotApplicable("it looks into the solver, which a wrapper hides");
   return own->view();
 }
 

@@ -16,7 +16,7 @@ struct SolverView {
   const Workspace& workspace;
 };
 
-/// Of a loaded engine; std::logic_error when it is another than 'stiction'.
+/// Of a loaded engine; NotApplicable when it is another, or that behind a wrapper.
 SolverView solver_view(const Engine& engine);
 
 }  // namespace stiction

@@ -15,8 +15,14 @@ constexpr Cause kFreeToTurn{
     "turns "
     "about the vertical at 2.4e-6 to 8.8e-6 rad/s (slippery groove, ridge across ridge) and about "
     "any other axis at 1e-11 rad/s or less; exactly tip on tip, where three of six contacts slip, "
-    "at 1.2e-4 and 1.4e-7 rad/s. With a single contact (tips 2 mm off each other) it rests",
+    "at 1.2e-4 and 1.4e-7 rad/s. With a single contact (tips 2 mm off each other) it rests. So "
+    "does a "
+    "tip on a vertex of a flat face, or not: by the draw of one ulp",
     kFreeTurn};
+constexpr Words kDraws{"kDraws",
+                       "what this scene gives as it is, with one ulp of noise, turned and "
+                       "mirrored: from one of these to "
+                       "the next it differs as much"};
 
 }  // namespace
 
@@ -25,12 +31,15 @@ Expectations expectations_gauntlet() {
   return {
       {"gauntlet/spike-in-wedge", "method=quiet", "share at rest", {-0.5, 0.84}, kShortfall, kFreeToTurn, kFactorThree},
       {"gauntlet/spike-in-wedge", "method=quiet", "growth of kinetic energy", {0.54, 5}, kShortfall, kFreeToTurn, kFactorThree},
-      {"gauntlet/spike-in-wedge/rough", "method=quiet", "share at rest", {0.5, 0.5}, kShortfall, kFreeToTurn, kCount},
+      {"gauntlet/spike-in-wedge/rough", "method=quiet", "share at rest", {0, 0.5}, kShortfall, kFreeToTurn, kDraws},
       {"gauntlet/spike-in-wedge/rough", "method=quiet", "growth of kinetic energy", {0.48, 4.6}, kShortfall, kFreeToTurn, kFactorThree},
       {"gauntlet/spike-on-spike", "method=quiet", "share at rest", {0.5, 0.5}, kShortfall, kFreeToTurn, kCount},
-      {"gauntlet/spike-on-spike", "method=quiet", "drift at rest", {4.5e-10, 6.7e-09}, kShortfall, kFreeToTurn, kFactorThree},
+      {"gauntlet/spike-on-spike", "method=quiet", "drift at rest", {7e-10, 3.3e-06}, kShortfall, kFreeToTurn, kDraws},
       {"gauntlet/spike-on-spike", "method=quiet", "fastest contact slip", {2.6e-10, 6.8e-09}, kShortfall, kFreeToTurn, kFactorThree},
       {"gauntlet/spike-on-spike", "method=quiet", "growth of kinetic energy", {0.49, 4.6}, kShortfall, kFreeToTurn, kFactorThree},
+      {"gauntlet/spike-on-spike", "method=quiet", "contact force beside the weight", {9e-11, 3e-05}, kShortfall, kFreeToTurn, kDraws},
+      {"gauntlet/vertex-on-flat", "method=quiet", "share at rest", {0.6, 0.7}, kShortfall, kFreeToTurn, kCount},
+      {"gauntlet/vertex-on-flat", "method=quiet", "growth of kinetic energy", {0.7, 1.7}, kShortfall, kFreeToTurn, kDraws},
       {"gauntlet/wedge-on-wedge", "method=quiet", "share at rest", {0, 0}, kShortfall, kFreeToTurn, kCount},
       {"gauntlet/wedge-on-wedge", "method=quiet", "growth of kinetic energy", {0.54, 5}, kShortfall, kFreeToTurn, kFactorThree},
   };
