@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/depth/nearest_face.h"
+#include "solver/lanes/lane_register.h"
 #include "solver/state.h"
 
 namespace stiction {
@@ -21,7 +22,7 @@ struct Choice {
 /// Whether a vertex beside a triangle is over it but for rounding: the way to the nearest point, on the border,
 /// is the normal but for 1.4e-5 rad. Of its distance and how far it is below the plane, m; numbers or lanes.
 template <class Number>
-auto is_straight(const Number& distance, const Number& below) {
+STICTION_LANES_INLINE auto is_straight(const Number& distance, const Number& below) {
   constexpr Real kStraight = 1 + by_precision(1e-10, 1e-6);
   return distance <= Number(kStraight) * below;
 }
