@@ -20,19 +20,6 @@ Projection keep_last(const Topology& topology, const std::vector<Vec3>& x, const
   return last.nearest.distance2 <= farthest2 ? last : found;
 }
 
-// Whether the vertex has left what lies below a triangle, which it has kept, for the nearest. On the way to
-// its border it would be pushed aside, by up to √(2 margin), and one that sticks over an edge in a flat face
-// be held as by a wedge.
-bool has_left(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
-              const Projection& kept, const Projection& nearest) {
-  const Real distance2 = kept.nearest.distance2;
-  if (kept.nearest.inside || distance2 <= nearest.nearest.distance2) return false;
-  const Topology::Triangle& triangle = topology.triangle[static_cast<std::size_t>(kept.triangle)];
-  const Vec3& corner = x[static_cast<std::size_t>(triangle.vertex[0])];
-  const Real height = outward_normal(triangle, x).dot(point - corner);
-  return !is_straight(std::sqrt(distance2), -height);
-}
-
 // Path of the vertex past the triangle in this step, m.
 Vec3 path_past(const Topology& topology, const std::vector<Vec3>& x, const State& state,
                std::int32_t vertex, std::int32_t triangle) {
@@ -47,6 +34,15 @@ Vec3 path_past(const Topology& topology, const std::vector<Vec3>& x, const State
 }
 
 }  // namespace
+
+bool is_over(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+             const Projection& on) {
+  if (on.nearest.inside) return true;
+  const Topology::Triangle& triangle = topology.triangle[static_cast<std::size_t>(on.triangle)];
+  const Vec3& corner = x[static_cast<std::size_t>(triangle.vertex[0])];
+  const Real height = outward_normal(triangle, x).dot(point - corner);
+  return is_straight(std::sqrt(on.nearest.distance2), -height);
+}
 
 bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t from,
              std::int32_t to) {
@@ -68,7 +64,11 @@ Choice choose_face(const Topology& topology, const State& state, PairSearch& sea
   };
   const Projection nearest = project(topology, search, group, point, contact);
   const Projection kept = keep(nearest);
-  const Projection best = has_left(topology, x, point, kept, nearest) ? nearest : kept;
+  // On the way to the border of a triangle that it has left for the nearest a vertex would be pushed aside,
+  // by up to √(2 margin), and one that sticks over an edge in a flat face be held as by a wedge.
+  const bool has_left =
+      kept.nearest.distance2 > nearest.nearest.distance2 && !is_over(topology, x, point, kept);
+  const Projection& best = has_left ? nearest : kept;
   // That of the last step was asked then.
   if (resting < 0 || best.triangle < 0 || best.triangle == contact.triangle ||
       can_rest_on(topology, x, resting,

@@ -27,6 +27,10 @@ STICTION_LANES_INLINE auto is_straight(const Number& distance, const Number& bel
   return distance <= Number(kStraight) * below;
 }
 
+/// Whether a vertex is over the triangle that it was projected on, or beside it by no more than rounding.
+bool is_over(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
+             const Projection& on);
+
 /// With `resting`, the vertex's number, the nearest triangle counts only if it can rest on it; else
 /// the nearest on which it can does, if the contact was there before or can have come through it in
 /// this step. `margin`: see PairOptions::tie_margin. Positions are those of the search.

@@ -174,18 +174,6 @@ Scene flush(unsigned seed) {
 }
 
 // Moves what a bound says may move, in many directions, and asks again.
-// Whether a contact's vertex is over its triangle, or beside it by no more than rounding.
-bool is_over(const Topology& topology, const PairSearch& search, const PairContact& contact) {
-  const Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];
-  const Topology::Triangle& triangle =
-      topology.triangle[static_cast<std::size_t>(contact.triangle)];
-  const NearestOnTriangle nearest =
-      project_on(topology, search.predicted, point, contact.triangle).nearest;
-  const Vec3& corner = search.predicted[static_cast<std::size_t>(triangle.vertex[0])];
-  const Real height = outward_normal(triangle, search.predicted).dot(point - corner);
-  return nearest.inside || is_straight(std::sqrt(nearest.distance2), -height);
-}
-
 TEST(Staying, IsABoundOnWhatMayMove) {
   std::size_t moved = 0, told[2] = {};
   std::vector<unsigned> seeds(500);
@@ -239,11 +227,13 @@ TEST(Staying, IsABoundOnWhatMayMove) {
             other.predicted[static_cast<std::size_t>(v)] += by * way.col(v).cast<Real>();
           }
           other.moved[static_cast<std::size_t>(contact.other)] += within;
-          const Choice choice = choose_face(scene.topology, state, other, nullptr,
-                                            other.predicted[static_cast<std::size_t>(own)], contact,
+          const Vec3& point = other.predicted[static_cast<std::size_t>(own)];
+          const Choice choice = choose_face(scene.topology, state, other, nullptr, point, contact,
                                             options.pairs.tie_margin,
                                             options.pairs.face == PairFace::kOpposed ? own : -1);
-          if (!is_over(scene.topology, other, contact)) continue;
+          const Projection last =
+              project_on(scene.topology, other.predicted, point, contact.triangle);
+          if (!is_over(scene.topology, other.predicted, point, last)) continue;
           ++moved;
           EXPECT_EQ(choice.projection.triangle, contact.triangle)
               << "scene " << seed << ", vertex " << own << ", within " << within;

@@ -116,8 +116,9 @@ PinchFall fall_of(CaseRun& run, const PinchSetup& setup) {
 
 // A jaw of height h and width w leans on elastic feet, by φ = C h/(E I): the couple C is that of the
 // friction, m g w/4, and of the force where the body has come to be `fallen` (m) lower. Under the friction
-// τ its face slopes by (1 + ν)(1 − 2ν) τ/E besides [Johnson1985, sec. 2.5]. Both faces then push the body
-// down by F times either, in terms of its weight, with 2 μ F about m g:
+// τ, as along a strip, its face slopes by σ = (1 + ν)(1 − 2ν) τ/E besides [Johnson1985, ch. 2]. Both faces
+// then push the body down by F (φ + σ), in terms of its weight, with 2 μ F about m g (measured: with twice
+// E half as much is missing):
 double lean_share(const PinchSetup& setup, double fallen) {
   const Elasticity& jaw = setup.elasticity;
   const double weight = setup.mass * kStandardGravity;

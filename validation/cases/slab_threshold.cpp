@@ -102,6 +102,7 @@ void check_extrapolated(CaseRun& run, const SlopeSearch& soft, const SlopeSearch
   // leans by 16 % more or 14 % less at E, by 18 % and 14 % at 4 E (measured in brackets of 5e-5°). Boxes
   // that hold have come up to 3 mm, next to the threshold 2.8 mm at E and 1.7 mm at 4 E, so that leans are
   // not quite in proportion to 1/E: 5.0e-4° stay after the extrapolation, a tenth of the lean at 4 E.
+  // What either is off adds up.
   const double place = extrapolated(kByPlace * std::abs(stiff_lean), 0.0);
   const double brackets = 0.5 * extrapolated(stiff.bracket.width(), -soft.bracket.width());
   check_critical(run, extrapolated(stiff.bracket.middle(), soft.bracket.middle()), expected,

@@ -16,13 +16,11 @@ constexpr Cause kFreeToTurn{
     "about the vertical at 2.4e-6 to 8.8e-6 rad/s (slippery groove, ridge across ridge) and about "
     "any other axis at 1e-11 rad/s or less; exactly tip on tip, where three of six contacts slip, "
     "at 1.2e-4 and 1.4e-7 rad/s. With a single contact (tips 2 mm off each other) it rests. So "
-    "does a "
-    "tip on a vertex of a flat face, or not: by the draw of one ulp",
+    "does a tip on a vertex of a flat face, or not: by the draw of one ulp",
     kFreeTurn};
 constexpr Words kDraws{"kDraws",
                        "what this scene gives as it is, with one ulp of noise, turned and "
-                       "mirrored: from one of these to "
-                       "the next it differs as much"};
+                       "mirrored: from one of these to the next it differs as much"};
 
 }  // namespace
 
