@@ -206,6 +206,46 @@ TEST(Step, HasTheSameBitsWhetherContactsStandApartOrNot) {
   }
 }
 
+// What a workspace has of the last step's contacts is looked through, and left where it holds: it must not
+// where partners were of a triangle, or elements of another scene had their corners in another order.
+TEST(Step, TakesNothingFromAWorkspaceThatSawOtherOptionsOrAnotherScene) {
+  SceneDescription description = test::stacked_cubes(1e-9);
+  description.half_spaces = {test::ground(0.5)};
+  description.gravity = {{0.0}, {Vec3(2.0, 0.0, -9.81)}};
+  // So that contacts stay closed.
+  description.bodies[1].initial_velocity = Vec3(0.0, 0.0, -10.0).replicate(1, 27);
+  const Scene scene = build_scene(description);
+  for (BodyDescription& body : description.bodies) {
+    const auto corners = body.mesh.tetrahedra;
+    for (int k = 0; k < 3; ++k) body.mesh.tetrahedra.row(k) = corners.row((k + 1) % 3);
+  }
+  const Scene renumbered = build_scene(description);
+  const Options tetrahedron{.time_step = 1e-4};
+  Options triangle = tetrahedron, by_triangle = tetrahedron;
+  triangle.pairs.weights = by_triangle.pairs.weights = PairWeights::kTriangle;
+  by_triangle.pairs.key = PairKey::kTriangle;
+  struct Step {
+    const Scene& scene;
+    const Options& options;
+  };
+  State used = initial_state(scene), unused = used;
+  Workspace workspace;
+  std::ptrdiff_t closed = 0;
+  for (int k = 0; k < 5; ++k) {
+    for (const auto& [of, options] :
+         {Step{scene, tetrahedron}, Step{renumbered, tetrahedron}, Step{renumbered, triangle},
+          Step{renumbered, by_triangle}, Step{scene, triangle}}) {
+      Workspace fresh;
+      advance(of, options, used, workspace, 2);
+      advance(of, options, unused, fresh, 2);
+      closed += std::count_if(workspace.pairs.begin(), workspace.pairs.end(),
+                              [](const PairContact& contact) { return !contact.open; });
+      ASSERT_EQ(hash_of(used), hash_of(unused)) << k;
+    }
+  }
+  EXPECT_GT(closed, 30);
+}
+
 // Exact-computed: vₙ = v₀ + n Δt g, xₙ = x₀ + Δt Σ vₖ.
 TEST(Step, FollowsTheRecurrenceOfFreeFall) {
   SceneDescription description = test::one_body(test::point_masses(Vec3(1, 2, 3), 0.3));

@@ -2,6 +2,7 @@
 #include "benchmarks/bench/batch.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "solver/friction/catalog.h"
 #include "solver/hash.h"
@@ -87,7 +88,11 @@ void Batch::restore() {
     case Phase::kPredict:
       return;  // these read the state and write the workspace afresh
     case Phase::kDetect:
-      if (timed_.afresh) workspace.search.scene = 0;
+      if (!timed_.afresh) return;
+      // All have come too far for their lists.
+      for (Vec3& from : workspace.search.reference) {
+        from.setConstant(std::numeric_limits<Real>::infinity());
+      }
       return;
     case Phase::kDepth:
       workspace.pairs = pairs_;

@@ -30,6 +30,9 @@ const std::int32_t* corners_of(const Contact& contact) {
                                                offsetof(Contact, vertex));
 }
 
+ContactKey key_of(const PairContact& contact) { return contact.key(); }
+ContactKey key_of(const EdgeContact& contact) { return contact.key; }
+
 }  // namespace
 
 void ContactOrder::in_one_chunk(std::size_t contacts) {
@@ -37,57 +40,56 @@ void ContactOrder::in_one_chunk(std::size_t contacts) {
   chunk_.assign(contacts > 0 ? 1 : 0, {0, contacts});
   colour_begin_.assign({0, chunk_.size()});
   corner_.clear();
+  key_.clear();
   contact_.clear();
 }
 
 template <class Contact>
 void ContactOrder::remember(const std::vector<Contact>& contacts) {
+  in_one_chunk(contacts.size());
   corners_ = kCorners<Contact>;
   corner_.resize(corners_ * contacts.size());
+  key_.resize(contacts.size());
   contact_.resize(contacts.size());
   std::iota(contact_.begin(), contact_.end(), 0);
   apart_ = false;
-  std::int32_t* known = corner_.data();
-  for (const Contact& contact : contacts) {
-    std::memcpy(known, corners_of(contact), kCorners<Contact> * sizeof(std::int32_t));
-    known += kCorners<Contact>;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::memcpy(&corner_[corners_ * c], corners_of(contacts[c]), corners_ * sizeof(std::int32_t));
+    key_[c] = key_of(contacts[c]);
   }
 }
 
 template <class Contact>
-bool ContactOrder::is_of(const std::vector<Contact>& contacts) const {
-  if (corner_.size() != kCorners<Contact> * contacts.size()) return false;
-  const std::int32_t* known = corner_.data();
-  for (const Contact& contact : contacts) {
-    constexpr std::size_t kBytes = kCorners<Contact> * sizeof(std::int32_t);
-    if (std::memcmp(known, corners_of(contact), kBytes) != 0) return false;
-    known += kCorners<Contact>;
+bool ContactOrder::is_of(const std::vector<Contact>& contacts, const Chunk& chunk) const {
+  constexpr std::size_t kBytes = kCorners<Contact> * sizeof(std::int32_t);
+  if (key_.size() != contacts.size() || corners_ != kCorners<Contact>) return false;
+  for (std::size_t c = chunk.begin; c < chunk.end; ++c) {
+    if (key_[c] != key_of(contacts[c]) ||
+        std::memcmp(&corner_[corners_ * c], corners_of(contacts[c]), kBytes) != 0) {
+      return false;
+    }
   }
   return true;
 }
-template bool ContactOrder::is_of(const PairContacts&) const;
-template bool ContactOrder::is_of(const EdgeContacts&) const;
+template bool ContactOrder::is_of(const PairContacts&, const Chunk&) const;
+template bool ContactOrder::is_of(const EdgeContacts&, const Chunk&) const;
 
-template <class Contact>
-bool ContactOrder::has_lasted(const std::vector<Contact>& contacts, std::size_t vertices) {
-  if (is_of(contacts) && is_for(contacts.size())) {
-    if (!apart_) put_apart(vertices);
-    return true;
-  }
-  in_one_chunk(contacts.size());
-  remember(contacts);
-  return false;
-}
-
-void ContactOrder::make(const PairContacts& pairs, std::size_t vertices) {
-  if (!has_lasted(pairs, vertices) && pairs.size() >= kMany) colour(vertices);
+void ContactOrder::make_anew(const PairContacts& pairs, std::size_t vertices) {
+  remember(pairs);
+  if (pairs.size() >= kMany) colour(vertices);
 }
 
 void ContactOrder::make(const EdgeContacts& edges, std::size_t vertices) {
-  has_lasted(edges, vertices);
+  if (is_of(edges)) {
+    put_apart(vertices);
+  } else {
+    remember(edges);
+  }
 }
 
+// If they don't stand apart already.
 void ContactOrder::put_apart(std::size_t vertices) {
+  if (apart_) return;
   // So many contacts are put apart among themselves. Far apart is best (friction of 1000 takes 21 ns a
   // contact in the order of their keys, 19 in windows of 16, 16 in those of 256), as long as records
   // wait in a cache near by; else the memory wants them one after the other (100 000: 36 ns, 35, 44).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -36,16 +37,42 @@ class ContactOrder {
 
   /// So many contacts in the order of their keys.
   void in_one_chunk(std::size_t contacts);
-  /// Of contacts between bodies; a scene has so many vertices.
-  void make(const PairContacts& pairs, std::size_t vertices);
+  /// Of contacts between bodies; a scene has so many vertices. Calls work(chunk) for each chunk, as by
+  /// `for_each_chunk`: while it is found out whether these are the contacts that the order was made of
+  /// before, so that each record is fetched once for both. `restart()` comes first, and again where they
+  /// are not and all chunks are others.
+  template <class Restart, class Work>
+  void make(const PairContacts& pairs, std::size_t vertices, const Team* team,
+            const Restart& restart, const Work& work) {
+    restart();
+    if (is_for(pairs.size())) {
+      std::atomic<bool> lasts = true;
+      for_each_chunk(team, [&](std::size_t, const Chunk& chunk) {
+        if (!is_of(pairs, chunk)) lasts = false;
+        work(chunk);
+      });
+      if (lasts) return put_apart(vertices);
+      restart();
+    }
+    make_anew(pairs, vertices);
+    for_each_chunk(team, [&](std::size_t, const Chunk& chunk) { work(chunk); });
+  }
+  void make(const PairContacts& pairs, std::size_t vertices) {
+    make(
+        pairs, vertices, nullptr, [] {}, [](const Chunk&) {});
+  }
   /// Of edges: however many they are, one chunk.
   void make(const EdgeContacts& edges, std::size_t vertices);
   /// Of contacts with obstacles, whose colour is the obstacle.
   void make(const OneSidedContacts& contacts);
 
-  /// Whether it was made of contacts, between bodies or of edges, with the same vertices.
+  /// Whether it was made of contacts, between bodies or of edges, with the same keys and vertices.
   template <class Contact>
-  bool is_of(const std::vector<Contact>& contacts) const;
+  bool is_of(const std::vector<Contact>& contacts) const {
+    return is_for(contacts.size()) && is_of(contacts, {0, contacts.size()});
+  }
+  /// The keys of those that it was made of.
+  const std::vector<ContactKey>& keys() const { return key_; }
   /// Whether it was made for so many contacts.
   bool is_for(std::size_t contacts) const {
     return !colour_begin_.empty() && contacts == contacts_;
@@ -95,11 +122,11 @@ class ContactOrder {
   }
 
  private:
-  // Puts apart those that it was made of before; of others, makes one chunk.
   template <class Contact>
-  bool has_lasted(const std::vector<Contact>& contacts, std::size_t vertices);
+  bool is_of(const std::vector<Contact>& contacts, const Chunk& chunk) const;
   template <class Contact>
   void remember(const std::vector<Contact>& contacts);
+  void make_anew(const PairContacts& pairs, std::size_t vertices);
   void colour(std::size_t vertices);
   void put_apart(std::size_t vertices);
   std::int32_t put_apart_in(const Chunk& window, std::int32_t before);
@@ -111,6 +138,7 @@ class ContactOrder {
   // Of contacts between bodies or of edges.
   std::size_t corners_ = 0;            // vertices that each has
   std::vector<std::int32_t> corner_;   // these, one contact after the other
+  std::vector<ContactKey> key_;        // of each
   std::vector<std::int32_t> contact_;  // of each place
   bool apart_ = false;                 // whether neighbours stand apart
   std::vector<std::int32_t> round_;    // scratch: per vertex, the last round that has it

@@ -96,6 +96,40 @@ TEST(ContactOrder, FollowsFromTheContactsAloneWhateverItWasBefore) {
   EXPECT_EQ(order.chunks(), 1u);
 }
 
+TEST(ContactOrder, HandsOutEachContactOnceSinceItsLastRestartAndSaysIfItLasts) {
+  PairContacts pairs = strip(kMany);
+  ContactOrder order;
+  std::vector<int> handed;
+  int restarts = 0;
+  const auto make = [&] {
+    restarts = 0;
+    order.make(
+        pairs, vertices_of(kMany), nullptr,
+        [&] {
+          ++restarts;
+          handed.assign(kMany, 0);
+        },
+        [&](const Chunk& chunk) {
+          for (std::size_t c = chunk.begin; c < chunk.end; ++c) ++handed[c];
+        });
+    EXPECT_EQ(handed, std::vector<int>(kMany, 1));
+    EXPECT_TRUE(order.is_of(pairs));
+  };
+  make();
+  EXPECT_EQ(restarts, 1);
+  make();
+  EXPECT_EQ(restarts, 1) << "it lasts";
+  pairs[kMany / 2].other = 7;
+  EXPECT_FALSE(order.is_of(pairs)) << "another key";
+  make();
+  EXPECT_EQ(restarts, 2);
+  EXPECT_EQ(order.keys()[kMany / 2], pairs[kMany / 2].key());
+  std::swap(pairs.back().partner[0], pairs.back().partner[1]);
+  EXPECT_FALSE(order.is_of(pairs)) << "other vertices";
+  make();
+  EXPECT_EQ(restarts, 2);
+}
+
 // The contacts of the places, and how near to each other two stand that share a vertex.
 struct Placed {
   std::vector<std::size_t> contacts;

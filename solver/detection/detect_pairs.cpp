@@ -113,48 +113,62 @@ std::int32_t verdict_of(std::int32_t last, std::int32_t found) {
   return found >= 0 ? found : -2 - last;
 }
 
-// Tests the candidates of all groups.
-void find_elements(const Scene& scene, const PairGeometry& last, Real margin, const Team* team,
-                   PairSearch& search) {
-  search.holds.resize(search.group.size());
-  const int width = lane_width();
-  const auto find = [&](std::size_t begin, std::size_t end) {
+// Tests the candidates of groups.
+class Find {
+ public:
+  Find(const Scene& scene, const PairGeometry& last, Real margin, PairSearch& search)
+      : scene_(scene), last_(last), margin_(margin), search_(search), width_(lane_width()) {
+    search.holds.resize(search.group.size());
+  }
+
+  // Of those from `begin` to before `end`.
+  void operator()(std::size_t begin, std::size_t end) const {
     if (begin == end) return;
     const auto first =
-        std::lower_bound(last.body_key.begin(), last.body_key.end(), search.group[begin].key);
-    auto old = static_cast<std::size_t>(first - last.body_key.begin());
+        std::lower_bound(last_.body_key.begin(), last_.body_key.end(), search_.group[begin].key);
+    auto old = static_cast<std::size_t>(first - last_.body_key.begin());
     for (std::size_t g = begin; g < end; ++g) {
-      PairSearch::Group& group = search.group[g];
-      while (old < last.body_key.size() && last.body_key[old] < group.key) ++old;
-      const bool persists = old < last.body_key.size() && last.body_key[old] == group.key;
-      const double path = paths(scene.topology, search, group.key);
-      const std::int32_t in = persists ? last.element[old] : -1;
+      PairSearch::Group& group = search_.group[g];
+      while (old < last_.body_key.size() && last_.body_key[old] < group.key) ++old;
+      const bool persists = old < last_.body_key.size() && last_.body_key[old] == group.key;
+      const double path = paths(scene_.topology, search_, group.key);
+      const std::int32_t in = persists ? last_.element[old] : -1;
       if (path < group.holds_until &&
           (group.verdict == in || group.verdict == verdict_of(in, -1))) {
-        search.holds[g] = group.verdict >= 0 ? in : -1;
+        search_.holds[g] = group.verdict >= 0 ? in : -1;
         continue;
       }
-      // Twice as far ahead as elsewhere: less is done between.
-      if (old + 2 * kAskedAhead < last.element.size()) {
-        ask_for(&scene.elements[static_cast<std::size_t>(last.element[old + 2 * kAskedAhead])]);
-        const std::size_t sooner = old + kAskedAhead;
-        const std::int32_t next = last.element[sooner];
-        ask_for(&search.predicted[static_cast<std::size_t>(first_of(last.body_key[sooner]))]);
-        for (const std::int32_t v : scene.elements[static_cast<std::size_t>(next)].vertex) {
-          ask_for(&search.predicted[static_cast<std::size_t>(v)]);
-        }
-      }
-      const std::int32_t found = find_element(scene, search, group, in, margin, width);
-      search.holds[g] = found;
+      ask_ahead(old);
+      const std::int32_t found = find_element(scene_, search_, group, in, margin_, width_);
+      search_.holds[g] = found;
       const std::int32_t verdict = verdict_of(in, found);
       const bool same = verdict == group.verdict;
       group.verdict = verdict;
       note_lasting(same, path, group.held, group.holds_until,
-                   [&] { return lasts_within(scene, search, group, in, found); });
+                   [&] { return lasts_within(scene_, search_, group, in, found); });
     }
-  };
-  for_ranges(team, search.group.size(), kContactsToShare, find);
-}
+  }
+
+ private:
+  // For what the test of contacts after one of the last step will read. Twice as far ahead as elsewhere:
+  // less is done between.
+  void ask_ahead(std::size_t old) const {
+    if (old + 2 * kAskedAhead >= last_.element.size()) return;
+    ask_for(&scene_.elements[static_cast<std::size_t>(last_.element[old + 2 * kAskedAhead])]);
+    const std::size_t sooner = old + kAskedAhead;
+    const std::int32_t next = last_.element[sooner];
+    ask_for(&search_.predicted[static_cast<std::size_t>(first_of(last_.body_key[sooner]))]);
+    for (const std::int32_t v : scene_.elements[static_cast<std::size_t>(next)].vertex) {
+      ask_for(&search_.predicted[static_cast<std::size_t>(v)]);
+    }
+  }
+
+  const Scene& scene_;
+  const PairGeometry& last_;
+  Real margin_;
+  PairSearch& search_;
+  int width_;
+};
 
 // Merges what is found with the contacts of the last step that have only just opened. Those are
 // measured in the depth phase, which drops them when the gap is too wide.
@@ -208,40 +222,72 @@ class Merge {
   bool keep_open_, keep_triangle_;
 };
 
-void merge_with_kept(const Scene& scene, const PairSearch& search, const PairGeometry& last,
-                     const PairOptions& options, const Team* team, PairContacts& pairs) {
+// Puts a contact in a place of the list, where that of the last step may stand already: most do, and
+// nothing is written then.
+void put(const Scene& scene, ContactKey key, std::int32_t element, std::int32_t triangle, bool open,
+         PairContact& place) {
+  if (place.key() != key || place.element != element) {
+    place = contact_at(scene, key, element, triangle, open);
+    return;
+  }
+  if (place.triangle != triangle) place.triangle = triangle;
+  if (place.open != open) place.open = open;
+}
+
+// Finds contacts, and puts them in the places of those of the last step.
+void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions& options,
+                 const Team* team, PairSearch& search, PairContacts& pairs) {
+  // Groups are merged while what was found of them is in the nearest cache.
+  constexpr std::size_t kBlock = 256;
+  const Find find(scene, last, options.tie_margin, search);
   const Merge merge(scene, search, last, options);
   const std::size_t groups = search.group.size();
+  const auto found = [&](std::size_t begin, std::size_t end, const auto& add) {
+    do {
+      const std::size_t next = std::min(begin + kBlock, end);
+      find(begin, next);
+      merge(begin, next, add);
+      begin = next;
+    } while (begin < end);
+  };
   const std::size_t ranges = ranges_of(team, groups, kContactsToShare);
   if (ranges == 1) {
-    pairs.clear();
-    merge(0, groups, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
-      pairs.push_back(contact_at(scene, key, element, triangle, open));
+    std::size_t count = 0;
+    found(0, groups, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
+      if (count == pairs.size()) pairs.emplace_back();
+      put(scene, key, element, triangle, open, pairs[count++]);
     });
+    pairs.resize(count);
     return;
   }
   // Counted first, so that each range knows where its contacts come.
   std::vector<std::size_t> first(ranges + 1, 0);
   for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
-    merge(begin, end, [&](ContactKey, std::int32_t, std::int32_t, bool) { ++first[r + 1]; });
+    std::size_t count = 0;
+    found(begin, end, [&](ContactKey, std::int32_t, std::int32_t, bool) { ++count; });
+    first[r + 1] = count;
   });
   std::partial_sum(first.begin(), first.end(), first.begin());
   pairs.resize(first[ranges]);
   for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
     PairContact* next = pairs.data() + first[r];
     merge(begin, end, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
-      *next++ = contact_at(scene, key, element, triangle, open);
+      put(scene, key, element, triangle, open, *next++);
     });
   });
 }
 
-// Other options, other faces and edges: what is known of them is forgotten.
-void begin_options(const PairOptions& options, PairSearch& search) {
-  const PairSearch::KnownFor now{options.face, options.tie_margin, options.border_margin};
-  if (now == search.known_for) return;
+// Of another scene, or with other options, what is known of faces and edges is forgotten, and the contacts
+// of the last step say nothing of this one's.
+void begin(const Scene& scene, const PairOptions& options, Workspace& workspace) {
+  PairSearch& search = workspace.search;
+  const PairSearch::KnownFor now{options.face, options.weights, options.tie_margin,
+                                 options.border_margin};
+  if (now == search.known_for && search.scene == scene.serial) return;
   search.known_for = now;
   search.edges_listed = false;
   for (PairSearch::Group& group : search.group) group.stays_on = -1;
+  workspace.pairs.clear();
 }
 
 }  // namespace
@@ -254,7 +300,7 @@ void set_corners(const std::vector<Element>& elements, PairContact& contact) {
 void detect_pairs(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace) {
   PairSearch& search = workspace.search;
-  begin_options(options.pairs, search);
+  begin(scene, options.pairs, workspace);
   if (update_candidates(scene, options.dt(), state, workspace.velocity, workspace.team, search)) {
     search.edges_listed = false;
     if (options.pairs.face == PairFace::kOpposed) {
@@ -262,9 +308,7 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
     }
   }
   if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
-  find_elements(scene, state.pair_geometry, options.pairs.tie_margin, workspace.team, search);
-  merge_with_kept(scene, search, state.pair_geometry, options.pairs, workspace.team,
-                  workspace.pairs);
+  renew_pairs(scene, state.pair_geometry, options.pairs, workspace.team, search, workspace.pairs);
 }
 
 }  // namespace stiction

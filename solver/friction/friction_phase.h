@@ -26,40 +26,36 @@
 
 namespace stiction::friction_phase {
 
+// Whether two lists of keys are the same, as in most steps.
+inline bool same_keys(const std::vector<ContactKey>& a, const std::vector<ContactKey>& b,
+                      const Team* team) {
+  if (a.size() != b.size()) return false;
+  std::atomic<bool> same = true;
+  for_ranges(team, a.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
+    if (!std::equal(a.data() + begin, a.data() + end, b.data() + begin)) same = false;
+  });
+  return same;
+}
+
 // Moves the memory of the contacts that persist to their new places, both lists being in the order
-// of their keys, and resets it for the others.
-template <class Rule, class Side>
-void carry_memory(const Rule& rule, const FrictionMemory& old, const Side& side, const Team* team,
-                  FrictionMemory& memory) {
+// of their keys, and resets it for the others. What `old` has then is of no use.
+template <class Rule>
+void carry_memory(const Rule& rule, const std::vector<ContactKey>& keys, const Team* team,
+                  FrictionMemory& old, FrictionMemory& memory) {
   constexpr auto kValues = static_cast<std::size_t>(Rule::kValues);
-  const std::size_t count = side.size();
-  memory.key.resize(count);
-  if (STICTION_HAS_FRICTION_MEMORY && old.key.size() == count &&
-      old.value.size() == count * kValues) {
-    std::atomic<bool> same = true;  // as in most steps: all is carried as it is
-    for_ranges(team, count, kContactsToShare, [&](std::size_t begin, std::size_t end) {
-      bool same_here = true;
-      for (std::size_t c = begin; c < end; ++c) {
-        memory.key[c] = side.key(c);
-        same_here = same_here && memory.key[c] == old.key[c];
-      }
-      if (!same_here) same = false;
-    });
-    if (same) {
-      memory.status = old.status;
-      memory.value = old.value;
-      return;
-    }
+  const std::size_t count = keys.size();
+  const bool fits = STICTION_HAS_FRICTION_MEMORY && old.value.size() == old.key.size() * kValues;
+  if (fits && same_keys(keys, old.key, team)) {
+    std::swap(old, memory);
+    return;
   }
+  memory.key = keys;
   memory.status.resize(count);
   memory.value.resize(count * kValues);
   std::size_t from = 0;
   for (std::size_t c = 0; c < count; ++c) {
-    memory.key[c] = side.key(c);
-    while (from < old.key.size() && old.key[from] < memory.key[c]) ++from;
-    const bool persists = STICTION_HAS_FRICTION_MEMORY && from < old.key.size() &&
-                          old.key[from] == memory.key[c] &&
-                          old.value.size() == old.key.size() * kValues;
+    while (from < old.key.size() && old.key[from] < keys[c]) ++from;
+    const bool persists = fits && from < old.key.size() && old.key[from] == keys[c];
     Real* const value = memory.value.data() + c * kValues;
     if (persists) {
       memory.status[c] = old.status[from];
@@ -214,9 +210,9 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
   workspace.pair_ended.resize(pairs.size());
   workspace.edge_ended.resize(edges.size());
   const bool known = with_friction_rule(options.rule, options.friction, [&](const auto& rule) {
-    carry_memory(rule, state.obstacle_friction, obstacles, team, workspace.memory);
-    carry_memory(rule, state.pair_friction, pairs, team, workspace.pair_friction);
-    carry_memory(rule, state.edge_friction, edges, team, workspace.edge_friction);
+    carry_memory(rule, obstacles.keys(), team, state.obstacle_friction, workspace.memory);
+    carry_memory(rule, pairs.keys(), team, state.pair_friction, workspace.pair_friction);
+    carry_memory(rule, edges.keys(), team, state.edge_friction, workspace.edge_friction);
     warm_start(rule, pairs, workspace.pair_friction, team, velocity);
     warm_start(rule, edges, workspace.edge_friction, team, velocity);
     warm_start(rule, obstacles, workspace.memory, team, velocity);

@@ -20,7 +20,8 @@ namespace stiction::friction_phase {
 //   Vector                    what its forces and slips are reckoned in
 //   kInOrder                  whether its contacts come in the order of their keys
 //   contact(place)            which stands there, and ask_ahead(place) for what comes later
-//   key(c), normal(c), bound(c), inverse_mass(c, velocity): Δt w
+//   keys()                    of all, in their order
+//   normal(c), bound(c), inverse_mass(c, velocity): Δt w
 //   force(c), set_force(c, f) friction, N
 //   held(c, velocity)         the velocities that a contact acts on, and their slip()
 //   push(force, held)         a force that is held for the step, on them
@@ -50,7 +51,7 @@ struct ObstacleSide {
   std::size_t size() const { return contacts.size(); }
   std::size_t contact(std::size_t place) const { return place; }
   void ask_ahead(std::size_t) const {}
-  ContactKey key(std::size_t c) const { return contacts.key[c]; }
+  const std::vector<ContactKey>& keys() const { return contacts.key; }
   Vec3 force(std::size_t c) const { return contacts.friction_force[c]; }
   void set_force(std::size_t c, const Vec3& force) const { contacts.friction_force[c] = force; }
   const HalfSpace& obstacle(std::size_t c) const {
@@ -89,6 +90,7 @@ class RecordSide {
       : order(contacts_order), dt_(dt), contacts_(contacts.data()), size_(contacts.size()) {}
 
   std::size_t size() const { return size_; }
+  const std::vector<ContactKey>& keys() const { return order.keys(); }
   STICTION_LANES_INLINE PackedVec3 force(std::size_t c) const {
     return PackedVec3::load(contacts_[c].friction_force.data());
   }
@@ -133,7 +135,6 @@ class PairSide : public RecordSide<PairContact> {
 
   std::size_t contact(std::size_t place) const { return sequence_.contact(place); }
   void ask_ahead(std::size_t place) const { sequence_.ask_ahead(contacts_, place); }
-  ContactKey key(std::size_t c) const { return contacts_[c].key(); }
   Real bound(std::size_t c) const {
     const PairContact& contact = contacts_[c];
     return mu_.between(contact.vertex, contact.partner[0]) * bounds_ * contact.normal_force;
@@ -163,7 +164,6 @@ class EdgeSide : public RecordSide<EdgeContact> {
 
   std::size_t contact(std::size_t place) const { return sequence_.contact(place); }
   void ask_ahead(std::size_t) const {}
-  ContactKey key(std::size_t c) const { return contacts_[c].key; }
   Real bound(std::size_t c) const {
     const EdgeContact& contact = contacts_[c];
     return mu_.between(contact.vertex[0], contact.partner[0]) * contact.normal_force;

@@ -5,24 +5,20 @@ namespace stiction {
 
 namespace {
 
-// Σ over contacts of what each asks of its vertex and of its partners, per vertex.
-void accumulate(const Workspace& workspace, bool count_vertex, bool count_kept,
-                std::vector<Real>& load) {
-  workspace.pair_order.for_each_chunk(workspace.team, [&](std::size_t, const auto& chunk) {
-    // Copies, of which the compiler knows that nothing else changes them.
-    const PairContact* const contacts = workspace.pairs.data();
-    Real* const of_vertex = load.data();
-    const bool vertex_counts = count_vertex, kept_count = count_kept;
-    const auto [begin, end] = chunk;
-    for (std::size_t c = begin; c < end; ++c) {
-      const PairContact& contact = contacts[c];
-      if (contact.depth == 0.0 && !kept_count) continue;
-      if (vertex_counts) of_vertex[static_cast<std::size_t>(contact.vertex)] += 1;
-      for (int k = 0; k < 4; ++k) {
-        of_vertex[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
-      }
+// Σ over contacts of a chunk of what each asks of its vertex and of its partners, per vertex.
+void accumulate(const PairContacts& pairs, const ContactOrder::Chunk& chunk, bool count_vertex,
+                bool count_kept, std::vector<Real>& load) {
+  const PairContact* const contacts = pairs.data();
+  Real* const of_vertex = load.data();
+  const auto [begin, end] = chunk;
+  for (std::size_t c = begin; c < end; ++c) {
+    const PairContact& contact = contacts[c];
+    if (!count_kept && contact.depth == 0.0) continue;  // asked last: it is in another line
+    if (count_vertex) of_vertex[static_cast<std::size_t>(contact.vertex)] += 1;
+    for (int k = 0; k < 4; ++k) {
+      of_vertex[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
     }
-  });
+  }
 }
 
 void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<Real>& load) {
@@ -58,8 +54,12 @@ void contact_loads(const Scene& scene, const Options& options, const FrictionMem
                    Workspace& workspace) {
   const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
   const bool count_kept = options.pairs.count_hysteresis;
-  workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()), 0.0);
-  accumulate(workspace, harmonic, !harmonic || count_kept, workspace.load);
+  const auto vertices = static_cast<std::size_t>(scene.vertex_count());
+  workspace.pair_order.make(
+      workspace.pairs, vertices, workspace.team, [&] { workspace.load.assign(vertices, 0.0); },
+      [&](const ContactOrder::Chunk& chunk) {
+        accumulate(workspace.pairs, chunk, harmonic, !harmonic || count_kept, workspace.load);
+      });
   accumulate(workspace.edges, count_kept, workspace.load);
   if (harmonic) add_obstacles(workspace, last_obstacles, count_kept);
 }

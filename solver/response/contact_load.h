@@ -7,7 +7,8 @@
 
 namespace stiction {
 
-/// Writes `workspace.load`: per vertex, how many contacts share it (dimensionless), which is what
+/// Brings `workspace.pair_order` up to date with the contacts between bodies and, while their records are at
+/// hand, writes `workspace.load`: per vertex, how many contacts share it (dimensionless), which is what
 /// their normal forces are divided by (pair_normal_force.h).
 ///
 ///   paper     Σⱼ hⱼₚ, over the contacts of which p is a partner

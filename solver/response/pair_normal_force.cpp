@@ -117,9 +117,7 @@ class PairForce {
 void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
                         const FrictionMemory& last_obstacles) {
   PairContacts& pairs = workspace.pairs;
-  const auto vertex_count = static_cast<std::size_t>(scene.vertex_count());
-  workspace.pair_order.make(pairs, vertex_count);
-  workspace.edge_order.make(workspace.edges, vertex_count);
+  workspace.edge_order.make(workspace.edges, static_cast<std::size_t>(scene.vertex_count()));
   contact_loads(scene, options, last_obstacles, workspace);
   const Vertices vertices{workspace.load.data(), workspace.velocity.data()};
   const PairForce force(options, vertices);

@@ -7,8 +7,9 @@ namespace stiction {
 
 void contact_loads(const Scene& scene, const Options& options, const FrictionMemory&,
                    Workspace& workspace) {
-  workspace.load.assign(static_cast<std::size_t>(scene.vertex_count()),
-                        options.pairs.gain == NormalGain::kHarmonic ? 1.0 : 0.0);
+  const auto vertices = static_cast<std::size_t>(scene.vertex_count());
+  workspace.pair_order.make(workspace.pairs, vertices);
+  workspace.load.assign(vertices, options.pairs.gain == NormalGain::kHarmonic ? 1.0 : 0.0);
 }
 
 }  // namespace stiction
