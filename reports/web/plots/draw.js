@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one way to draw: Vega-Lite specification → Vega view, in the page and, without a browser, to SVG.
 // Expressions are interpreted, not compiled to code: the page's policy forbids eval.
-import { parse, View, Warn } from "vega";
+import { defaultLocale, parse, View, Warn } from "vega";
 import { expressionInterpreter } from "vega-interpreter";
 import { compile } from "vega-lite";
+import { late_tips } from "./late_tips.js";
 import { is_of_panels, parts_of, sized_panels } from "./panel_size.js";
 import { painted, PALETTES } from "./palette.js";
 
@@ -97,10 +98,14 @@ const quiet = {
   debug: () => quiet,
 };
 
-/** A Vega view of a specification, `width` pixels in all. */
-export function view_of(spec, theme, width, options = {}) {
+/**
+ * A Vega view of a specification, `width` pixels in all. `on_tip(event, tip)` is told of marks that are pointed at: a
+ * text, {title: text}, or null where there is none.
+ */
+export function view_of(spec, theme, width, { on_tip, ...options } = {}) {
   const colours = PALETTES[theme];
-  const plain = painted(spec, colours);
+  const { spec: late, tip_of } = late_tips(spec, defaultLocale().format(""));
+  const plain = painted(late, colours);
   const sized = is_of_panels(spec)
     ? sized_panels(plain, width)
     : { ...plain, width, autosize: { type: "fit-x", contains: "padding" } };
@@ -108,12 +113,14 @@ export function view_of(spec, theme, width, options = {}) {
     config: config_of(colours, width, legend_columns(spec, width)),
     logger: quiet,
   });
-  return new View(parse(vega, undefined, { ast: true }), {
+  const view = new View(parse(vega, undefined, { ast: true }), {
     expr: expressionInterpreter,
     loader: no_loader,
     logLevel: Warn,
     ...options,
   });
+  view.tooltip((handler, event, item, place) => on_tip?.(event, place ? tip_of(place, item.datum) : null));
+  return view;
 }
 
 /** Width of a plot's SVG file, px. */

@@ -6,6 +6,8 @@ import { test } from "node:test";
 import { rules_on_contacts } from "../model/rule.js";
 import { signed_axis } from "../plots/axes.js";
 import { pareto_front, power_law } from "../plots/fit.js";
+import { late_tips } from "../plots/late_tips.js";
+import { tip, tip_number } from "../plots/names.js";
 import { kind_of } from "../plots/parameter_plot.js";
 import { case_plots, family_plots } from "../plots/plots.js";
 import { bracket_in } from "../plots/threshold_plot.js";
@@ -146,4 +148,21 @@ test("an axis of both signs is logarithmic where its values span decades", () =>
   assert.equal(wide.scale.constant, 0.01);
   assert.deepEqual(wide.axis.values, [-1000, -10, -0.1, 0, 0.1, 10, 1000]);
   assert.equal(axis([-0.5, 0, 2.5]).scale.type, "linear");
+});
+
+test("a mark tells its own values, wherever its list of tooltips stands", () => {
+  const unit = (...tooltip) => ({ mark: "point", encoding: { x: { field: "x" }, tooltip } });
+  const spec = {
+    facet: { field: "f" },
+    spec: { layer: [unit(tip("who", "engine")), { mark: "line", encoding: {} }] },
+    concat: [unit(tip_number("x", "μ"), tip("why", "__proto__"))],
+  };
+  const { spec: late, tip_of } = late_tips(spec, (value) => value.toFixed(2));
+  const places = [late.concat[0], late.spec.layer[0]].map(({ encoding }) => encoding.tooltip.value);
+  const datum = { who: "ode", x: 0.3, why: undefined };
+  assert.deepEqual(tip_of(places[0], datum), { "μ:": "0.30", "__proto__:": "undefined" });
+  assert.deepEqual(tip_of(places[1], datum), { "engine:": "ode" });
+  assert.deepEqual(late.spec.layer[1], spec.spec.layer[1]);
+  assert.deepEqual(late.concat[0].encoding.x, { field: "x" });
+  assert.equal(spec.concat[0].encoding.tooltip.length, 2, "the specification itself stays");
 });

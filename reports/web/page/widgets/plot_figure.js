@@ -58,8 +58,8 @@ export function plot_figure(plot, { heading = "h3", on_click } = {}) {
       canvas.stiction_view?.finalize();
       canvas.stiction_width = width;
       const renderer = mark_count(plot.spec) > MOST_ELEMENTS ? "canvas" : "svg";
-      const view = view_of(plot.spec, current_theme(), width, { renderer, hover: true });
-      view.tooltip((handler, event, item, value) => (value ? show_tip(event, value) : hide_tip()));
+      const on_tip = (event, tip) => (tip ? show_tip(event, tip) : hide_tip());
+      const view = view_of(plot.spec, current_theme(), width, { renderer, hover: true, on_tip });
       view.addEventListener("click", (event, item) => {
         const datum = item?.datum;
         if (!datum) return;
