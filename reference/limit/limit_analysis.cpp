@@ -19,8 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Index = Eigen::Index;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 void count(const Simplex& simplex, const LimitProgram& program, LimitSizes& sizes) {
   sizes.rows = std::max(sizes.rows, static_cast<int>(program.a.rows()));
   sizes.columns = std::max(sizes.columns, static_cast<int>(program.a.cols()));

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "reference/limit/limit_analysis.h"
 
@@ -11,6 +12,9 @@
 /// in doubles and the proofs in rationals alike. Row 6b + k: force on body b; 6b + 3 + k: moment
 /// about its centre of mass; then one row a clamp: the sum of its normal forces.
 namespace stiction::reference {
+
+inline constexpr double kInfinity =
+    std::numeric_limits<double>::infinity();  ///< a load without a bound
 
 /// Throws std::invalid_argument if the problem, the question or the options are malformed.
 void check(const LimitProblem& problem, double friction, double load, const LimitOptions& options);

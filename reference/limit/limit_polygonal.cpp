@@ -4,7 +4,6 @@
 #include <CGAL/QP_models.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "reference/limit/limit_analysis.h"
@@ -12,12 +11,6 @@
 #include "reference/limit/limit_program.h"
 
 namespace stiction::reference {
-
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 LimitBracket polygonal_critical_load(const LimitProblem& problem, double friction,
                                      const LimitOptions& options) {

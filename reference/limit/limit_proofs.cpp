@@ -17,8 +17,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Index = Eigen::Index;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 using Exact = CGAL::Gmpq;
 using ExactVector = std::array<Exact, 3>;
 

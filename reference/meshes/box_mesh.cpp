@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "reference/meshes/faces.h"
+
 namespace stiction::reference {
 
 namespace {
@@ -87,10 +89,6 @@ struct Uses {
   int even = 0;
   int odd = 0;
 };
-
-// Face k of a positively oriented tetrahedron, outwards (as in solver/mesh/mesh.cpp).
-constexpr std::array<std::array<Eigen::Index, 3>, 4> kFaces = {
-    {{{1, 2, 3}}, {{0, 3, 2}}, {{0, 1, 3}}, {{0, 2, 1}}}};
 
 // Independent of surface_triangles: counts each face with its orientation, then each boundary edge.
 void certify_topology(const TetMesh& mesh, MeshCertificate& certificate) {

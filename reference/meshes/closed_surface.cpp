@@ -49,11 +49,6 @@ bool is_remembered(const std::filesystem::path& file) {
          std::filesystem::file_size(file, none) <= kMost;
 }
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 // All that a mesh follows from; the unit is for sentences alone.
 MeshOrigin origin_of(const std::filesystem::path& file, const std::string& mesher,
                      const SurfaceOptions& options) {

@@ -47,11 +47,6 @@ std::string words_of(const MeshOrigin& origin) {
 
 std::string sum_of(std::string_view text) { return fmt::format("{:016x}\n", hash(text)); }
 
-std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 std::error_code write_all(int descriptor, std::string_view content) {
@@ -82,6 +77,11 @@ void tidy(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string content_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 fs::path MeshCache::file_of(const std::string& words) const {
   return folder_ / (fmt::format("{:016x}", hash(words)) + kEnding);

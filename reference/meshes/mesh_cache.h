@@ -43,6 +43,9 @@ class MeshCache {
   std::filesystem::path folder_;
 };
 
+/// The bytes of a file; none where it cannot be read.
+std::string content_of(const std::filesystem::path& file);
+
 /// stiction/meshes in XDG_CACHE_HOME, else in ~/.cache; empty without either.
 std::filesystem::path mesh_cache_folder();
 

@@ -9,14 +9,13 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "reference/meshes/faces.h"
+
 namespace stiction::reference {
 
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-// Corners of the face opposite to each corner, seen from outside.
-constexpr std::array<std::array<int, 3>, 4> kFaces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 }  // namespace
 

@@ -18,7 +18,7 @@ namespace stiction::reference {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
 template <auto release>
 struct Releaser {
@@ -82,7 +82,7 @@ class Motion {
          const FrictionalOdeOptions& options)
       : loads_(loads),
         state_{initial.position, initial.velocity},
-        resolution_(2.0 * kEpsilon * duration),
+        resolution_(2.0 * kRounding * duration),
         maximum_events_(options.maximum_events),
         step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2)),
         probe_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2)),
@@ -119,7 +119,7 @@ class Motion {
   double excess(double time) const {
     const double t = std::min(time, last_);
     const double press = std::max(0.0, finite(loads_.normal(t, state_[0], 0.0), "The normal load"));
-    return std::abs(tangential(time)) - loads_.friction * press * (1.0 + 4.0 * kEpsilon);
+    return std::abs(tangential(time)) - loads_.friction * press * (1.0 + 4.0 * kRounding);
   }
 
   // v̇ = a_t − μ a_n s, with the slip direction s kept through the step: smooth even past v = 0.
@@ -314,7 +314,7 @@ FrictionalMotion integrate_frictional_motion(const FrictionalLoads& loads,
     for (;; ++sample) {
       const double next = static_cast<double>(sample) * options.sample_interval;
       // A last sample closer to the duration than rounding is the duration's own.
-      const bool is_last = next >= duration * (1.0 - 4.0 * kEpsilon);
+      const bool is_last = next >= duration * (1.0 - 4.0 * kRounding);
       const double target = is_last ? duration : next;
       if (target > end) {
         motion.advance(end);

@@ -22,7 +22,6 @@ namespace stiction::reference {
 
 namespace {
 
-constexpr int kSignalled = 128;
 constexpr int kMeanwhile = 200;  // ms
 
 // For poll, ms.

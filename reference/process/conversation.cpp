@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kLongestLine = std::size_t{1} << 28;  // bytes
 constexpr std::size_t kSaidKept = 4096;                     // bytes of stderr
 constexpr std::size_t kQuoted = 80;                         // bytes of what it said
-constexpr double kToEnd = 0.5;                              // s, for it to end by itself
+constexpr double kToEndByItself = 0.5;                      // s
 
 // Writing to a program that has ended raises SIGPIPE in this thread; here it is an error to read off
 // errno.
@@ -115,7 +115,7 @@ void Conversation::start(std::vector<std::string>& words) {
 Conversation::~Conversation() {
   if (child_ < 0) return;
   input_.close_end(1);
-  const Deadline deadline(kToEnd);
+  const Deadline deadline(kToEndByItself);
   while (reap(false) < 0 && child_ > 0 && !deadline.passed()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -204,7 +204,7 @@ bool Conversation::take_line(std::string& line) {
 
 // It has closed its stdout.
 void Conversation::ended() {
-  const Deadline deadline(kToEnd);
+  const Deadline deadline(kToEndByItself);
   int status = -1;
   while ((status = reap(false)) < 0 && child_ > 0 && !deadline.passed()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -18,7 +18,6 @@ namespace stiction::reference {
 
 namespace {
 
-constexpr int kSignalled = 128;
 constexpr unsigned kLongest = 10;                 // s, for all of it: a disk may never answer
 constexpr auto kToEnd = std::chrono::seconds(2);  // for children, before they are killed
 constexpr auto kTick = std::chrono::milliseconds(10);

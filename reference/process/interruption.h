@@ -10,6 +10,9 @@
 /// How a program with children ends when it is told to: Ctrl-C, kill, a terminal that is closed.
 namespace stiction::reference {
 
+/// What a signal that ended a program is added to in its exit code.
+inline constexpr int kSignalled = 128;
+
 /// From here on SIGINT, SIGTERM and SIGHUP, but for those that the caller ignores, end this program in
 /// order: "<program>: interrupted", and behind it what a LastWords says, is written to stderr; its
 /// children end, and what they have started; then it ends with exit code 128 + signal. Other threads go

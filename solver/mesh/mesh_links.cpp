@@ -10,20 +10,20 @@ namespace stiction {
 
 namespace {
 
-struct Face {
+struct OwnedFace {
   std::array<std::int32_t, 3> corner;  // ascending
   std::int32_t owner;  // 4 × element + opposite corner, or −1 − surface triangle
 };
 
-Face sorted_face(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t owner) {
-  Face face{{a, b, c}, owner};
+OwnedFace sorted_face(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t owner) {
+  OwnedFace face{{a, b, c}, owner};
   std::sort(face.corner.begin(), face.corner.end());
   return face;
 }
 
 // A face is one of two elements, or of one element and the surface.
 void link_faces(const Scene& scene, MeshLinks& links) {
-  std::vector<Face> faces;
+  std::vector<OwnedFace> faces;
   for (std::size_t e = 0; e < scene.elements.size(); ++e) {
     const auto& v = scene.elements[e].vertex;
     for (int k = 0; k < 4; ++k) {
@@ -35,7 +35,7 @@ void link_faces(const Scene& scene, MeshLinks& links) {
     const auto& v = scene.topology.triangle[t].vertex;
     faces.push_back(sorted_face(v[0], v[1], v[2], -1 - static_cast<std::int32_t>(t)));
   }
-  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+  std::sort(faces.begin(), faces.end(), [](const OwnedFace& a, const OwnedFace& b) {
     return a.corner != b.corner ? a.corner < b.corner : a.owner < b.owner;
   });
   links.behind.assign(scene.elements.size(), {});

@@ -15,7 +15,7 @@ namespace stiction {
 namespace {
 
 // "2" of "load/lost/cells=2/r=0.35" for "cells".
-std::string parameter(const std::string& case_name, const std::string& name) {
+std::string value_in(const std::string& case_name, const std::string& name) {
   const std::size_t at = case_name.find(name + "=");
   if (at == std::string::npos) return "";
   const std::size_t from = at + name.size() + 1;
@@ -40,7 +40,7 @@ std::string where_found(const Figures& figures, const std::vector<std::string>& 
   for (const std::string& name : cases) {
     const double steps = figures.of(name, who, kStepsTo9);
     if (!std::isfinite(steps) || figures.failed(name, who)) continue;
-    loads.push_back(parameter(name, "r"));
+    loads.push_back(value_in(name, "r"));
     mean.push_back(steps);
     fastest.push_back(figures.of(name, who, kFastestTo9));
   }
@@ -55,7 +55,7 @@ std::map<std::string, std::vector<std::string>> by_cells(const Figures& figures,
                                                          const std::string& prefix) {
   std::map<std::string, std::vector<std::string>> groups;
   for (const std::string& name : figures.cases(prefix)) {
-    groups[parameter(name, "cells")].push_back(name);
+    groups[value_in(name, "cells")].push_back(name);
   }
   return groups;
 }
@@ -67,7 +67,7 @@ Sentences loads_of_the_cone(const Figures& figures) {
   for (const auto& [cells, cases] : by_cells(figures, "load/lost/")) {
     std::string loads;
     for (const std::string& name : cases) {
-      loads += (loads.empty() ? "" : ", ") + parameter(name, "r");
+      loads += (loads.empty() ? "" : ", ") + value_in(name, "r");
     }
     std::vector<std::string> parts, never;
     std::vector<double> start;
@@ -151,14 +151,14 @@ Sentences poses_at_rest(const Figures& figures) {
   std::vector<std::string> cases = figures.cases("poses/");
   if (cases.empty()) return {};
   std::sort(cases.begin(), cases.end(), [](const std::string& a, const std::string& b) {
-    return std::stod(parameter(a, "slope")) < std::stod(parameter(b, "slope"));
+    return std::stod(value_in(a, "slope")) < std::stod(value_in(b, "slope"));
   });
   std::vector<std::string> parts;
   for (const RuleOnContacts& who : figures.rules("poses/")) {
     std::vector<std::string> counts;
     for (const std::string& name : cases) {
       counts.push_back(fmt::format("{:.0f} of {:.0f} at {}°", figures.of(name, who, kPosesAtRest),
-                                   figures.of(name, who, kPoses), parameter(name, "slope")));
+                                   figures.of(name, who, kPoses), value_in(name, "slope")));
     }
     parts.push_back(who.words() + " " + listed(counts));
   }

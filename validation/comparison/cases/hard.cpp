@@ -12,10 +12,10 @@ namespace stiction {
 
 namespace {
 
-constexpr double kSettled = 2.0;        // s
-constexpr double kBegins = 2.1;         // 500 steps after the memory was lost, s
-constexpr double kTimeStep = 2e-4;      // s
-constexpr std::uint64_t kSteps = 3000;  // to 2.6 s
+constexpr double kSettled = 2.0;               // s
+constexpr double kBegins = 2.1;                // 500 steps after the memory was lost, s
+constexpr double kTimeStep = 2e-4;             // s
+constexpr std::uint64_t kStepsOfSlide = 3000;  // to 2.6 s
 
 // The load at slope θ and azimuth φ, m/s².
 Vec3 load(double slope, double azimuth) {
@@ -29,7 +29,7 @@ ComparisonScene hard(const std::string& name, const std::string& title, const Sl
           .problem = slab_problem(setup),
           .settings = {{"cells", std::to_string(setup.cells)}, {"dt", "2e-4"}},
           .settled = kSettled,
-          .steps = kSteps,
+          .steps = kStepsOfSlide,
           .size = setup.box_size.x()};
 }
 

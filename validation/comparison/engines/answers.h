@@ -12,6 +12,9 @@ namespace stiction {
 
 inline constexpr const char* kOurEngine = "stiction";
 
+/// Errors below this are no matter of method: round-off, or the width of a bracket.
+inline constexpr double kSame = 1e-9;
+
 /// Setting of a record: the engine of which its own is another build.
 inline constexpr const char* kBuildOf = "build_of";
 

@@ -10,15 +10,13 @@
 #include "reports/text/number.h"
 #include "reports/text/text.h"
 #include "validation/comparison/comparison_table.h"
+#include "validation/comparison/engines/answers.h"
 #include "validation/comparison/engines/engine_matrix.h"
 #include "validation/comparison/figures.h"
 
 namespace stiction {
 
 namespace {
-
-// Errors below this are no matter of method: round-off, or the width of a bracket.
-constexpr double kSame = 1e-9;
 
 // An error this many times as large is a loss of digits, less is another rounding on the same way.
 constexpr double kWorse = 2.0;

@@ -9,6 +9,7 @@
 
 #include "reports/text/names.h"
 #include "reports/text/number.h"
+#include "validation/comparison/engines/answers.h"
 #include "validation/comparison/engines/build_pairs.h"
 #include "validation/comparison/engines/engine_matrix.h"
 #include "validation/comparison/engines/holding.h"
@@ -16,9 +17,6 @@
 namespace stiction {
 
 namespace {
-
-// Errors below this are no matter of method: round-off, or the width of a bracket.
-constexpr double kSame = 1e-9;
 
 // Which of an engine's answers nobody's is closer than.
 std::size_t closest(const EngineAnswers& answers, const EngineRow& row) {
