@@ -159,16 +159,19 @@ void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double 
              .reason = "a thousandth of a cube's edge: less than a pixel where an object fills a "
                        "screen"},
             fall.moved, fall.mover);
-  run.check({.quantity = "mean kinetic energy at rest ÷ that with ξ = 1",
-             .unit = "1",
-             .statement = "at rest the new method leaves a hundredth of the old one's motion",
-             .formula = "⟨K⟩/⟨K_old⟩ ≤ 0.01",
-             .source = "[Lazarevych2009], sec. 5, Fig. 6(d)",
-             .kind = ReferenceKind::kExternal,
-             .expected = 0.0,
-             .tolerance = 0.01,
-             .reason = "the paper's figure, 'around 0.01', taken as a bound"},
-            fall.mean / before.mean, where);
+  // One draw says nothing: with one ulp of noise it is 6e-4, 0.02 or 0.11, as a jack swings or not.
+  run.show(
+      {.quantity = "mean kinetic energy at rest ÷ that with ξ = 1",
+       .unit = "1",
+       .statement = "at rest the new method leaves a hundredth of the old one's motion: judged "
+                    "of ten draws (…/seeds=10)",
+       .formula = "⟨K⟩/⟨K_old⟩ ≤ 0.01",
+       .source = "[Lazarevych2009], sec. 5, Fig. 6(d)",
+       .kind = ReferenceKind::kExternal,
+       .expected = 0.0,
+       .tolerance = 0.01,
+       .reason = "the paper's figure, 'around 0.01', taken as a bound"},
+      fall.mean / before.mean, where);
   run.check({.quantity = "late spikes: largest kinetic energy ÷ mean before",
              .unit = "1",
              .statement = "no object leaves its place once all are at rest",
