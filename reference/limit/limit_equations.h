@@ -13,8 +13,8 @@
 /// about its centre of mass; then one row a clamp: the sum of its normal forces.
 namespace stiction::reference {
 
-inline constexpr double kInfinity =
-    std::numeric_limits<double>::infinity();  ///< a load without a bound
+/// A load without a bound.
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Throws std::invalid_argument if the problem, the question or the options are malformed.
 void check(const LimitProblem& problem, double friction, double load, const LimitOptions& options);

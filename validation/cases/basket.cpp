@@ -164,7 +164,7 @@ void run_basket(CaseRun& run, const BasketSetup& setup, double duration, double 
       {.quantity = "mean kinetic energy at rest ÷ that with ξ = 1",
        .unit = "1",
        .statement = "at rest the new method leaves a hundredth of the old one's motion: judged "
-                    "of ten draws (…/seeds=10)",
+                    "of ten draws of twenty objects (…/objects=20/seeds=10)",
        .formula = "⟨K⟩/⟨K_old⟩ ≤ 0.01",
        .source = "[Lazarevych2009], sec. 5, Fig. 6(d)",
        .kind = ReferenceKind::kExternal,

@@ -99,8 +99,8 @@ const quiet = {
 };
 
 /**
- * A Vega view of a specification, `width` pixels in all. `on_tip(event, tip)` is told of marks that are pointed at: a
- * text, {title: text}, or null where there is none.
+ * A Vega view of a specification, `width` pixels in all. `on_tip(event, tip)` is told {title: text} of a mark that is
+ * pointed at, and null when it no longer is.
  */
 export function view_of(spec, theme, width, { on_tip, ...options } = {}) {
   const colours = PALETTES[theme];
@@ -119,7 +119,9 @@ export function view_of(spec, theme, width, { on_tip, ...options } = {}) {
     logLevel: Warn,
     ...options,
   });
-  view.tooltip((handler, event, item, place) => on_tip?.(event, place ? tip_of(place, item.datum) : null));
+  view.tooltip((handler, event, item, place) =>
+    on_tip?.(event, place ? tip_of(place, item.datum) : null),
+  );
   return view;
 }
 

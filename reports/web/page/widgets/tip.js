@@ -4,17 +4,14 @@ import { h, replace } from "../dom.js";
 
 const box = h("div", { class: "tip", hidden: true, "aria-hidden": "true" });
 
-export function show_tip(event, value) {
+/** Tells {name: text} beside where a pointer is. */
+export function show_tip(event, texts) {
   if (!box.isConnected) document.body.append(box);
-  const entries =
-    typeof value === "object"
-      ? Object.entries(value).filter(([, entry]) => entry !== "")
-      : [["", value]];
   replace(
     box,
-    entries.map(([name, entry]) =>
-      h("div", {}, name && h("span", { class: "tip-name" }, `${name} `), String(entry)),
-    ),
+    Object.entries(texts)
+      .filter(([, text]) => text !== "")
+      .map(([name, text]) => h("div", {}, h("span", { class: "tip-name" }, `${name} `), text)),
   );
   place(event);
 }
