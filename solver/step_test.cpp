@@ -20,7 +20,7 @@ std::atomic<long> allocations{0};
 // Every allocation of this test program is counted, below operator new: Eigen's dynamic matrices
 // call malloc themselves. The sanitizers replace malloc and offer a hook; elsewhere glibc lets a
 // program put its own in front.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef STICTION_SANITIZES_MEMORY
 
 // GCC of Debian does not install sanitizer/allocator_interface.h.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,

@@ -3,7 +3,7 @@
 // themselves. glibc lets a program put its own in front.
 #include "validation/heap_counter.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef STICTION_SANITIZES_MEMORY
 
 namespace stiction {
 

@@ -6,7 +6,7 @@
 namespace stiction::bench {
 namespace {
 
-Result result(const std::string& part, int size, double seconds) {
+Result lasting(const std::string& part, int size, double seconds) {
   Result one;
   one.chosen.timed.name = part;
   one.chosen.family.name = "slab";
@@ -16,17 +16,17 @@ Result result(const std::string& part, int size, double seconds) {
   return one;
 }
 
-std::vector<Result> three_sizes() {
+std::vector<Result> two_parts() {
   std::vector<Result> results;
   for (const int size : {100, 1000, 10000}) {
-    results.push_back(result("detect", size, 2e-7 * size));
-    results.push_back(result("depth", size, 1e-7 * size));
+    results.push_back(lasting("detect", size, 2e-7 * size));
+    results.push_back(lasting("depth", size, 1e-7 * size));
   }
   return results;
 }
 
 TEST(Scalings, FitsTheExponentOfEachPartAndOfTheSum) {
-  const std::vector<Scaling> all = scalings(three_sizes());
+  const std::vector<Scaling> all = scalings(two_parts());
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[2].part, "detect + depth");
   EXPECT_DOUBLE_EQ(all[2].seconds[1], 3e-4);
@@ -35,7 +35,7 @@ TEST(Scalings, FitsTheExponentOfEachPartAndOfTheSum) {
 }
 
 TEST(Scalings, LeavesOutWhatWasMeasuredAtTwoSizes) {
-  std::vector<Result> results = three_sizes();
+  std::vector<Result> results = two_parts();
   results.pop_back();
   const std::vector<Scaling> all = scalings(results);
   ASSERT_EQ(all.size(), 1u) << "neither depth nor the sum";

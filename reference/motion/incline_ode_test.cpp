@@ -9,10 +9,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "reference/motion/test_rounding.h"
+
 namespace stiction::reference {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 using Kind = FrictionalEventKind;
 
 // A load that depends on time only.

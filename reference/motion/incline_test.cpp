@@ -9,10 +9,11 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "reference/motion/test_rounding.h"
+
 namespace stiction::reference {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -24,7 +24,7 @@ nlohmann::json old_check() {
 Record read(int version, const nlohmann::json& check, const std::vector<std::string>& notes = {}) {
   auto json = nlohmann::json::parse(to_json_line(test::passing_record()));
   json["schema_version"] = version;
-  json["checks"] = {check};
+  json["checks"] = nlohmann::json::array({check});
   json["notes"] = notes;
   json.erase("figures");
   json.erase("failures");

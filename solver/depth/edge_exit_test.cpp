@@ -15,7 +15,8 @@ namespace stiction {
 namespace {
 
 constexpr double kThin = 1e-12;
-constexpr double kRounding = 100 * test::kEpsilon;  // some thirty roundings of lengths about 1
+constexpr double kLengthRounding =
+    100 * test::kEpsilon;  // some thirty roundings of lengths about 1
 
 // A cube of 3³ cells, or the same with a notch along y: without the cells of x in (⅓, ⅔), z > ⅓.
 TetMesh cube_or_notched(bool notched) {
@@ -93,7 +94,7 @@ TEST(MeshLinks, NeighboursAreTheEndsOfAllEdges) {
   }
   EXPECT_EQ(most, 14u);
   EXPECT_EQ(body.links.neighbour.size() % 2, 0u);
-  EXPECT_NEAR(body.links.longest_edge[0], std::sqrt(0.75), kRounding);
+  EXPECT_NEAR(body.links.longest_edge[0], std::sqrt(0.75), kLengthRounding);
 }
 
 struct Way {
@@ -112,8 +113,8 @@ TEST_P(Leaving, IsWhereItFirstLeavesThroughAllThatItTouchesThere) {
   const bool leaves = cube.find(way.p, way.q, exit);
   EXPECT_EQ(leaves, way.t >= 0.0);
   if (!leaves || way.t < 0.0) return;
-  EXPECT_NEAR(exit.t, way.t, kRounding);
-  EXPECT_LT((exit.normal - way.normal.normalized()).norm(), kRounding);
+  EXPECT_NEAR(exit.t, way.t, kLengthRounding);
+  EXPECT_LT((exit.normal - way.normal.normalized()).norm(), kLengthRounding);
 }
 
 constexpr double kThird = 1.0 / 3.0;
@@ -163,8 +164,8 @@ TEST(Leaving, IsWhereTheBodyEndsThoughTheEdgeComesBack) {
   Walked notched(cube_or_notched(true));
   Exit exit;
   ASSERT_TRUE(notched.find({0.2, 0.5, 0.8}, {0.9, 0.5, 0.8}, exit));
-  EXPECT_NEAR(exit.t, (kThird - 0.2) / 0.7, kRounding);
-  EXPECT_LT((exit.normal - Vec3::UnitX()).norm(), kRounding);
+  EXPECT_NEAR(exit.t, (kThird - 0.2) / 0.7, kLengthRounding);
+  EXPECT_LT((exit.normal - Vec3::UnitX()).norm(), kLengthRounding);
 }
 
 // The same, of all triangles of the body: the smallest t of those that the segment passes outwards.
@@ -200,8 +201,8 @@ TEST(Leaving, IsWhatASearchOfAllTrianglesFinds) {
       ASSERT_EQ(body.find(p, q, exit), leaves);
       if (!leaves) continue;
       // A slope of a hundredth against a face divides the rounding by that.
-      EXPECT_NEAR(exit.t, expected.t, 100 * kRounding);
-      EXPECT_LT((exit.normal - expected.normal).norm(), kRounding);
+      EXPECT_NEAR(exit.t, expected.t, 100 * kLengthRounding);
+      EXPECT_LT((exit.normal - expected.normal).norm(), kLengthRounding);
       ++left;
     }
   }

@@ -2,8 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
+#include "solver/testing/test_scenes.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/findings.h"
 
@@ -12,8 +11,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Record record(const std::string& name, const std::string& method, const std::string& rule,
               std::vector<Figure> figures) {
@@ -42,8 +39,10 @@ Record poses(const std::string& slope, double at_rest) {
 
 TEST(LoadFindings, SayAtWhichLoadsARuleRests) {
   const std::vector<Record> records = {
-      lost("0.35", "fixed-point", kNever, kNever), lost("0.35", "bias-vector", 12, 20),
-      lost("0.73", "fixed-point", kNever, kNever), lost("0.73", "bias-vector", kNever, kNever)};
+      lost("0.35", "fixed-point", test::kInfinity, test::kInfinity),
+      lost("0.35", "bias-vector", 12, 20),
+      lost("0.73", "fixed-point", test::kInfinity, test::kInfinity),
+      lost("0.73", "bias-vector", test::kInfinity, test::kInfinity)};
   EXPECT_THAT(loads_of_the_cone(Figures(records)),
               ElementsAre("Loads of 0.35, 0.73 of the cone, memory lost (a slip of up to 0.0001 "
                           "m/s), a box of 2 cells an edge: the mean slip falls below 1e-9 m/s for "
@@ -53,7 +52,7 @@ TEST(LoadFindings, SayAtWhichLoadsARuleRests) {
 
 TEST(LoadFindings, AllIsShortForEveryLoadAndTheFastestMayNeverGetThere) {
   const std::vector<Record> records = {lost("0.35", "bias-vector", 12, 20),
-                                       lost("0.73", "bias-vector", 14, kNever)};
+                                       lost("0.73", "bias-vector", 14, test::kInfinity)};
   EXPECT_THAT(loads_of_the_cone(Figures(records)),
               ElementsAre(HasSubstr("at all (12 to 14 steps, the fastest contact 20 to never); at "
                                     "none with none.")));
@@ -63,7 +62,8 @@ TEST(LoadFindings, SayWhetherThePapersStepsAreReached) {
   const auto sentence = [](const std::vector<Record>& records) {
     return from_sliding(Figures(records)).at(0);
   };
-  EXPECT_THAT(sentence({falls("fixed-point", kNever, kNever), falls("bias-vector", 3000, 3400)}),
+  EXPECT_THAT(sentence({falls("fixed-point", test::kInfinity, test::kInfinity),
+                        falls("bias-vector", 3000, 3400)}),
               testing::AllOf(HasSubstr("bias-vector on paper contacts 3000 at 1 of 1 loads (the "
                                        "fastest contact 3400); never: fixed-point"),
                              HasSubstr("8 to 16 are not reached")));

@@ -4,8 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
+#include "solver/testing/test_scenes.h"
 #include "validation/comparison/comparison.h"
 #include "validation/comparison/comparison_table.h"
 
@@ -15,8 +14,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Record record(const std::string& name, const std::string& rule, double steps, double creep) {
   Record one;
@@ -42,8 +39,8 @@ std::vector<Record> two_scenes(double ratio) {
   return {cost("fixed-point", 1.0),
           cost("secant", 1.1),
           cost("stored-vector", ratio),
-          record("rules/slab", "fixed-point", kNever, 1e-5),
-          record("rules/slab", "secant", kNever, 2e-5),
+          record("rules/slab", "fixed-point", test::kInfinity, 1e-5),
+          record("rules/slab", "secant", test::kInfinity, 2e-5),
           record("rules/slab", "stored-vector", 7, 1e-10),
           record("rules/box", "fixed-point", 90, 1e-8),
           record("rules/box", "secant", 80, 3e-8),
@@ -89,8 +86,8 @@ TEST(Findings, CompareFixedPointAndSecantByTheirCreep) {
 }
 
 TEST(Findings, CountFailuresAndLeaveThemOutOfTheBest) {
-  std::vector<Record> records = {record("hard/noise", "none", kNever, 1e-5),
-                                 record("hard/noise", "secant", kNever, 1e-9)};
+  std::vector<Record> records = {record("hard/noise", "none", test::kInfinity, 1e-5),
+                                 record("hard/noise", "secant", test::kInfinity, 1e-9)};
   records[1].failures = {{"a body moved by 9 mm", "", {}}};
   EXPECT_THAT(findings(records).notes,
               Contains(testing::AllOf(HasSubstr("least slipped on quiet contacts by none"),
@@ -98,7 +95,7 @@ TEST(Findings, CountFailuresAndLeaveThemOutOfTheBest) {
 }
 
 TEST(Findings, NameNobodyAsNearestWhereNoneGetsThere) {
-  EXPECT_THAT(findings({record("rules/slab", "none", kNever, 1e-5)}).notes,
+  EXPECT_THAT(findings({record("rules/slab", "none", test::kInfinity, 1e-5)}).notes,
               Contains(HasSubstr("none gets to 1e-9 m/s in all its steps.")));
 }
 

@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <sstream>
 
 #include "reports/formats/work_precision.h"
 #include "reports/text/text.h"
+#include "solver/testing/test_scenes.h"
 #include "validation/comparison/comparison.h"
 
 namespace stiction {
@@ -16,8 +16,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Record record(const std::string& name, const std::string& rule, const std::string& method,
               double steps, double creep) {
@@ -30,16 +28,16 @@ Record record(const std::string& name, const std::string& rule, const std::strin
 }
 
 std::vector<Record> two_scenes() {
-  return {record("rules/a", "fixed-point", "paper", kNever, 2e-5),
+  return {record("rules/a", "fixed-point", "paper", test::kInfinity, 2e-5),
           record("rules/a", "stored-vector", "quiet", 7, 1e-10),
           record("rules/a", "conjugate-vector", "quiet", 3, 1e-12),
-          record("rules/a", "secant", "quiet", kNever, 1e-30),
-          record("rules/a", "none", "quiet", kNever, 1e-3),
-          record("rules/b", "fixed-point", "paper", kNever, 3e-5),
+          record("rules/a", "secant", "quiet", test::kInfinity, 1e-30),
+          record("rules/a", "none", "quiet", test::kInfinity, 1e-3),
+          record("rules/b", "fixed-point", "paper", test::kInfinity, 3e-5),
           record("rules/b", "stored-vector", "quiet", 9, 1e-9),
           record("rules/b", "conjugate-vector", "quiet", 4, 1e-11),
-          record("rules/b", "secant", "quiet", kNever, 1e-30),
-          record("rules/b", "none", "quiet", kNever, 1e-3)};
+          record("rules/b", "secant", "quiet", test::kInfinity, 1e-30),
+          record("rules/b", "none", "quiet", test::kInfinity, 1e-3)};
 }
 
 TEST(ComparisonSummary, NamesTheWinnerWithItsFigureBesideThePapers) {

@@ -10,14 +10,14 @@
 #include "reports/text/check_text.h"
 #include "validation/core/case_run.h"
 #include "validation/core/runner.h"
+#include "validation/judge/test_cause.h"
 
 namespace stiction {
 namespace {
 
+using test::kCause;
+using test::kWidth;
 using testing::HasSubstr;
-
-constexpr Cause kCause{"kCause", "a cause", "in short"};
-constexpr Words kWidth{"kWidth", "a width"};
 
 Expectations some_rows() {
   return {

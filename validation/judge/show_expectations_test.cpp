@@ -4,14 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "validation/judge/test_cause.h"
+
 namespace stiction {
 namespace {
 
+using test::kCause;
+using test::kWidth;
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr Cause kCause{"kCause", "a cause", "in short"};
-constexpr Words kWidth{"kWidth", "a width"};
 
 EngineKind engine_with_rows() {
   EngineKind engine = find_engine("stiction");

@@ -13,8 +13,9 @@ namespace stiction {
 namespace {
 
 double divided(double a, double b) {
-  const volatile double x = a, y = b;  // as it is run, not as it is compiled
-  return x / y;
+  // As it is run, not as it is compiled, and whether or not anyone looks at it.
+  const volatile double x = a, y = b, quotient = x / y;
+  return quotient;
 }
 
 TEST(ArithmeticWatch, SeesWhatHasNoNumberForAnAnswer) {

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr const char* kStudy = R"(problem = "ramp.toml"
+constexpr const char* kBoundary = R"(problem = "ramp.toml"
 [[axis]]
 vary = "ramp.friction"
 values = [0.25, 0.5]
@@ -35,9 +35,7 @@ class BoundaryOfAStudy : public test::UserProblem {
  protected:
   Study study(const std::string& from = "", const std::string& to = "") {
     write(edited("slope_deg = 20", "slope_tan = 0.1"));
-    std::string text = kStudy;
-    if (!from.empty()) text.replace(text.find(from), from.size(), to);
-    std::ofstream(folder_ / "study.toml") << text;
+    std::ofstream(folder_ / "study.toml") << test::replaced(kBoundary, from, to);
     return read_study(folder_ / "study.toml");
   }
   std::string refusal(const std::string& from, const std::string& to) {

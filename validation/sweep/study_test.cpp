@@ -42,10 +42,7 @@ class StudyFile : public test::UserProblem {
   }
   // The study with `from` replaced by `to`.
   static std::string with(const std::string& from, const std::string& to) {
-    std::string text = kStudy;
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::logic_error("the study has no '" + from + "'");
-    return text.replace(at, from.size(), to);
+    return test::replaced(kStudy, from, to);
   }
 };
 

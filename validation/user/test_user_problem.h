@@ -41,6 +41,13 @@ tolerance = 1e-12
 reason = "it sticks"
 )";
 
+/// A text in which `to` stands for the first `from`, which is there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("there is no '" + from + "'");
+  return text.replace(at, from.size(), to);
+}
+
 /// A folder with a problem's file in it.
 class UserProblem : public testing::Test {
  protected:
@@ -59,10 +66,7 @@ class UserProblem : public testing::Test {
 
   /// The problem with `from` replaced by `to`.
   static std::string edited(const std::string& from, const std::string& to) {
-    std::string text = kProblem;
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::logic_error("the problem has no '" + from + "'");
-    return text.replace(at, from.size(), to);
+    return replaced(kProblem, from, to);
   }
 
   static Record run(const Case& one) {

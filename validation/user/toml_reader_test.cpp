@@ -92,17 +92,17 @@ TEST_F(Reader, DoesNotFallBackWhereAKeyIsWrong) {
             "file.toml:3: 'whole' must be true or false");
 }
 
-struct Mistake {
+struct Misreading {
   const char* name;
   std::function<void(TomlTable&)> use;
   const char* sentence;
 };
 
-class ReaderRefuses : public Reader, public testing::WithParamInterface<Mistake> {};
+class ReaderRefuses : public Reader, public testing::WithParamInterface<Misreading> {};
 
 TEST_P(ReaderRefuses, WithTheLine) { EXPECT_EQ(refusal(GetParam().use), GetParam().sentence); }
 
-const Mistake kMistakes[] = {
+const Misreading kMisreadings[] = {
     {"ANumberAsText", [](TomlTable& t) { t.text("whole"); },
      "file.toml:3: 'whole' must be a text in quotes"},
     {"ATextAsNumber", [](TomlTable& t) { t.number("name"); },
@@ -141,7 +141,7 @@ const Mistake kMistakes[] = {
      "file.toml:12: [inner] has no key 'b'; there are: a, c"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Mistakes, ReaderRefuses, testing::ValuesIn(kMistakes),
+INSTANTIATE_TEST_SUITE_P(Mistakes, ReaderRefuses, testing::ValuesIn(kMisreadings),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST_F(Reader, FinishesWhenEveryKeyWasAskedFor) {

@@ -42,7 +42,7 @@ void set_alarm(double seconds) {
 }
 
 void set_address_space([[maybe_unused]] std::uint64_t bytes) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef STICTION_SANITIZES_MEMORY
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0) return;
   limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);

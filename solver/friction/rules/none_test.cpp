@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/testing/test_scenes.h"
+#include "solver/testing/test_slips.h"
 
 namespace stiction {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 SlipProblem problem(const Vec3& free_slip, double bound) {
   return {.free_slip = free_slip,
           .start_slip = Vec3::Constant(test::kNaN),  // unused by this rule
-          .inverse_mass = 0.25,
+          .inverse_mass = test::kInverseMass,
           .bound = bound,
           .was = ContactStatus::kSlip};
 }

@@ -4,16 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "solver/testing/test_scenes.h"
+#include "solver/testing/test_slips.h"
 
 namespace stiction {
 namespace {
 
-constexpr double kInverseMass = 0.25;  // w, m/s/N
-
 SlipProblem problem(const Vec3& free_slip, const Vec3& force, double bound) {
   return {.free_slip = free_slip,
           .start_slip = Vec3::Constant(test::kNaN),  // this rule does not look back at velocities
-          .inverse_mass = kInverseMass,
+          .inverse_mass = test::kInverseMass,
           .bound = bound,
           .force = force};
 }
@@ -32,7 +31,7 @@ TEST(StoredVectorRule, StartsFromNothingAndRemembersItsForce) {
 TEST(StoredVectorRule, ChangesNothingWhenItsForceAlreadyEndsTheSlip) {
   double memory[3] = {0, 0, 0};
   const Vec3 force(1, 2, 0);
-  const Vec3 free_slip = -kInverseMass * force;
+  const Vec3 free_slip = -test::kInverseMass * force;
   EXPECT_EQ(StoredVector({}).solve(problem(free_slip, force, 1e9), memory).force, force);
 }
 

@@ -16,7 +16,7 @@ namespace {
 // A program that is built like this one, with the address sanitizer, maps terabytes of shadow: then
 // there is no limit.
 std::uint64_t bytes(double gib) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef STICTION_SANITIZES_MEMORY
   gib = 0.0;
 #endif
   return static_cast<std::uint64_t>(gib * 1024.0 * 1024.0 * 1024.0);

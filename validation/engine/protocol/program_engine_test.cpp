@@ -14,16 +14,13 @@
 #include "validation/core/runner.h"
 #include "validation/engine/protocol/problem_json.h"
 #include "validation/engine/protocol/program_kind.h"
+#include "validation/engine/protocol/test_program.h"
 #include "validation/problems/slopes/incline_problem.h"
 
 namespace stiction {
 namespace {
 
 using testing::HasSubstr;
-
-std::string program(const char* name) {
-  return (reference::folder_of_this_program() / name).string();
-}
 
 Problem slope() {
   InclineSetup setup;
@@ -63,7 +60,7 @@ std::string complaint(const std::string& command) {
 }
 
 TEST(ProgramEngine, AnswersThroughPipesAsDirectlyToTheLastBit) {
-  const EngineKind hosted = find_engine(program("hosted_engine"));
+  const EngineKind hosted = find_engine(test::program("hosted_engine"));
   const EngineKind direct = find_engine("stiction");
   const auto far = hosted.make({{"method", "quiet"}}), near = direct.make({{"method", "quiet"}});
   for (const auto& engine : {far.get(), near.get()}) {
@@ -100,7 +97,7 @@ TEST(ProgramEngine, IsToldAllThatChangesOverTimeAndTheFrictionOfPairs) {
     return engine->body(0).position;
   };
   const Vec3 near = position("stiction", problem);
-  EXPECT_EQ(position(program("hosted_engine").c_str(), problem), near);
+  EXPECT_EQ(position(test::program("hosted_engine").c_str(), problem), near);
   std::vector<Problem> less(5, problem);
   less[0].gravity.oscillation = {};
   less[1].obstacles[0].motion.velocity.setZero();
@@ -111,7 +108,7 @@ TEST(ProgramEngine, IsToldAllThatChangesOverTimeAndTheFrictionOfPairs) {
 }
 
 TEST(ProgramEngine, GoesOnFromASavedState) {
-  const auto engine = find_engine(program("hosted_engine")).make({});
+  const auto engine = find_engine(test::program("hosted_engine")).make({});
   engine->load(slope(), {});
   engine->advance(100);
   const Snapshot saved = engine->save();
@@ -124,7 +121,7 @@ TEST(ProgramEngine, GoesOnFromASavedState) {
 }
 
 TEST(ProgramEngine, CountsTheCpuTimeOfItsStepsAlone) {
-  const auto engine = find_engine(program("hosted_engine")).make({});
+  const auto engine = find_engine(test::program("hosted_engine")).make({});
   engine->load(slope(), {});
   EXPECT_EQ(engine->cost().cpu_seconds, 0.0);
   engine->advance(5000);
@@ -137,7 +134,7 @@ TEST(ProgramEngine, CountsTheCpuTimeOfItsStepsAlone) {
 }
 
 TEST(ProgramEngine, ReckonsEnergiesAndMomentaOfRigidBodies) {
-  const auto engine = find_engine(program("minimal_engine")).make({});
+  const auto engine = find_engine(test::program("minimal_engine")).make({});
   Problem problem = slope();
   problem.obstacles.clear();
   engine->load(problem, {});
@@ -201,7 +198,7 @@ TEST(ProgramEngine, RefusesProblemsThatCannotBe) {
     Problem problem = slope();
     spoil(problem);
     try {
-      find_engine(program("minimal_engine")).make({})->load(problem, {});
+      find_engine(test::program("minimal_engine")).make({})->load(problem, {});
     } catch (const InputError& what) {
       return what.what();
     }

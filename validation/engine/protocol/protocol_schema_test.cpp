@@ -16,15 +16,12 @@
 #include "reference/process/child.h"
 #include "reference/process/conversation.h"
 #include "validation/engine/protocol/problem_json.h"
+#include "validation/engine/protocol/test_program.h"
 
 namespace stiction {
 namespace {
 
 using nlohmann::json;
-
-std::string program(const char* name) {
-  return (reference::folder_of_this_program() / name).string();
-}
 
 const std::filesystem::path kFolder = std::filesystem::path(__FILE__).parent_path();
 
@@ -114,12 +111,12 @@ Problem slide() {
 }
 
 TEST(ProtocolSchema, HoldsForAllThatTheSuiteAndAnEngineOfTheCKitSay) {
-  talk({program("hosted_engine")}, full_problem(),
+  talk({test::program("hosted_engine")}, full_problem(),
        {"bodies", "contacts", "energies", "momenta", "surface", "vertices"}, true);
 }
 
 TEST(ProtocolSchema, HoldsForTheMinimalEnginesOfBothLanguages) {
-  talk({program("minimal_engine")}, slide(), {"bodies"}, false);
+  talk({test::program("minimal_engine")}, slide(), {"bodies"}, false);
   const auto python = kFolder.parent_path() / "kit/examples/minimal_engine.py";
   talk({"python3", python.string()}, slide(), {"bodies"}, false);
 }

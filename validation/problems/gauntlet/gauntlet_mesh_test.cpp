@@ -12,13 +12,13 @@
 namespace stiction {
 namespace {
 
-struct Shape {
+struct KnownMesh {
   const char* name;
   TetMesh mesh;
   double volume;          // m³, by its formula
   bool symmetric = true;  // about the planes x = 0 and y = 0
 };
-void PrintTo(const Shape& shape, std::ostream* out) { *out << shape.name; }
+void PrintTo(const KnownMesh& shape, std::ostream* out) { *out << shape.name; }
 
 // A quarter of each vertex's tetrahedra, by its place to a nanometre.
 std::map<std::tuple<long, long, long>, double> lumped(const TetMesh& mesh, double sign_x,
@@ -35,7 +35,7 @@ std::map<std::tuple<long, long, long>, double> lumped(const TetMesh& mesh, doubl
   return masses;
 }
 
-class GauntletMesh : public testing::TestWithParam<Shape> {};
+class GauntletMesh : public testing::TestWithParam<KnownMesh> {};
 
 TEST_P(GauntletMesh, IsClosedAndPositive) {
   const reference::MeshCertificate found = reference::certify(GetParam().mesh);
@@ -52,7 +52,7 @@ TEST_P(GauntletMesh, HasTheVolumeOfItsFormula) {
 }
 
 TEST_P(GauntletMesh, HasMassesAsSymmetricAsItsShape) {
-  const Shape& shape = GetParam();
+  const KnownMesh& shape = GetParam();
   if (!shape.symmetric) return;
   const auto own = lumped(shape.mesh, 1.0, 1.0);
   for (const auto& mirrored : {lumped(shape.mesh, -1.0, 1.0), lumped(shape.mesh, 1.0, -1.0)}) {
@@ -67,21 +67,21 @@ TEST_P(GauntletMesh, HasMassesAsSymmetricAsItsShape) {
 INSTANTIATE_TEST_SUITE_P(
     All, GauntletMesh,
     testing::Values(
-        Shape{"spike", spike_bed_mesh({}), 0.03 * 0.03 * (0.02 + 0.02 / 3.0)},
-        Shape{"spikes_down", spike_bed_mesh({.pads_x = 2, .pads_y = 3, .height = -0.01}),
-              6 * 0.03 * 0.03 * (0.02 + 0.01 / 3.0)},
-        Shape{"wedge", wedge_mesh({}), 0.06 * 0.06 * (0.02 + 0.01)},
-        Shape{"wedge_down", wedge_mesh({.height = -0.01}), 0.06 * 0.06 * (0.02 + 0.005)},
-        Shape{"ridged_block", ridged_mesh({.height = -0.015}),
-              0.08 * (0.108 * 0.02 + 2 * 0.5 * 0.036 * 0.015)},
-        Shape{"valley", valley_mesh({.depth = 0.01}), 0.06 * 0.06 * (0.02 + 0.005)},
-        Shape{"flat", flat_mesh(0.3, 0.02, 4, false), 0.3 * 0.3 * 0.02},
-        Shape{"irregular_flat", flat_mesh(0.3, 0.02, 15, true), 0.3 * 0.3 * 0.02, false},
-        Shape{"hook", balancer_mesh(Foot::kNone), 22 * 0.02 * 0.02 * 0.04},
-        Shape{"balancer_on_a_spike", balancer_mesh(Foot::kSpike),
-              22 * 0.02 * 0.02 * 0.04 + 0.04 * 0.04 * 0.02 / 3.0},
-        Shape{"balancer_on_a_ridge", balancer_mesh(Foot::kRidge),
-              22 * 0.02 * 0.02 * 0.04 + 0.04 * 0.04 * 0.02 / 2.0}),
+        KnownMesh{"spike", spike_bed_mesh({}), 0.03 * 0.03 * (0.02 + 0.02 / 3.0)},
+        KnownMesh{"spikes_down", spike_bed_mesh({.pads_x = 2, .pads_y = 3, .height = -0.01}),
+                  6 * 0.03 * 0.03 * (0.02 + 0.01 / 3.0)},
+        KnownMesh{"wedge", wedge_mesh({}), 0.06 * 0.06 * (0.02 + 0.01)},
+        KnownMesh{"wedge_down", wedge_mesh({.height = -0.01}), 0.06 * 0.06 * (0.02 + 0.005)},
+        KnownMesh{"ridged_block", ridged_mesh({.height = -0.015}),
+                  0.08 * (0.108 * 0.02 + 2 * 0.5 * 0.036 * 0.015)},
+        KnownMesh{"valley", valley_mesh({.depth = 0.01}), 0.06 * 0.06 * (0.02 + 0.005)},
+        KnownMesh{"flat", flat_mesh(0.3, 0.02, 4, false), 0.3 * 0.3 * 0.02},
+        KnownMesh{"irregular_flat", flat_mesh(0.3, 0.02, 15, true), 0.3 * 0.3 * 0.02, false},
+        KnownMesh{"hook", balancer_mesh(Foot::kNone), 22 * 0.02 * 0.02 * 0.04},
+        KnownMesh{"balancer_on_a_spike", balancer_mesh(Foot::kSpike),
+                  22 * 0.02 * 0.02 * 0.04 + 0.04 * 0.04 * 0.02 / 3.0},
+        KnownMesh{"balancer_on_a_ridge", balancer_mesh(Foot::kRidge),
+                  22 * 0.02 * 0.02 * 0.04 + 0.04 * 0.04 * 0.02 / 2.0}),
     [](const auto& instance) { return instance.param.name; });
 
 TEST(GauntletBalancer, HasItsCentreOfMassBelowItsTip) {
