@@ -13,6 +13,8 @@
 namespace stiction {
 namespace {
 
+using test::has;
+
 // A reader strict enough to find what escaping can break: nesting, quotes, entities, characters
 // that XML forbids. Returns the names of the elements in order of their opening.
 class StrictXml {
@@ -89,14 +91,13 @@ class StrictXml {
 TEST(Junit, CountsAndTimes) {
   const std::string xml = junit_xml({test::passing_record(), test::failing_record(),
                                      test::error_record(), test::not_applicable_record()});
-  EXPECT_TRUE(
-      test::has(xml, R"(<testsuites name="stiction" tests="4" failures="1" errors="1" skipped="1" )"
-                     R"(time="0.750000">)"));
-  EXPECT_TRUE(test::has(xml,
-                        R"(<testsuite name="incline/threshold" tests="1" failures="0" errors="0" )"
-                        R"(skipped="0" time="0.250000">)"));
-  EXPECT_TRUE(test::has(xml, R"(<testcase classname="incline.threshold" name="mu=0.3/azimuth=30" )"
-                             R"(time="0.250000">)"));
+  EXPECT_TRUE(has(xml,
+                  R"(<testsuites name="stiction" tests="4" failures="1" errors="1" skipped="1" )"
+                  R"(time="0.750000">)"));
+  EXPECT_TRUE(has(xml, R"(<testsuite name="incline/threshold" tests="1" failures="0" errors="0" )"
+                       R"(skipped="0" time="0.250000">)"));
+  EXPECT_TRUE(has(xml, R"(<testcase classname="incline.threshold" name="mu=0.3/azimuth=30" )"
+                       R"(time="0.250000">)"));
 }
 
 TEST(Junit, IsWellFormed) {
@@ -122,17 +123,16 @@ TEST(Junit, AFailureNamesItsWorstCheck) {
   mild.of_tolerance = 2.0;
   record.checks.insert(record.checks.begin(), mild);
   const std::string xml = junit_xml({record});
-  EXPECT_TRUE(
-      test::has(xml, "<failure message=\"stopping distance: measured 0.31 m, expected 0.3 m"));
-  EXPECT_TRUE(test::has(xml, "worst offender: vertex 17 at t = 0.42 s"));
-  EXPECT_TRUE(test::has(xml, "pass: critical slope, tan θ: measured 0.300012"));
+  EXPECT_TRUE(has(xml, "<failure message=\"stopping distance: measured 0.31 m, expected 0.3 m"));
+  EXPECT_TRUE(has(xml, "worst offender: vertex 17 at t = 0.42 s"));
+  EXPECT_TRUE(has(xml, "pass: critical slope, tan θ: measured 0.300012"));
 }
 
 TEST(Junit, AFailureWithoutADecidingCheckIsStillAFailure) {
   Record record = test::failing_record();
   record.checks.clear();
   const std::string xml = junit_xml({record});
-  EXPECT_TRUE(test::has(xml, "<failure "));
+  EXPECT_TRUE(has(xml, "<failure "));
   EXPECT_NO_THROW(StrictXml(xml).elements());
 }
 
@@ -144,13 +144,13 @@ TEST(Junit, HostileTextIsEscaped) {
     record.checks[0].verdict = verdict;
     const std::string xml = junit_xml({record});
     EXPECT_NO_THROW(StrictXml(xml).elements()) << xml;
-    EXPECT_FALSE(test::has(xml, "<script>"));
-    EXPECT_TRUE(test::has(xml, "&lt;script&gt;"));
+    EXPECT_FALSE(has(xml, "<script>"));
+    EXPECT_TRUE(has(xml, "&lt;script&gt;"));
   }
 }
 
 TEST(Junit, NotANumberAsTimeIsZero) {
-  EXPECT_FALSE(test::has(junit_xml({test::hostile_record()}), "time=\"nan\""));
+  EXPECT_FALSE(has(junit_xml({test::hostile_record()}), "time=\"nan\""));
 }
 
 TEST(Junit, NoRecords) {
@@ -160,20 +160,19 @@ TEST(Junit, NoRecords) {
 TEST(JunitXml, SkipsWhatFallsShortAsExpected) {
   const std::string xml = junit_xml({test::shortfall_record(), test::refuted_record()});
   EXPECT_NO_THROW(StrictXml(xml).elements());
-  EXPECT_TRUE(
-      test::has(xml,
-                "<skipped message=\"falls short, as expected in [0.305, 0.32] m: normal forces "
-                "never settle\"/>"));
-  EXPECT_TRUE(test::has(xml, "<skipped message=\"a claim of the paper is refuted, as expected in"));
-  EXPECT_TRUE(test::has(xml, "failures=\"0\""));
-  EXPECT_TRUE(test::has(xml, "skipped=\"2\""));
+  EXPECT_TRUE(has(xml,
+                  "<skipped message=\"falls short, as expected in [0.305, 0.32] m: normal forces "
+                  "never settle\"/>"));
+  EXPECT_TRUE(has(xml, "<skipped message=\"a claim of the paper is refuted, as expected in"));
+  EXPECT_TRUE(has(xml, "failures=\"0\""));
+  EXPECT_TRUE(has(xml, "skipped=\"2\""));
 }
 
 TEST(JunitXml, FailsOutsideTheBand) {
   const std::string xml = junit_xml({test::outside_record(3e5)});
   EXPECT_NO_THROW(StrictXml(xml).elements());
-  EXPECT_TRUE(test::has(xml, "worse than expected [0.305, 0.32] m"));
-  EXPECT_TRUE(test::has(xml, "cause of the band: normal forces never settle"));
+  EXPECT_TRUE(has(xml, "worse than expected [0.305, 0.32] m"));
+  EXPECT_TRUE(has(xml, "cause of the band: normal forces never settle"));
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 namespace stiction {
 namespace {
 
+using test::has;
+
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
@@ -59,9 +61,9 @@ TEST(MarkdownReport, SaysEverythingAboutACheck) {
                            "0123456789abcdef",
                            "rule=fixed-point",
                            "kinetic energy over time"}) {
-    EXPECT_TRUE(test::has(report, part)) << part;
+    EXPECT_TRUE(has(report, part)) << part;
   }
-  EXPECT_FALSE(test::has(report, "What failed"));
+  EXPECT_FALSE(has(report, "What failed"));
 }
 
 TEST(MarkdownReport, FailuresComeFirst) {
@@ -91,9 +93,9 @@ TEST(MarkdownReport, EqualTextsStandOnceInAFamily) {
 
 TEST(MarkdownReport, FiguresAndFailuresOfAComparison) {
   const std::string report = markdown_report({test::compared_record()}, "Compared");
-  EXPECT_TRUE(test::has(report, "**Measured, not judged.**"));
-  EXPECT_TRUE(test::has(report, "steps to 1e-9"));
-  EXPECT_TRUE(test::has(report, "failed: a body left its place at gain = -0.5, 2.3"));
+  EXPECT_TRUE(has(report, "**Measured, not judged.**"));
+  EXPECT_TRUE(has(report, "steps to 1e-9"));
+  EXPECT_TRUE(has(report, "failed: a body left its place at gain = -0.5, 2.3"));
 }
 
 TEST(MarkdownReport, FewestDigitsAreThoseOfChecksThatPassOrFail) {
@@ -102,7 +104,7 @@ TEST(MarkdownReport, FewestDigitsAreThoseOfChecksThatPassOrFail) {
   record.checks.back().digits = 0.3;
   record.checks.push_back(test::failing_check());
   record.checks.back().digits.reset();
-  EXPECT_TRUE(test::has(markdown_report({record}, ""), " 4.4 |"));
+  EXPECT_TRUE(has(markdown_report({record}, ""), " 4.4 |"));
   EXPECT_EQ(fewest_digits(record), 4.4);
 }
 
@@ -112,10 +114,10 @@ TEST(MarkdownReport, DifferingReasonsAndNotesAreToldApart) {
   records[1].checks[0].claim.reason = "another derivation";
   records[1].notes = {"only here"};
   const std::string report = markdown_report(records);
-  EXPECT_TRUE(test::has(report, "- Tolerance (a): half the bracket"));
-  EXPECT_TRUE(test::has(report, "- Tolerance (b): another derivation"));
-  EXPECT_TRUE(test::has(report, "0.0001 rel (b)"));
-  EXPECT_TRUE(test::has(report, "- Note: only here (mu=0.3)"));
+  EXPECT_TRUE(has(report, "- Tolerance (a): half the bracket"));
+  EXPECT_TRUE(has(report, "- Tolerance (b): another derivation"));
+  EXPECT_TRUE(has(report, "0.0001 rel (b)"));
+  EXPECT_TRUE(has(report, "- Note: only here (mu=0.3)"));
 }
 
 TEST(MarkdownReport, HostileTextBreaksNothing) {
@@ -128,7 +130,7 @@ TEST(MarkdownReport, HostileTextBreaksNothing) {
   std::size_t table = 0;  // borders of the table that is being read; 0 outside
   while (std::getline(lines, line)) {
     if (line.starts_with("    ")) continue;  // code, in which nothing is live
-    EXPECT_FALSE(test::has(line, "<")) << "no tag of a record is live";
+    EXPECT_FALSE(has(line, "<")) << "no tag of a record is live";
     const std::size_t bars = borders(line);
     if (bars == 0) {
       table = 0;
@@ -144,37 +146,37 @@ TEST(MarkdownReport, HostileTextBreaksNothing) {
 
 TEST(MarkdownReport, NotANumberIsWritten) {
   const std::string report = markdown_report({test::hostile_record()});
-  EXPECT_TRUE(test::has(report, "measured nan"));
-  EXPECT_TRUE(test::has(report, "expected inf"));
+  EXPECT_TRUE(has(report, "measured nan"));
+  EXPECT_TRUE(has(report, "expected inf"));
 }
 
 TEST(MarkdownReport, NoRecords) {
   const std::string report = markdown_report({});
-  EXPECT_TRUE(test::has(report, "of 0 records"));
-  EXPECT_FALSE(test::has(report, "Overview"));
+  EXPECT_TRUE(has(report, "of 0 records"));
+  EXPECT_FALSE(has(report, "Overview"));
 }
 
 TEST(MarkdownReport, ARecordWithoutChecksKeepsItsReason) {
   const std::string report = markdown_report({test::not_applicable_record()});
-  EXPECT_TRUE(test::has(report, "not applicable"));
-  EXPECT_TRUE(test::has(report, "the engine has no deformable obstacles"));
+  EXPECT_TRUE(has(report, "not applicable"));
+  EXPECT_TRUE(has(report, "the engine has no deformable obstacles"));
 }
 
 TEST(MarkdownReport, TellsWhatFallsShortWithItsBandAndCause) {
   const std::string report =
       markdown_report({test::shortfall_record(), test::refuted_record()}, "Limits");
-  EXPECT_TRUE(test::has(report, "0 fail, 1 expected shortfall, 1 refuted"));
-  EXPECT_TRUE(test::has(report, "*expected shortfall*, as expected in \\[0.305, 0.32\\] m"));
-  EXPECT_TRUE(test::has(report, "*refuted*, as expected in"));
-  EXPECT_TRUE(test::has(report, "- Cause: normal forces never settle"));
-  EXPECT_FALSE(test::has(report, "## What failed"));
+  EXPECT_TRUE(has(report, "0 fail, 1 expected shortfall, 1 refuted"));
+  EXPECT_TRUE(has(report, "*expected shortfall*, as expected in \\[0.305, 0.32\\] m"));
+  EXPECT_TRUE(has(report, "*refuted*, as expected in"));
+  EXPECT_TRUE(has(report, "- Cause: normal forces never settle"));
+  EXPECT_FALSE(has(report, "## What failed"));
 }
 
 TEST(MarkdownReport, TellsWhatLiesOutsideItsBand) {
   const std::string report = markdown_report({test::outside_record(0.2)}, "Limits");
-  EXPECT_TRUE(test::has(report, "## What failed"));
-  EXPECT_TRUE(test::has(report, "worse than expected \\[0.305, 0.32\\] m"));
-  EXPECT_TRUE(test::has(report, "Cause of the band: normal forces never settle"));
+  EXPECT_TRUE(has(report, "## What failed"));
+  EXPECT_TRUE(has(report, "worse than expected \\[0.305, 0.32\\] m"));
+  EXPECT_TRUE(has(report, "Cause of the band: normal forces never settle"));
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 namespace stiction {
 namespace {
 
+using test::kWide;
+using test::lines_of;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -37,7 +39,7 @@ std::vector<Record> large_run() {
 }
 
 TEST(Summary, SaysWhoHoldsHowAccuratelyAndWhy) {
-  const std::string text = summary_screen(large_run(), test::kWide, 139.4);
+  const std::string text = summary_screen(large_run(), kWide, 139.4);
   EXPECT_THAT(text, HasSubstr("stiction 4f2a9c1+ · 24 records, 12 cases · 2 min 19 s (6 s CPU)"));
   EXPECT_THAT(text,
               HasSubstr("0 fail, 0 broke off · 12 hold · 12 fall short as expected (12 refute "
@@ -56,8 +58,7 @@ TEST(Summary, SaysWhoHoldsHowAccuratelyAndWhy) {
 TEST(Summary, FitsItsScreen) {
   for (const std::size_t width : {80u, 100u, 200u}) {
     for (const std::size_t height : {24u, 40u}) {
-      const auto lines =
-          test::lines_of(summary_screen(large_run(), {.width = width, .height = height}));
+      const auto lines = lines_of(summary_screen(large_run(), {.width = width, .height = height}));
       EXPECT_LE(lines.size() + 3, height)
           << "two lines that tell where reports are, and the prompt";
       for (const std::string& line : lines) EXPECT_LE(display_width(line), width) << line;
@@ -69,7 +70,7 @@ TEST(Summary, FitsItsScreen) {
 
 TEST(Summary, NamesWhatFails) {
   std::vector<Record> records = large_run();
-  EXPECT_EQ(failure_block(records.front(), test::kWide), "");
+  EXPECT_EQ(failure_block(records.front(), kWide), "");
   records.push_back(test::failing_record());
   records.push_back(test::error_record());
   records.push_back(test::outside_record(7.0));
@@ -84,28 +85,28 @@ TEST(Summary, NamesWhatFails) {
 
 TEST(Summary, OfManyFailuresNamesTheFirst) {
   const std::vector<Record> records(30, test::failing_record());
-  const auto lines = test::lines_of(summary_screen(records, {.width = 80, .height = 24}));
+  const auto lines = lines_of(summary_screen(records, {.width = 80, .height = 24}));
   EXPECT_LE(lines.size(), 40u);
   EXPECT_THAT(summary_screen(records, {.width = 80}),
               HasSubstr("and 22 more, each whole in report.md"));
 }
 
 TEST(Summary, SaysWhatIsLacking) {
-  EXPECT_THAT(summary_screen({test::not_applicable_record(), test::passing_record()}, test::kWide),
+  EXPECT_THAT(summary_screen({test::not_applicable_record(), test::passing_record()}, kWide),
               HasSubstr("n/a      the engine has no deformable obstacles: slab/threshold"));
 }
 
 TEST(Summary, ColourAddsOnlyColour) {
-  EXPECT_THAT(summary_screen({test::failing_record()}, test::kWide), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(summary_screen({test::failing_record()}, kWide), Not(HasSubstr("\x1b")));
   EXPECT_THAT(summary_screen({test::failing_record()}, {.width = 100, .colour = true}),
               HasSubstr("\x1b["));
 }
 
 TEST(Summary, OfNothingAndOfHostileText) {
-  EXPECT_EQ(summary_screen({}, test::kWide), "no records\n");
+  EXPECT_EQ(summary_screen({}, kWide), "no records\n");
   const Record hostile = test::hostile_record();
   for (const std::string& text :
-       {summary_screen({hostile}, test::kWide), failure_block(hostile, test::kWide)}) {
+       {summary_screen({hostile}, kWide), failure_block(hostile, kWide)}) {
     EXPECT_THAT(text, Not(HasSubstr("\x1b")));
     EXPECT_EQ(text.find_first_of(std::string_view("\0\r\t", 3)), std::string::npos);
   }

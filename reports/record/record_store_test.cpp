@@ -25,6 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using test::content_of;
+
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -63,7 +65,7 @@ TEST_F(RecordStoreTest, TwoRunsInOneFolderDoNotMix) {
   EXPECT_EQ(read_records(a.records_file()).records.size(), 2u);
   ASSERT_EQ(read_records(b.records_file()).records.size(), 1u);
   EXPECT_EQ(read_records(b.records_file()).records[0].case_name, "b");
-  EXPECT_EQ(test::content_of(a.folder() / "report.md"), "a");
+  EXPECT_EQ(content_of(a.folder() / "report.md"), "a");
 }
 
 TEST_F(RecordStoreTest, ManyRunsAtOnceEachGetTheirOwn) {
@@ -89,7 +91,7 @@ TEST_F(RecordStoreTest, ARecordCanBeReadAsSoonAsItIsAppended) {
     store.append(test::passing_record());
     EXPECT_EQ(read_records(store.records_file()).records.size(), n);
   }
-  EXPECT_EQ(test::content_of(store.records_file()).back(), '\n');
+  EXPECT_EQ(content_of(store.records_file()).back(), '\n');
 }
 
 TEST_F(RecordStoreTest, AppendsFromManyThreadsGiveWholeLines) {
@@ -126,7 +128,7 @@ TEST_F(RecordStoreTest, WriteFileReplacesAndLeavesNoTemporary) {
   RecordStore store = RecordStore::create(out_);
   store.write_file("report.md", "old");
   store.write_file("report.md", "new");
-  EXPECT_EQ(test::content_of(store.folder() / "report.md"), "new");
+  EXPECT_EQ(content_of(store.folder() / "report.md"), "new");
   EXPECT_EQ(names_in(store.folder()), (std::set<std::string>{"records.jsonl", "report.md"}));
 }
 
@@ -164,7 +166,7 @@ TEST_F(RecordStoreTest, WhatStandsInPlaceOfTheLinkIsRefusedAtTheStart) {
   std::ofstream(latest) << "mine";
   EXPECT_EQ(test::message_of([&] { RecordStore::create(out_); }),
             "\"" + latest + "\" is a file" + what + "folder for the reports.");
-  EXPECT_EQ(test::content_of(latest), "mine");
+  EXPECT_EQ(content_of(latest), "mine");
   EXPECT_EQ(names_in(out_), (std::set<std::string>{"latest"}));
   fs::remove(latest);
   fs::create_symlink("a run that was deleted", latest);
@@ -194,7 +196,7 @@ TEST_F(RecordStoreTest, FinishReplacesNeitherAFolderNorAFile) {
   fs::remove(out_ / "latest");
   std::ofstream(out_ / "latest") << "mine";
   EXPECT_NE(test::message_of([&] { store.finish(); }).find("is a file"), std::string::npos);
-  EXPECT_EQ(test::content_of(out_ / "latest"), "mine");
+  EXPECT_EQ(content_of(out_ / "latest"), "mine");
   EXPECT_EQ(names_in(out_).size(), 2u) << "no temporary is left";
 }
 
@@ -256,7 +258,7 @@ TEST_F(RecordStoreDeathTest, AFullDiskLosesNoFinishedRecord) {
     const RecordFile full = read_records(store.records_file());
     demand(full.records.size() == written, "a finished record is lost");
     demand(full.unfinished.empty(), "half a line is left");
-    demand(test::content_of(store.records_file()).back() == '\n', "half a line is left");
+    demand(content_of(store.records_file()).back() == '\n', "half a line is left");
     // Room again: the run goes on in the same file.
     limit_files_to(RLIM_INFINITY);
     store.append(test::passing_record("later"));
@@ -277,7 +279,7 @@ TEST_F(RecordStoreDeathTest, AFullDiskKeepsTheOldFile) {
     limit_files_to(5000);
     const std::string message =
         test::message_of([&] { store.write_file("report.md", std::string(100000, 'x')); });
-    demand(test::content_of(store.folder() / "report.md") == "old", "the old file is gone");
+    demand(content_of(store.folder() / "report.md") == "old", "the old file is gone");
     demand(names_in(store.folder()).size() == 2, "a temporary is left");
     leave(message);
   };

@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using test::content_of;
+
 class WholeFileTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -37,7 +39,7 @@ class WholeFileTest : public testing::Test {
 TEST_F(WholeFileTest, AnOlderFileStaysUntilTheNewOneIsWhole) {
   const fs::path file = folder_ / "file";
   write_whole(file, "old");
-  EXPECT_EQ(test::content_of(file), "old");
+  EXPECT_EQ(content_of(file), "old");
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
@@ -47,7 +49,7 @@ TEST_F(WholeFileTest, AnOlderFileStaysUntilTheNewOneIsWhole) {
       test::message_of([&] { write_whole(file, std::string(1000, 'x'), Wait::kNo); });
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(message, "Cannot write \"" + file.string() + "\": File too large.");
-  EXPECT_EQ(test::content_of(file), "old");
+  EXPECT_EQ(content_of(file), "old");
   EXPECT_EQ(files(), 1);
 }
 
@@ -57,13 +59,13 @@ TEST_F(WholeFileTest, ALinkStaysAndWhatItPointsToIsWritten) {
   write_whole(folder_ / "there/file", "old");
   write_whole(folder_ / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_EQ(test::content_of(folder_ / "there/file"), "new");
+  EXPECT_EQ(content_of(folder_ / "there/file"), "new");
 }
 
 TEST_F(WholeFileTest, APipeIsWrittenTo) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  auto heard = std::async(std::launch::async, [&] { return test::content_of(pipe); });
+  auto heard = std::async(std::launch::async, [&] { return content_of(pipe); });
   write_whole(pipe, "said");
   EXPECT_EQ(heard.get(), "said");
   EXPECT_EQ(files(), 1);

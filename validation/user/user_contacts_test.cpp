@@ -15,6 +15,7 @@
 namespace stiction {
 namespace {
 
+using test::replaced;
 using test::UserProblem;
 using testing::HasSubstr;
 
@@ -239,9 +240,9 @@ TEST_F(UserContacts, TheLengthOfALoadAndOfAMotionCanVary) {
   EXPECT_NEAR(seen[0], -2.0, 1e-12);
   EXPECT_NEAR(seen[1], -1.0, 1e-12);
 
-  std::string grows = test::replaced(text, "[0, \"-3 mN\", 0]",
-                                     "{ time = [0, 0.05], value = [[0, 0, 0], [0, -1, 0]] }");
-  grows = test::replaced(grows, "point.force", "point.force.value");
+  std::string grows =
+      replaced(text, "[0, \"-3 mN\", 0]", "{ time = [0, 0.05], value = [[0, 0, 0], [0, -1, 0]] }");
+  grows = replaced(grows, "point.force", "point.force.value");
   const std::vector<double> grown = values(grows);
   ASSERT_EQ(grown.size(), 2u);
   // Half of it on the mean until 0.05 s; off by F Δt / 2 m at most.

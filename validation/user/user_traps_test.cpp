@@ -14,6 +14,7 @@ namespace stiction {
 namespace {
 
 using test::kProblem;
+using test::replaced;
 using test::UserProblem;
 using testing::HasSubstr;
 
@@ -61,20 +62,19 @@ TEST_F(UserTrap, DownhillIsThatOfWhatTheBodyRestsOn) {
 }
 
 TEST_F(UserTrap, DownhillOfNoBodyThatRestsSomewhereIsAskedForByName) {
-  const std::string placed =
-      test::replaced(kTwoObstacles, "rests_on = \"ramp\"", "position = [0, 0, 1]");
+  const std::string placed = replaced(kTwoObstacles, "rests_on = \"ramp\"", "position = [0, 0, 1]");
   EXPECT_THAT(refusal(placed), HasSubstr("'box' rests on no obstacle by its 'rests_on': say of "
                                          "which it is downhill, { downhill = \"NAME\" }; there "
                                          "are: floor, ramp"));
   const std::string named =
-      test::replaced(placed, "direction = \"downhill\"", "direction = { downhill = \"ramp\" }");
+      replaced(placed, "direction = \"downhill\"", "direction = { downhill = \"ramp\" }");
   EXPECT_EQ(refusal(named), "");
-  EXPECT_THAT(refusal(test::replaced(named, "{ downhill = \"ramp\" }", "{ downhill = \"hill\" }")),
+  EXPECT_THAT(refusal(replaced(named, "{ downhill = \"ramp\" }", "{ downhill = \"hill\" }")),
               HasSubstr("there is no obstacle 'hill'"));
 }
 
 std::string with_second(const std::string& lines) {
-  return test::replaced(kProblem, "[[check]]", lines + "\n[[check]]\nbody = \"point\"");
+  return replaced(kProblem, "[[check]]", lines + "\n[[check]]\nbody = \"point\"");
 }
 
 TEST_F(UserTrap, BodiesThatBeginInsideEachOtherAreRefused) {
@@ -82,14 +82,13 @@ TEST_F(UserTrap, BodiesThatBeginInsideEachOtherAreRefused) {
       "shape = \"box\"\nsize = [0.2, 0.2, 0.1]\nmass = 1\nrests_on = \"ramp\"\n";
   const std::string two = "[[body]]\nname = \"a\"\n" + brick + "[[body]]\nname = \"b\"\n" + brick;
   const std::string text =
-      test::replaced(with_second(two), "rests_on = \"ramp\"", "position = [0, 0, 9]");
+      replaced(with_second(two), "rests_on = \"ramp\"", "position = [0, 0, 9]");
   EXPECT_THAT(refusal(text), HasSubstr("'a' and 'b' begin inside each other, by at least"));
   EXPECT_EQ(refusal("initial_overlap = \"allowed\"\n" + text), "");
   const std::string apart =
-      test::replaced(text, "name = \"b\"", "name = \"b\"\noffset = [\"20 cm\", 0, 0]");
+      replaced(text, "name = \"b\"", "name = \"b\"\noffset = [\"20 cm\", 0, 0]");
   EXPECT_EQ(refusal(apart), "") << "side by side, face on face";
-  EXPECT_THAT(refusal(test::replaced(apart, "20 cm", "199.99 mm")),
-              HasSubstr("begin inside each other"));
+  EXPECT_THAT(refusal(replaced(apart, "20 cm", "199.99 mm")), HasSubstr("begin inside each other"));
 }
 
 TEST_F(UserTrap, ABodyInAnObstacleIsRefused) {
@@ -108,11 +107,10 @@ TEST_F(UserTrap, AStackOfBodiesStandsFlushAndSharesItsDownhill) {
   const std::string stack = "[[body]]\nname = \"a\"\n" + brick +
                             "rests_on = \"ramp\"\n[[body]]\nname = \"b\"\n" + brick +
                             "rests_on = \"a\"\nrotation = { axis = [1, 0, 0], angle_deg = 90 }\n";
-  std::string text =
-      test::replaced(with_second(stack), "rests_on = \"ramp\"", "position = [0, 0, 9]");
-  text = test::replaced(text, "observable = \"speed\"",
-                        "observable = \"velocity\"\ndirection = \"downhill\"");
-  text = test::replaced(text, "body = \"point\"", "body = \"b\"");
+  std::string text = replaced(with_second(stack), "rests_on = \"ramp\"", "position = [0, 0, 9]");
+  text = replaced(text, "observable = \"speed\"",
+                  "observable = \"velocity\"\ndirection = \"downhill\"");
+  text = replaced(text, "body = \"point\"", "body = \"b\"");
   const UserCase read = read_user_problems({write(text).string()}).front();
   const Problem& problem = read.problem->problem;
   const Eigen::Vector3d up = problem.obstacles[0].normal;
@@ -171,7 +169,7 @@ TEST_F(UserTrap, ChecksOfTwoBodiesHaveNamesOfTheirOwn) {
       "[[body]]\nname = \"other\"\nshape = \"point\"\nmass = 1\nposition = [0, 0, 5]\n";
   const std::string check =
       "[[check]]\nobservable = \"speed\"\nexpected = 1\ntolerance = 9\nreason = \"x\"\n";
-  EXPECT_THAT(refusal(test::replaced(kProblem, "[[check]]", second + "[[check]]")),
+  EXPECT_THAT(refusal(replaced(kProblem, "[[check]]", second + "[[check]]")),
               HasSubstr("which 'body' is observed? There are: point, other"));
   const Record record =
       result(with_second(second) + check + "body = \"other\"\n" + check +
@@ -209,7 +207,7 @@ TEST_F(UserTrap, AKeyOfAHundredThousandPartsIsRefused) {
   EXPECT_THAT(refusal(std::string(kProblem) + "[" + parts + "b]\n"),
               HasSubstr("a key has more than 64 parts"));
   std::string numbers = "title = \"" + std::string(1000, '.') + "\"\n";
-  EXPECT_EQ(refusal(test::replaced(kProblem, "title = \"a point on a ramp\"\n", numbers)), "")
+  EXPECT_EQ(refusal(replaced(kProblem, "title = \"a point on a ramp\"\n", numbers)), "")
       << "no key";
 }
 

@@ -10,12 +10,14 @@
 namespace stiction {
 namespace {
 
+using test::kInverseMass;
+using test::stuck;
+
 TEST(BiasVectorRule, OfAFreshContactIsTheClosedForm) {
   double memory[3] = {test::kNaN, test::kNaN, test::kNaN};
   const BiasVector rule({});
   rule.reset(memory);
-  SlipProblem one =
-      test::stuck(Vec3(3, -4, 0), Vec3::Constant(test::kNaN));  // u unused unless stuck
+  SlipProblem one = stuck(Vec3(3, -4, 0), Vec3::Constant(test::kNaN));  // u unused unless stuck
   one.was = ContactStatus::kNew;
   EXPECT_EQ(rule.solve(one, memory).force, Vec3(-12, 16, 0));
 }
@@ -23,15 +25,15 @@ TEST(BiasVectorRule, OfAFreshContactIsTheClosedForm) {
 TEST(BiasVectorRule, LearnsSlipAcrossTheFreeSlipToo) {
   double memory[3] = {0, 0, 0};
   // u is across ũ: no scalar ξ could answer it.
-  const SlipSolution solution = BiasVector(RuleSettings{{"gain", 0.5}})
-                                    .solve(test::stuck(Vec3(1, 0, 0), Vec3(0, 0.2, 0)), memory);
+  const SlipSolution solution =
+      BiasVector(RuleSettings{{"gain", 0.5}}).solve(stuck(Vec3(1, 0, 0), Vec3(0, 0.2, 0)), memory);
   EXPECT_EQ(solution.status, ContactStatus::kStick);
   EXPECT_EQ(solution.force, Vec3(-4.0, -0.4, 0));
 }
 
 TEST(BiasVectorRule, LearnsOnceAStep) {
   double memory[3] = {0, 0, 0};
-  SlipProblem later = test::stuck(Vec3(1, 0, 0), Vec3(0.2, 0, 0));
+  SlipProblem later = stuck(Vec3(1, 0, 0), Vec3(0.2, 0, 0));
   later.first_sweep = false;
   BiasVector({}).solve(later, memory);
   EXPECT_EQ(memory[0], 0.0);
@@ -39,8 +41,7 @@ TEST(BiasVectorRule, LearnsOnceAStep) {
 
 TEST(BiasVectorRule, LaysItsMemoryIntoTheTangentPlane) {
   double memory[3] = {1, 2, 3};
-  const SlipSolution solution =
-      BiasVector({}).solve(test::stuck(Vec3(0, 0, 0), Vec3::Zero()), memory);
+  const SlipSolution solution = BiasVector({}).solve(stuck(Vec3(0, 0, 0), Vec3::Zero()), memory);
   EXPECT_EQ(solution.force.z(), 0.0);
   EXPECT_EQ(memory[2], 0.0);
 }
@@ -50,7 +51,7 @@ TEST(BiasVectorRule, ForgetsWhenClampedUnlessToldToKeep) {
     double memory[3] = {0.5, 0, 0};
     const RuleSettings given{{"memory", keep ? 1.0 : 0.0}};
     const SlipSolution solution =
-        BiasVector(given).solve(test::stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
+        BiasVector(given).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
     EXPECT_EQ(solution.status, ContactStatus::kSlip);
     EXPECT_NEAR(solution.force.norm(), 5.0, 5.0 * 4 * test::kEpsilon);
     EXPECT_EQ(memory[0], keep ? 0.5 : 0.0);
@@ -67,13 +68,13 @@ double slip_left(const Rule& rule, double artefact, int steps) {
   Vec3 slip = Vec3::Zero();
   ContactStatus was = ContactStatus::kNew;
   for (int k = 0; k < steps; ++k) {
-    SlipProblem one = test::stuck(free_slip, slip);
+    SlipProblem one = stuck(free_slip, slip);
     one.was = was;
     const SlipSolution solution = rule.solve(one, memory.data());
     was = solution.status;
     const Vec3 turned(-solution.force.y(), solution.force.x(), 0.0);
-    slip = free_slip +
-           test::kInverseMass * ((1.0 - artefact) * solution.force + 0.25 * artefact * turned);
+    slip =
+        free_slip + kInverseMass * ((1.0 - artefact) * solution.force + 0.25 * artefact * turned);
   }
   return slip.norm();
 }
@@ -95,7 +96,7 @@ TEST(AitkenVectorRule, FindsAGainOfItsOwn) {
 TEST(AitkenVectorRule, ForgetsItsGainWhenClamped) {
   double memory[7] = {1, 0, 0, 1, 0, 0, 1.5};
   const SlipSolution solution =
-      AitkenVector({}).solve(test::stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
+      AitkenVector({}).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 5.0), memory);
   EXPECT_EQ(solution.status, ContactStatus::kSlip);
   EXPECT_EQ(memory[0], 0.0);
   EXPECT_EQ(memory[6], parameter::kGain.initial);

@@ -12,6 +12,9 @@
 namespace stiction {
 namespace {
 
+using test::kInverseMass;
+using test::stuck;
+
 TEST(FixedPointRule, StartsWithOne) {
   double xi = test::kNaN;
   FixedPoint({}).reset(&xi);
@@ -20,8 +23,7 @@ TEST(FixedPointRule, StartsWithOne) {
 
 TEST(FixedPointRule, OfAFreshContactIsTheClosedForm) {
   double xi = 1.0;
-  SlipProblem one =
-      test::stuck(Vec3(3, -4, 0), Vec3::Constant(test::kNaN));  // u unused unless stuck
+  SlipProblem one = stuck(Vec3(3, -4, 0), Vec3::Constant(test::kNaN));  // u unused unless stuck
   one.was = ContactStatus::kNew;
   const SlipSolution solution = FixedPoint({}).solve(one, &xi);
   EXPECT_EQ(solution.status, ContactStatus::kStick);
@@ -32,7 +34,7 @@ TEST(FixedPointRule, OfAFreshContactIsTheClosedForm) {
 TEST(FixedPointRule, RaisesXiByGainTimesTheRelativeSlipThatIsLeft) {
   double xi = 1.0;
   // u along ũ counts in the ratio 1 : 5, across it not at all.
-  const SlipProblem one = test::stuck(Vec3(3, -4, 0), 0.2 * Vec3(3, -4, 0) + Vec3(4, 3, 0));
+  const SlipProblem one = stuck(Vec3(3, -4, 0), 0.2 * Vec3(3, -4, 0) + Vec3(4, 3, 0));
   const SlipSolution solution = FixedPoint(RuleSettings{{"gain", 0.5}}).solve(one, &xi);
   EXPECT_NEAR(xi, 1.1, 4 * test::kEpsilon);
   EXPECT_LT((solution.force - 1.1 * Vec3(-12, 16, 0)).norm(), 22 * 4 * test::kEpsilon);
@@ -40,8 +42,7 @@ TEST(FixedPointRule, RaisesXiByGainTimesTheRelativeSlipThatIsLeft) {
 
 TEST(FixedPointRule, LowersXiWhenTheSlipTurnedBack) {
   double xi = 1.0;
-  FixedPoint(RuleSettings{{"gain", 0.5}})
-      .solve(test::stuck(Vec3(3, -4, 0), -0.2 * Vec3(3, -4, 0)), &xi);
+  FixedPoint(RuleSettings{{"gain", 0.5}}).solve(stuck(Vec3(3, -4, 0), -0.2 * Vec3(3, -4, 0)), &xi);
   EXPECT_NEAR(xi, 0.9, 4 * test::kEpsilon);
 }
 
@@ -49,18 +50,17 @@ TEST(FixedPointRule, WithRawAlphaSubtractsAlphaTimesTheSlipItself) {
   double xi = 1.0;
   // α in s/m: −0.1 · 1 m/s, whatever |ũ| is; the gain is unused.
   const FixedPoint rule(RuleSettings{{"gain", test::kNaN}, {"alpha", -0.1}});
-  rule.solve(test::stuck(Vec3(30, -40, 0), Vec3(0.6, -0.8, 0)), &xi);
+  rule.solve(stuck(Vec3(30, -40, 0), Vec3(0.6, -0.8, 0)), &xi);
   EXPECT_NEAR(xi, 1.1, 4 * test::kEpsilon);
 }
 
 TEST(FixedPointRule, HoldsXiWhereTheFreeSlipHasNoDirection) {
   for (const double slip : {0.0, 1e-300, 1e-13}) {
     double xi = 1.25;
-    const SlipSolution solution =
-        FixedPoint({}).solve(test::stuck(Vec3(slip, 0, 0), Vec3(1, 1, 0)), &xi);
+    const SlipSolution solution = FixedPoint({}).solve(stuck(Vec3(slip, 0, 0), Vec3(1, 1, 0)), &xi);
     EXPECT_EQ(xi, 1.25) << slip;
     EXPECT_EQ(solution.status, ContactStatus::kStick) << slip;
-    EXPECT_NEAR(solution.force.x(), -1.25 * slip / test::kInverseMass, slip * 10 * test::kEpsilon);
+    EXPECT_NEAR(solution.force.x(), -1.25 * slip / kInverseMass, slip * 10 * test::kEpsilon);
   }
 }
 
@@ -68,23 +68,23 @@ TEST(FixedPointRule, LimitsTheForceToTheConeAndThenSlips) {
   double xi = 1.5;
   // −ũ/w = 20 N could stick within 24 N, but ξ asks for 30 N.
   const SlipSolution solution =
-      FixedPoint({}).solve(test::stuck(Vec3(3, -4, 0), Vec3::Zero(), 24.0), &xi);
+      FixedPoint({}).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 24.0), &xi);
   EXPECT_EQ(solution.status, ContactStatus::kSlip);
   EXPECT_LT((solution.force - 24.0 * Vec3(-0.6, 0.8, 0)).norm(), 24 * 4 * test::kEpsilon);
 }
 
 TEST(FixedPointRule, ForgetsXiWhenItSlips) {
   double clamped = 1.5;
-  FixedPoint({}).solve(test::stuck(Vec3(3, -4, 0), Vec3::Zero(), 24.0), &clamped);
+  FixedPoint({}).solve(stuck(Vec3(3, -4, 0), Vec3::Zero(), 24.0), &clamped);
   EXPECT_EQ(clamped, 1.0) << "clamped";
   double dynamic = 1.5;
-  FixedPoint({}).solve(test::stuck(Vec3(3, -4, 0), Vec3(3, -4, 0), 10.0), &dynamic);
+  FixedPoint({}).solve(stuck(Vec3(3, -4, 0), Vec3(3, -4, 0), 10.0), &dynamic);
   EXPECT_EQ(dynamic, 1.0) << "beyond the cone, where it would have wound up";
 }
 
 TEST(FixedPointRule, LearnsNothingWhileSlipping) {
   double xi = 1.0;
-  SlipProblem one = test::stuck(Vec3(3, -4, 0), Vec3(3, -4, 0));
+  SlipProblem one = stuck(Vec3(3, -4, 0), Vec3(3, -4, 0));
   one.was = ContactStatus::kSlip;  // the last step's slip is no error of ξ
   FixedPoint({}).solve(one, &xi);
   EXPECT_EQ(xi, 1.0);
@@ -97,9 +97,9 @@ using Loop = double (*)(const FixedPoint& rule, double artefact, int steps);
 
 // The slip that a rule leaves of ũ = 1 m/s when a share ε of its force gets lost.
 double slip_left(const FixedPoint& rule, double start_slip, double artefact, double* xi) {
-  const SlipSolution solution = rule.solve(test::stuck(Vec3(0, 1, 0), Vec3(0, start_slip, 0)), xi);
+  const SlipSolution solution = rule.solve(stuck(Vec3(0, 1, 0), Vec3(0, start_slip, 0)), xi);
   EXPECT_EQ(solution.status, ContactStatus::kStick);
-  return 1.0 + test::kInverseMass * (1.0 - artefact) * solution.force.y();
+  return 1.0 + kInverseMass * (1.0 - artefact) * solution.force.y();
 }
 
 // u = ũ (1 − ξ(1 − ε)): ξ ← ξ + g (1 − ξ(1 − ε)) has the factor 1 − g(1 − ε).

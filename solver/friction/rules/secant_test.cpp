@@ -11,6 +11,8 @@
 namespace stiction {
 namespace {
 
+using test::kInverseMass;
+
 // A contact whose friction comes out too weak by a factor: u = ũ (1 − ξ (1 − ε)).
 double slip_after(const Secant& rule, double artefact, int steps) {
   double memory[3];
@@ -21,12 +23,12 @@ double slip_after(const Secant& rule, double artefact, int steps) {
   for (int k = 0; k < steps; ++k) {
     const SlipSolution solution = rule.solve({.free_slip = free_slip,
                                               .start_slip = slip,
-                                              .inverse_mass = test::kInverseMass,
+                                              .inverse_mass = kInverseMass,
                                               .bound = 1e9,
                                               .was = was},
                                              memory);
     was = solution.status;
-    slip = free_slip + (1.0 - artefact) * test::kInverseMass * solution.force;
+    slip = free_slip + (1.0 - artefact) * kInverseMass * solution.force;
   }
   return slip.norm();
 }
@@ -47,7 +49,7 @@ TEST(SecantRule, ForgetsOnSlipUnlessToldToKeep) {
     double memory[3] = {1.5, 1.25, 0.1};
     const SlipSolution solution = Secant(given).solve({.free_slip = Vec3(1, 0, 0),
                                                        .start_slip = Vec3::Zero(),
-                                                       .inverse_mass = test::kInverseMass,
+                                                       .inverse_mass = kInverseMass,
                                                        .bound = 1.0,
                                                        .was = ContactStatus::kSlip},
                                                       memory);
@@ -62,7 +64,7 @@ TEST(SecantRule, TakesTheFixedPointStepWhereTheSlopeHasTheWrongSign) {
   double memory[3] = {1.2, 1.0, 0.1};
   Secant({}).solve({.free_slip = Vec3(1, 0, 0),
                     .start_slip = Vec3(0.2, 0, 0),
-                    .inverse_mass = test::kInverseMass,
+                    .inverse_mass = kInverseMass,
                     .bound = 1e9,
                     .was = ContactStatus::kStick},
                    memory);

@@ -9,10 +9,12 @@
 namespace stiction {
 namespace {
 
+using test::kInverseMass;
+
 SlipProblem problem(const Vec3& free_slip, const Vec3& force, double bound) {
   return {.free_slip = free_slip,
           .start_slip = Vec3::Constant(test::kNaN),  // this rule does not look back at velocities
-          .inverse_mass = test::kInverseMass,
+          .inverse_mass = kInverseMass,
           .bound = bound,
           .force = force};
 }
@@ -31,7 +33,7 @@ TEST(StoredVectorRule, StartsFromNothingAndRemembersItsForce) {
 TEST(StoredVectorRule, ChangesNothingWhenItsForceAlreadyEndsTheSlip) {
   double memory[3] = {0, 0, 0};
   const Vec3 force(1, 2, 0);
-  const Vec3 free_slip = -test::kInverseMass * force;
+  const Vec3 free_slip = -kInverseMass * force;
   EXPECT_EQ(StoredVector({}).solve(problem(free_slip, force, 1e9), memory).force, force);
 }
 

@@ -20,6 +20,7 @@
 namespace stiction {
 namespace {
 
+using test::program;
 using testing::HasSubstr;
 
 Problem slope() {
@@ -60,7 +61,7 @@ std::string complaint(const std::string& command) {
 }
 
 TEST(ProgramEngine, AnswersThroughPipesAsDirectlyToTheLastBit) {
-  const EngineKind hosted = find_engine(test::program("hosted_engine"));
+  const EngineKind hosted = find_engine(program("hosted_engine"));
   const EngineKind direct = find_engine("stiction");
   const auto far = hosted.make({{"method", "quiet"}}), near = direct.make({{"method", "quiet"}});
   for (const auto& engine : {far.get(), near.get()}) {
@@ -97,7 +98,7 @@ TEST(ProgramEngine, IsToldAllThatChangesOverTimeAndTheFrictionOfPairs) {
     return engine->body(0).position;
   };
   const Vec3 near = position("stiction", problem);
-  EXPECT_EQ(position(test::program("hosted_engine").c_str(), problem), near);
+  EXPECT_EQ(position(program("hosted_engine").c_str(), problem), near);
   std::vector<Problem> less(5, problem);
   less[0].gravity.oscillation = {};
   less[1].obstacles[0].motion.velocity.setZero();
@@ -108,7 +109,7 @@ TEST(ProgramEngine, IsToldAllThatChangesOverTimeAndTheFrictionOfPairs) {
 }
 
 TEST(ProgramEngine, GoesOnFromASavedState) {
-  const auto engine = find_engine(test::program("hosted_engine")).make({});
+  const auto engine = find_engine(program("hosted_engine")).make({});
   engine->load(slope(), {});
   engine->advance(100);
   const Snapshot saved = engine->save();
@@ -121,7 +122,7 @@ TEST(ProgramEngine, GoesOnFromASavedState) {
 }
 
 TEST(ProgramEngine, CountsTheCpuTimeOfItsStepsAlone) {
-  const auto engine = find_engine(test::program("hosted_engine")).make({});
+  const auto engine = find_engine(program("hosted_engine")).make({});
   engine->load(slope(), {});
   EXPECT_EQ(engine->cost().cpu_seconds, 0.0);
   engine->advance(5000);
@@ -134,7 +135,7 @@ TEST(ProgramEngine, CountsTheCpuTimeOfItsStepsAlone) {
 }
 
 TEST(ProgramEngine, ReckonsEnergiesAndMomentaOfRigidBodies) {
-  const auto engine = find_engine(test::program("minimal_engine")).make({});
+  const auto engine = find_engine(program("minimal_engine")).make({});
   Problem problem = slope();
   problem.obstacles.clear();
   engine->load(problem, {});
@@ -198,7 +199,7 @@ TEST(ProgramEngine, RefusesProblemsThatCannotBe) {
     Problem problem = slope();
     spoil(problem);
     try {
-      find_engine(test::program("minimal_engine")).make({})->load(problem, {});
+      find_engine(program("minimal_engine")).make({})->load(problem, {});
     } catch (const InputError& what) {
       return what.what();
     }

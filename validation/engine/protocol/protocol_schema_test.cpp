@@ -22,6 +22,7 @@ namespace stiction {
 namespace {
 
 using nlohmann::json;
+using test::program;
 
 const std::filesystem::path kFolder = std::filesystem::path(__FILE__).parent_path();
 
@@ -111,12 +112,12 @@ Problem slide() {
 }
 
 TEST(ProtocolSchema, HoldsForAllThatTheSuiteAndAnEngineOfTheCKitSay) {
-  talk({test::program("hosted_engine")}, full_problem(),
+  talk({program("hosted_engine")}, full_problem(),
        {"bodies", "contacts", "energies", "momenta", "surface", "vertices"}, true);
 }
 
 TEST(ProtocolSchema, HoldsForTheMinimalEnginesOfBothLanguages) {
-  talk({test::program("minimal_engine")}, slide(), {"bodies"}, false);
+  talk({program("minimal_engine")}, slide(), {"bodies"}, false);
   const auto python = kFolder.parent_path() / "kit/examples/minimal_engine.py";
   talk({"python3", python.string()}, slide(), {"bodies"}, false);
 }
