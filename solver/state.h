@@ -34,7 +34,7 @@ struct PairGeometry {
   std::vector<std::int32_t> element;
   std::vector<std::int32_t> triangle;
 
-  /// What of a depth is not answered yet (PairContact::excess), of the few contacts that have such.
+  /// What of a depth is not answered yet (PairSite::excess), of the few contacts that have such.
   struct Excess {
     ContactKey body_key;
     Real depth;  ///< m, > 0

@@ -26,8 +26,8 @@ void add(const std::vector<Value>& values, Fnv1a& hash) {
 }
 
 // Field by field: the padding between them is nobody's.
-void add(const PairContact& c, Fnv1a& hash) {
-  const std::int32_t numbers[] = {c.vertex, c.other, c.element, c.triangle};
+void add(const PairContact& c, const PairSite& site, Fnv1a& hash) {
+  const std::int32_t numbers[] = {c.vertex, c.other, site.element, site.triangle};
   hash.add(numbers, sizeof numbers);
   hash.add(c.partner, sizeof c.partner);
   hash.add(c.weight, sizeof c.weight);
@@ -130,7 +130,7 @@ std::uint64_t Batch::hash() const {
   hash.add(&state, sizeof state);
   for (const Force& force : workspace.force) hash.add(force.f.data(), sizeof force.f);
   for (const Velocity& velocity : workspace.velocity) hash.add(velocity.v.data(), sizeof(Vec3));
-  for (const PairContact& pair : workspace.pairs) add(pair, hash);
+  for (const PairContact& pair : workspace.pairs) add(pair, workspace.pairs.site_of(pair), hash);
   for (const EdgeContact& edge : workspace.edges) {
     hash.add(&edge.key, sizeof edge.key);
     hash.add(&edge.normal_force, sizeof edge.normal_force);

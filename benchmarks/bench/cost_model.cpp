@@ -13,7 +13,7 @@ constexpr double kPosition = sizeof(Position);
 constexpr double kVelocity = sizeof(Velocity);
 constexpr double kElement = sizeof(Element) + sizeof(ElementConstants);
 constexpr double kCorners = sizeof(Element);
-constexpr double kPair = sizeof(PairContact);
+constexpr double kPair = sizeof(PairContact), kSite = sizeof(PairSite);
 constexpr double kTriangle = sizeof(Topology::Triangle);
 constexpr double kMemoryKey = sizeof(ContactKey) + sizeof(ContactStatus);
 
@@ -58,15 +58,15 @@ ModelledCost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
     case Phase::kPredict:
       return {n.vertices * (kVec + 2 * kVelocity), n.vertices * (1 + kAxpy)};
     case Phase::kDetect: {
-      // Of a record of three lines that lasts two are read.
-      const double found = n.pairs * (2.0 / 3.0 * kPair + 24) + n.obstacle * kOneSided;
+      // Of a record that lasts one line of two is read, and its site.
+      const double found = n.pairs * (kPair / 2 + kSite + 24) + n.obstacle * kOneSided;
       const double all = pairs_possible ? n.vertices * (kPosition + kVelocity + kVec)
                                         : n.surface * (kPosition + kVelocity);
       return {all + found,
               n.vertices * kAxpy + n.pairs * kBarycentric + n.surface * (kAxpy + kDot)};
     }
     case Phase::kDepth:
-      return {n.pairs * (2 * kPair + kTriangle + kCorners + 3 * kVec + 5 * kPosition),
+      return {n.pairs * (2 * kPair + kSite + kTriangle + kCorners + 3 * kVec + 5 * kPosition),
               n.pairs * (kNearest + kCross + 2 * kDot + kBarycentric + 14)};
     case Phase::kNormalForce:
       // Twice over the pairs: loads and forces, then their application to five vertices.
@@ -79,7 +79,7 @@ ModelledCost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
               n.pairs * (2 * (4 * kAxpy + 2 * kDot) + 2 * 5 * (kAxpy + 1) + 40) +
                   n.obstacle * (4 * kDot + 2 * kAxpy + 40)};
     case Phase::kIntegrate:
-      return {n.vertices * (kVelocity + 2 * kPosition) + n.pairs * (kPair + 16),
+      return {n.vertices * (kVelocity + 2 * kPosition) + n.pairs * (kPair / 2 + kSite + 16),
               n.vertices * kAxpy};
   }
   return {};

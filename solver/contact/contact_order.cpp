@@ -7,6 +7,8 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 
 namespace stiction {
 
@@ -16,12 +18,15 @@ namespace {
 // thread has some 10 µs to do.
 constexpr std::size_t kChunk = 512;
 
-// Records of fewer, 3 MiB, stay in a second or third cache.
+// Records of fewer, 2 MiB, stay in a second or third cache.
 constexpr std::size_t kFew = 16384;
 
 // Vertices of a contact as they lie in its record: its own in front of the four partners.
 template <class Contact>
 constexpr std::size_t kCorners = 4 + sizeof(Contact::vertex) / sizeof(std::int32_t);
+
+template <class Contacts>
+using ContactOf = std::remove_cvref_t<decltype(std::declval<const Contacts&>()[0])>;
 
 template <class Contact>
 const std::int32_t* corners_of(const Contact& contact) {
@@ -44,10 +49,10 @@ void ContactOrder::in_one_chunk(std::size_t contacts) {
   contact_.clear();
 }
 
-template <class Contact>
-void ContactOrder::remember(const std::vector<Contact>& contacts) {
+template <class Contacts>
+void ContactOrder::remember(const Contacts& contacts) {
   in_one_chunk(contacts.size());
-  corners_ = kCorners<Contact>;
+  corners_ = kCorners<ContactOf<Contacts>>;
   corner_.resize(corners_ * contacts.size());
   key_.resize(contacts.size());
   contact_.resize(contacts.size());
@@ -59,10 +64,11 @@ void ContactOrder::remember(const std::vector<Contact>& contacts) {
   }
 }
 
-template <class Contact>
-bool ContactOrder::is_of(const std::vector<Contact>& contacts, const Chunk& chunk) const {
-  constexpr std::size_t kBytes = kCorners<Contact> * sizeof(std::int32_t);
-  if (key_.size() != contacts.size() || corners_ != kCorners<Contact>) return false;
+template <class Contacts>
+bool ContactOrder::is_of(const Contacts& contacts, const Chunk& chunk) const {
+  constexpr std::size_t kOfEach = kCorners<ContactOf<Contacts>>;
+  constexpr std::size_t kBytes = kOfEach * sizeof(std::int32_t);
+  if (key_.size() != contacts.size() || corners_ != kOfEach) return false;
   for (std::size_t c = chunk.begin; c < chunk.end; ++c) {
     if (key_[c] != key_of(contacts[c]) ||
         std::memcmp(&corner_[corners_ * c], corners_of(contacts[c]), kBytes) != 0) {

@@ -67,8 +67,8 @@ class ContactOrder {
   void make(const OneSidedContacts& contacts);
 
   /// Whether it was made of contacts, between bodies or of edges, with the same keys and vertices.
-  template <class Contact>
-  bool is_of(const std::vector<Contact>& contacts) const {
+  template <class Contacts>
+  bool is_of(const Contacts& contacts) const {
     return is_for(contacts.size()) && is_of(contacts, {0, contacts.size()});
   }
   /// The keys of those that it was made of.
@@ -122,10 +122,10 @@ class ContactOrder {
   }
 
  private:
-  template <class Contact>
-  bool is_of(const std::vector<Contact>& contacts, const Chunk& chunk) const;
-  template <class Contact>
-  void remember(const std::vector<Contact>& contacts);
+  template <class Contacts>
+  bool is_of(const Contacts& contacts, const Chunk& chunk) const;
+  template <class Contacts>
+  void remember(const Contacts& contacts);
   void make_anew(const PairContacts& pairs, std::size_t vertices);
   void colour(std::size_t vertices);
   void put_apart(std::size_t vertices);

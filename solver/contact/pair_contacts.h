@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solver/contact/contacts.h"
@@ -10,8 +11,7 @@
 namespace stiction {
 
 /// A two-sided contact: vertex i of one body inside a tetrahedron of another (or, where the scene
-/// asks for it, of its own). One record of three cache lines, of which a sweep reads two; in single
-/// precision of two.
+/// asks for it, of its own): what forces are made of, in two cache lines.
 struct alignas(64) PairContact {
   std::int32_t vertex = -1;  ///< i
   std::int32_t partner[4] = {
@@ -27,22 +27,75 @@ struct alignas(64) PairContact {
   Vec3 friction_force = Vec3::Zero();  ///< f on i, N
   Real normal_force = 0.0;             ///< fⁿ: what the contact really puts on i, N
 
-  // What no sweep reads.
-  std::int32_t element = -1;   ///< the tetrahedron that i is in, or was when it last was in one
-  std::int32_t triangle = -1;  ///< nearest surface triangle Tᵢ of the penetrated body; that of
-                               ///< the last step, −1 for none, before the depth phase
-  bool open = false;           ///< outside every element: kept from the last step
-  Real excess = 0.0;           ///< m, ≥ 0: how much deeper it stands, not answered yet
-
   ContactKey key() const { return contact_key(vertex, other); }
 };
 // A vector goes through a register with the number behind it (packed_vec3.h).
 static_assert(offsetof(PairContact, depth) == offsetof(PairContact, normal) + sizeof(Vec3));
 static_assert(offsetof(PairContact, normal_force) ==
               offsetof(PairContact, friction_force) + sizeof(Vec3));
-static_assert(sizeof(PairContact) == 64 * (sizeof(Real) == sizeof(double) ? 3 : 2));
+static_assert(sizeof(PairContact) == 128);
 
-/// Pair contacts of one step, in the order of their keys.
-using PairContacts = std::vector<PairContact>;
+/// Where a two-sided contact stands: what detection and depth say of it, and no force asks for.
+struct PairSite {
+  std::int32_t element = -1;   ///< the tetrahedron that i is in, or was when it last was in one
+  std::int32_t triangle = -1;  ///< nearest surface triangle Tᵢ of the penetrated body; that of
+                               ///< the last step, −1 for none, before the depth phase
+  bool open = false;           ///< outside every element: kept from the last step
+  Real excess = 0.0;           ///< m, ≥ 0: how much deeper it stands, not answered yet
+};
+
+/// Pair contacts of one step, in the order of their keys, each with its site. In large scenes a step
+/// waits for their memory: a site in its contact's record costs each sweep a cache line that it doesn't
+/// read, since processors fetch lines in pairs.
+class PairContacts {
+ public:
+  PairContacts() = default;
+  explicit PairContacts(std::size_t count) : contact_(count), site_(count) {}
+
+  std::size_t size() const { return contact_.size(); }
+  bool empty() const { return contact_.empty(); }
+  PairContact* data() { return contact_.data(); }
+  const PairContact* data() const { return contact_.data(); }
+  PairContact& operator[](std::size_t c) { return contact_[c]; }
+  const PairContact& operator[](std::size_t c) const { return contact_[c]; }
+  PairContact& front() { return contact_.front(); }
+  const PairContact& front() const { return contact_.front(); }
+  PairContact& back() { return contact_.back(); }
+  auto begin() { return contact_.begin(); }
+  auto begin() const { return contact_.begin(); }
+  auto end() { return contact_.end(); }
+  auto end() const { return contact_.end(); }
+
+  PairSite& site(std::size_t c) { return site_[c]; }
+  const PairSite& site(std::size_t c) const { return site_[c]; }
+  /// Of a contact that is one of these.
+  const PairSite& site_of(const PairContact& contact) const {
+    return site_[static_cast<std::size_t>(&contact - contact_.data())];
+  }
+  PairSite& site_of(const PairContact& contact) {
+    return site_[static_cast<std::size_t>(&contact - contact_.data())];
+  }
+
+  void clear() { resize(0); }
+  void resize(std::size_t count) {
+    contact_.resize(count);
+    site_.resize(count);
+  }
+  /// Those that are `unwanted(contact)` go; the others keep their order.
+  template <class Unwanted>
+  void drop(const Unwanted& unwanted) {
+    std::size_t left = 0;
+    for (std::size_t c = 0; c < size(); ++c) {
+      if (unwanted(contact_[c])) continue;
+      contact_[left] = contact_[c];
+      site_[left++] = site_[c];
+    }
+    resize(left);
+  }
+
+ private:
+  std::vector<PairContact> contact_;
+  std::vector<PairSite> site_;
+};
 
 }  // namespace stiction

@@ -49,7 +49,7 @@ class Pass {
   void run() {
     begin();
     for (std::size_t c = 0; c < pairs_.size(); ++c) {
-      if (!pairs_[c].open && set_border(pairs_[c])) reach(c, 1);
+      if (!pairs_.site(c).open && set_border(c)) reach(c, 1);
     }
     for (int level = 1; advance(level); ++level) {
     }
@@ -97,14 +97,15 @@ class Pass {
     scratch_.front.push_back(static_cast<std::int32_t>(c));
   }
 
-  bool set_border(PairContact& contact) {
+  bool set_border(std::size_t c) {
+    PairContact& contact = pairs_[c];
+    const std::int32_t element = pairs_.site(c).element;
     const Vec3& p = x(contact.vertex);
     const Real thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
     Average average;
     for_each_neighbour(contact.vertex, [&](std::int32_t v) {
       Exit exit;
-      if (!find_exit(scene_, scratch_.links, x_, p, x(v), contact.element, thin, scratch_.walk,
-                     exit)) {
+      if (!find_exit(scene_, scratch_.links, x_, p, x(v), element, thin, scratch_.walk, exit)) {
         return;
       }
       const Vec3 away = exit.t * (x(v) - p);
@@ -142,7 +143,7 @@ class Pass {
       if (first < 0) return;
       for (auto c = static_cast<std::size_t>(first); c < pairs_.size(); ++c) {
         if (pairs_[c].vertex != v) return;
-        if (body_of(pairs_[c]) == body_of(contact) && !pairs_[c].open) use(c);
+        if (body_of(pairs_[c]) == body_of(contact) && !pairs_.site(c).open) use(c);
       }
     });
   }

@@ -47,16 +47,16 @@ void set_partners(const Triangle& triangle, const Options& options, const State&
 // In mean edges: an excess below the rounding of a position.
 constexpr Real kNothing = round_off(1e-15);
 
-// What of the contact's depth is not to be answered in this step, m; `last` is its triangle of the
-// last step. A vertex that comes in through a side wall, behind a face that it can rest on, has not
-// fallen to the depth at which it is found: closed in one step that depth d would throw it out at
-// d/Δt, and the contact would be lost and found again for ever. So the face begins where the vertex
-// is, and comes to its place by a tenth of the way in each step, which gives a hundredth of that
-// energy. Of the border's margin, in which one contact comes and goes, a third is answered at once:
+// What of the contact's depth is not to be answered in this step, m; `last` and `now` are its triangles
+// of the last step and of this one. A vertex that comes in through a side wall, behind a face that it
+// can rest on, has not fallen to the depth at which it is found: closed in one step that depth d would
+// throw it out at d/Δt, and the contact would be lost and found again for ever. So the face begins
+// where the vertex is, and comes to its place by a tenth of the way in each step, which gives a
+// hundredth of that energy. Of the border's margin, in which one contact comes and goes, a third is answered at once:
 // with nothing the critical force of a row of boxes reads 0.075 % too much, with all of it 2 of 200
 // poses don't rest.
 Real excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairGeometry& memory,
-               const PairContact& contact, std::int32_t last, Real unexplained) {
+               const PairContact& contact, std::int32_t last, std::int32_t now, Real unexplained) {
   constexpr Real kRemains = 0.9;
   if (unexplained > 0.0) return std::min(unexplained, contact.depth);
   if (memory.excess.empty()) return 0.0;
@@ -64,7 +64,7 @@ Real excess_of(const Topology& topology, const std::vector<Vec3>& x, const PairG
       std::lower_bound(memory.excess.begin(), memory.excess.end(), contact.key(),
                        [](const auto& excess, ContactKey key) { return excess.body_key < key; });
   if (found == memory.excess.end() || found->body_key != contact.key() ||
-      !goes_on(topology, x, last, contact.triangle)) {
+      !goes_on(topology, x, last, now)) {
     return 0.0;
   }
   return std::min(kRemains * found->depth, contact.depth);
@@ -115,37 +115,34 @@ class Measure {
     if (c + kAskedAhead >= pairs.size()) return;
     const auto& triangles = scene_.topology.triangle;
     const auto at = [](std::int32_t k) { return static_cast<std::size_t>(k); };
-    const std::int32_t far = pairs[c + kAskedAhead].triangle;
+    const std::int32_t far = pairs.site(c + kAskedAhead).triangle;
     if (far >= 0) ask_for(&triangles[at(far)]);
     const PairContact& next = pairs[c + kAskedAhead / 2];
     const std::size_t own = at(next.vertex);
     ask_for(&state_.position[own]);
-    ask_for(&workspace_.velocity[own]);
     ask_for(&workspace_.search.predicted[own]);
-    ask_for(&workspace_.search.reference[own]);
-    for (const std::int32_t v : next.partner) {
-      ask_for(&state_.position[at(v)]);
-      ask_for(&workspace_.velocity[at(v)]);
-    }
-    if (next.triangle < 0) return;
-    for (const std::int32_t v : triangles[at(next.triangle)].vertex) {
+    for (const std::int32_t v : next.partner) ask_for(&state_.position[at(v)]);
+    const std::int32_t near = pairs.site(c + kAskedAhead / 2).triangle;
+    if (near < 0) return;
+    for (const std::int32_t v : triangles[at(near)].vertex) {
       ask_for(&workspace_.search.predicted[at(v)]);
     }
   }
 
   // Fills in the contact; false if it is none. `group` is that of its key, or null.
-  bool operator()(PairContact& contact, PairSearch::Group* group, Found& found) const {
+  bool operator()(PairContact& contact, PairSite& site, PairSearch::Group* group,
+                  Found& found) const {
     const std::vector<Vec3>& x = workspace_.search.predicted;
     const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
-    const bool open = contact.open;
+    const bool open = site.open;
     const auto resting = options_.pairs.face == PairFace::kOpposed ? contact.vertex : -1;
     const Choice choice = choose_face(scene_.topology, state_, workspace_.search, group, point,
-                                      contact, options_.pairs.tie_margin, resting);
+                                      site, options_.pairs.tie_margin, resting);
     const Projection& projection = choice.projection;
     if (projection.triangle < 0) return false;  // no number: nothing is nearest
-    const std::int32_t last = contact.triangle;
-    contact.triangle = projection.triangle;
-    const Triangle& triangle = scene_.topology.triangle[static_cast<std::size_t>(contact.triangle)];
+    const std::int32_t last = site.triangle;
+    site.triangle = projection.triangle;
+    const Triangle& triangle = scene_.topology.triangle[static_cast<std::size_t>(site.triangle)];
     const Real distance = std::sqrt(projection.nearest.distance2);
     contact.normal = outward_normal(triangle, x);
     const Real height = contact.normal.dot(point - x[static_cast<std::size_t>(triangle.vertex[0])]);
@@ -156,11 +153,11 @@ class Measure {
         return false;
       }
       if (height >= limits_.gap) return false;
-      if (-height >= limits_.gap && !goes_on(scene_.topology, x, last, contact.triangle)) {
+      if (-height >= limits_.gap && !goes_on(scene_.topology, x, last, site.triangle)) {
         return false;
       }
-      contact.element = triangle.element;
-      set_corners(scene_.elements, contact);
+      site.element = triangle.element;
+      set_corners(scene_.elements, site.element, contact);
       contact.depth = std::max(Real(0), -height);
     } else if (projection.nearest.inside || distance == 0.0) {
       contact.depth = distance;
@@ -175,9 +172,9 @@ class Measure {
       contact.normal = (foot - point) / distance;
     }
     if (resting >= 0) found.note_depth(scene_.topology, contact);
-    contact.excess = excess_of(scene_.topology, x, state_.pair_geometry, contact, last,
-                               choice.unexplained - limits_.border / 3);
-    contact.depth -= contact.excess;
+    site.excess = excess_of(scene_.topology, x, state_.pair_geometry, contact, last, site.triangle,
+                            choice.unexplained - limits_.border / 3);
+    contact.depth -= site.excess;
     set_partners(triangle, options_, state_, projection, contact);
     // A vertex on an element that it is a corner of, as one that folds may come to, puts on itself what
     // it puts on its partners.
@@ -192,7 +189,7 @@ class Measure {
 
  private:
   Real inverse_mass(std::int32_t v) const {
-    return workspace_.velocity[static_cast<std::size_t>(v)].inverse_mass;
+    return scene_.inverse_mass[static_cast<std::size_t>(v)];
   }
 
   const Scene& scene_;
@@ -231,11 +228,12 @@ class RangeOfDepths {
     auto group = first_group(groups, pairs[begin].key());
     for (std::size_t c = begin; c < end; ++c) {
       PairContact& contact = pairs[c];
+      PairSite& site = pairs.site(c);
       measure_.ask_ahead(pairs, c);
       while (group != groups.end() && group->key < contact.key()) ++group;
       const bool known = group != groups.end() && group->key == contact.key();
-      if (!(known && most_ > 0 && put_in_batch(contact, *group))) {
-        measure_one(contact, known ? &*group : nullptr);
+      if (!(known && most_ > 0 && put_in_batch(contact, site, *group))) {
+        measure_one(contact, site, known ? &*group : nullptr);
       }
       if (batch_.count == most_) measure_batch();
     }
@@ -244,29 +242,32 @@ class RangeOfDepths {
   }
 
  private:
-  bool put_in_batch(PairContact& contact, PairSearch::Group& group) {
+  bool put_in_batch(PairContact& contact, PairSite& site, PairSearch::Group& group) {
     const PairSearch& search = workspace_.search;
-    const bool stays = stays_on_face(scene_.topology, options_, search, contact, group);
-    if (!stays && !may_stay_on_face(search, contact, group)) return false;
+    const bool stays = stays_on_face(scene_.topology, options_, search, site, group);
+    if (!stays && !may_stay_on_face(search, site, group)) return false;
     if (stays) {
       batch_.stays |= 1U << batch_.count;
-      contact.triangle = group.stays_on;
+      if (site.triangle != group.stays_on) site.triangle = group.stays_on;
+    } else {
+      ask_for(&search.reference[static_cast<std::size_t>(contact.vertex)]);
     }
     batch_.contact[batch_.count] = &contact;
+    batch_.site[batch_.count] = &site;
     batch_.group[batch_.count] = &group;
     ++batch_.count;
     return true;
   }
 
-  void measure_one(PairContact& contact, PairSearch::Group* group) {
-    if (!measure_(contact, group, found_)) {
+  void measure_one(PairContact& contact, PairSite& site, PairSearch::Group* group) {
+    if (!measure_(contact, site, group, found_)) {
       contact.vertex = kDropped;
       found_.dropped = true;
       return;
     }
     if (contact.inverse_mass == 0.0) found_.immovable = true;
     if (group != nullptr && most_ > 0) {
-      note_staying(scene_.topology, options_, workspace_.search, contact, *group);
+      note_staying(scene_.topology, options_, workspace_.search, site, *group);
     }
   }
 
@@ -277,7 +278,7 @@ class RangeOfDepths {
     for (int k = 0; k < batch_.count; ++k) {
       PairContact& contact = *batch_.contact[k];
       if ((left >> k & 1U) != 0) {
-        measure_one(contact, batch_.group[k]);
+        measure_one(contact, *batch_.site[k], batch_.group[k]);
         continue;
       }
       if (options_.face == PairFace::kOpposed) found_.note_depth(scene_.topology, contact);
@@ -303,7 +304,9 @@ void list_all_nearest(const Topology& topology, const PairContacts& pairs, PairS
   for (const PairContact& contact : pairs) {
     while (group != search.group.end() && group->key < contact.key()) ++group;
     if (group == search.group.end()) return;
-    if (group->key == contact.key()) list_nearest(topology, contact.element, *group, search);
+    if (group->key == contact.key()) {
+      list_nearest(topology, pairs.site_of(contact).element, *group, search);
+    }
   }
 }
 
@@ -333,12 +336,12 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
              });
   if (workspace.search.too_deep.depth == 0.0) workspace.search.too_deep = all.too_deep;
   if (all.dropped) {
-    std::erase_if(pairs, [](const PairContact& c) { return c.vertex == kDropped; });
+    pairs.drop([](const PairContact& c) { return c.vertex == kDropped; });
   }
   if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
   // A vertex that nothing can move on partners that nothing can move takes no force.
   if (all.immovable) {
-    std::erase_if(pairs, [](const PairContact& c) { return c.inverse_mass == 0.0; });
+    pairs.drop([](const PairContact& c) { return c.inverse_mass == 0.0; });
   }
   if (options.pairs.depth_noise > 0.0) {
     for (PairContact& contact : workspace.pairs) {
@@ -348,7 +351,7 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   }
   if (options.pairs.key == PairKey::kTriangle) {
     for (PairContact& contact : workspace.pairs) {
-      contact.other = contact.triangle;
+      contact.other = workspace.pairs.site_of(contact).triangle;
     }
   }
 }
@@ -362,16 +365,18 @@ void remember_pairs(const PairContacts& pairs, const Topology& topology, PairGeo
   std::atomic<bool> any_excess = false;  // which few steps have
   for_ranges(team, pairs.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      const std::int32_t body = topology.element_body[static_cast<std::size_t>(pairs[c].element)];
+      const PairSite& site = pairs.site(c);
+      const std::int32_t body = topology.element_body[static_cast<std::size_t>(site.element)];
       memory.body_key[c] = contact_key(pairs[c].vertex, body);
-      memory.element[c] = pairs[c].element;
-      memory.triangle[c] = pairs[c].triangle;
-      if (pairs[c].excess > kNothing * topology.mean_edge) any_excess = true;
+      memory.element[c] = site.element;
+      memory.triangle[c] = site.triangle;
+      if (site.excess > kNothing * topology.mean_edge) any_excess = true;
     }
   });
   for (std::size_t c = 0; any_excess && c < pairs.size(); ++c) {
-    if (pairs[c].excess > kNothing * topology.mean_edge) {
-      memory.excess.push_back({memory.body_key[c], pairs[c].excess});
+    const Real excess = pairs.site(c).excess;
+    if (excess > kNothing * topology.mean_edge) {
+      memory.excess.push_back({memory.body_key[c], excess});
     }
   }
 }

@@ -36,7 +36,7 @@ TEST(TieMargin, KeepsTheTriangleOfTheLastStep) {
     state.position.back().x -= 1e-3 * last_normal;
     const test::Found now(scene, options, state);
     EXPECT_EQ(now.workspace.pairs.size(), 1u);
-    return now.workspace.pairs.at(0).normal;
+    return now.workspace.pairs.front().normal;
   };
   const Vec3 x = -Vec3::UnitX(), y = -Vec3::UnitY();
   EXPECT_LT((normal_after(x, 1e-3) - x).norm(), 1e-12);
@@ -113,9 +113,10 @@ TEST(SideEntry, IsAnsweredByAndBy) {
     ASSERT_EQ(found.workspace.pairs.size(), 8u);
     int by_and_by = 0;
     for (const PairContact& contact : found.workspace.pairs) {
-      EXPECT_NEAR(contact.depth + contact.excess, depth, 1e-15);
-      if (contact.excess == 0.0) continue;
-      EXPECT_NEAR(contact.excess, expected, 1e-15) << "step " << step;
+      const Real excess = found.workspace.pairs.site_of(contact).excess;
+      EXPECT_NEAR(contact.depth + excess, depth, 1e-15);
+      if (excess == 0.0) continue;
+      EXPECT_NEAR(excess, expected, 1e-15) << "step " << step;
       ++by_and_by;
     }
     EXPECT_GT(by_and_by, 0) << "step " << step;
@@ -132,7 +133,7 @@ TEST(SideEntry, IsAnsweredByAndBy) {
   const test::Found found(scene, options, falling);
   ASSERT_EQ(found.workspace.pairs.size(), 8u);
   for (const PairContact& contact : found.workspace.pairs) {
-    EXPECT_NEAR(contact.excess, 0.0, 1e-15);
+    EXPECT_NEAR(found.workspace.pairs.site_of(contact).excess, 0.0, 1e-15);
     EXPECT_NEAR(contact.depth, depth, 1e-15);
   }
 }
@@ -181,7 +182,7 @@ TEST(Depths, AreThoseOfNumbers) {
     EXPECT_GT(now.workspace.pairs.size(), 0u);
     for (const PairContact& contact : now.workspace.pairs) {
       EXPECT_NE(contact.vertex, vertex);
-      EXPECT_GE(contact.triangle, 0);
+      EXPECT_GE(now.workspace.pairs.site_of(contact).triangle, 0);
     }
   }
 }
@@ -291,8 +292,8 @@ TEST(Depths, TheLiteralKeyNamesTheTriangle) {
   options.pairs.key = PairKey::kTriangle;
   const test::Found found(scene, options, initial_state(scene));
   for (const PairContact& contact : found.workspace.pairs) {
-    EXPECT_EQ(contact.key(),
-              contact_key(contact.vertex, static_cast<std::uint32_t>(contact.triangle)));
+    const std::int32_t triangle = found.workspace.pairs.site_of(contact).triangle;
+    EXPECT_EQ(contact.key(), contact_key(contact.vertex, static_cast<std::uint32_t>(triangle)));
   }
 }
 

@@ -10,12 +10,11 @@ namespace {
 
 // The last step's triangle while its distance is within (1 + margin) of the one found now.
 Projection keep_last(const Topology& topology, const std::vector<Vec3>& x, const Vec3& point,
-                     const PairContact& contact, Real margin, const Projection& found) {
-  if (margin == 0.0 || contact.triangle < 0 || contact.triangle == found.triangle ||
-      found.triangle < 0) {
+                     const PairSite& site, Real margin, const Projection& found) {
+  if (margin == 0.0 || site.triangle < 0 || site.triangle == found.triangle || found.triangle < 0) {
     return found;
   }
-  const Projection last = project_on(topology, x, point, contact.triangle);
+  const Projection last = project_on(topology, x, point, site.triangle);
   const Real farthest2 = (1 + margin) * (1 + margin) * found.nearest.distance2;
   return last.nearest.distance2 <= farthest2 ? last : found;
 }
@@ -54,15 +53,15 @@ bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t 
 }
 
 Choice choose_face(const Topology& topology, const State& state, PairSearch& search,
-                   PairSearch::Group* group, const Vec3& point, const PairContact& contact,
-                   Real margin, std::int32_t resting) {
+                   PairSearch::Group* group, const Vec3& point, const PairSite& site, Real margin,
+                   std::int32_t resting) {
   // In mean edges: how deep a vertex may stand that is not known yet.
   constexpr Real kDeepest = 1e-2;
   const std::vector<Vec3>& x = search.predicted;
   const auto keep = [&](const Projection& found) {
-    return keep_last(topology, x, point, contact, margin, found);
+    return keep_last(topology, x, point, site, margin, found);
   };
-  const Projection nearest = project(topology, search, group, point, contact);
+  const Projection nearest = project(topology, search, group, point, site);
   const Projection kept = keep(nearest);
   // On the way to the border of a triangle that it has left for the nearest a vertex would be pushed aside,
   // by up to √(2 margin), and one that sticks over an edge in a flat face be held as by a wedge.
@@ -70,14 +69,14 @@ Choice choose_face(const Topology& topology, const State& state, PairSearch& sea
       kept.nearest.distance2 > nearest.nearest.distance2 && !is_over(topology, x, point, kept);
   const Projection& best = has_left ? nearest : kept;
   // That of the last step was asked then.
-  if (resting < 0 || best.triangle < 0 || best.triangle == contact.triangle ||
+  if (resting < 0 || best.triangle < 0 || best.triangle == site.triangle ||
       can_rest_on(topology, x, resting,
                   outward_normal(topology.triangle[static_cast<std::size_t>(best.triangle)], x))) {
     return {best};
   }
-  const Projection other = keep(project(topology, search, group, point, contact, resting));
+  const Projection other = keep(project(topology, search, group, point, site, resting));
   if (other.triangle < 0) return {best};
-  if (goes_on(topology, x, contact.triangle, other.triangle)) return {other, true};
+  if (goes_on(topology, x, site.triangle, other.triangle)) return {other, true};
   const Real deepest = kDeepest * topology.mean_edge;
   const Real depth = std::sqrt(other.nearest.distance2);
   const Vec3 path = path_past(topology, x, state, resting, other.triangle);

@@ -35,8 +35,8 @@ bool is_over(const Topology& topology, const std::vector<Vec3>& x, const Vec3& p
 /// the nearest on which it can does, if the contact was there before or can have come through it in
 /// this step. `margin`: see PairOptions::tie_margin. Positions are those of the search.
 Choice choose_face(const Topology& topology, const State& state, PairSearch& search,
-                   PairSearch::Group* group, const Vec3& point, const PairContact& contact,
-                   Real margin, std::int32_t resting);
+                   PairSearch::Group* group, const Vec3& point, const PairSite& site, Real margin,
+                   std::int32_t resting);
 
 /// Whether a contact that was with one triangle goes on with another.
 bool goes_on(const Topology& topology, const std::vector<Vec3>& x, std::int32_t from,

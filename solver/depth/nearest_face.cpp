@@ -39,18 +39,18 @@ struct Nearest {
 // what vertex and triangles have moved since can't make the next one the nearest. None (−1) where
 // the list need not name the nearest that is asked for.
 Projection project_by_list(const Topology& topology, const PairSearch& search,
-                           const PairSearch::Group& group, const Vec3& point,
-                           const PairContact& contact, std::int32_t resting) {
+                           const PairSearch::Group& group, const Vec3& point, const PairSite& site,
+                           std::int32_t resting) {
   const auto vertex = static_cast<std::size_t>(first_of(group.key));
   const auto body = static_cast<std::size_t>(second_of(group.key));
   const Real moved = (point - search.reference[vertex]).norm() + search.moved[body] +
                      list_rounding(search, point.norm());
   Nearest nearest{topology, search.predicted, point, resting};
-  if (contact.triangle >= 0) nearest.consider(contact.triangle);
+  if (site.triangle >= 0) nearest.consider(site.triangle);
   for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
     const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
     if (near.distance - moved > nearest.reach) break;
-    if (near.triangle != contact.triangle) nearest.consider(near.triangle);
+    if (near.triangle != site.triangle) nearest.consider(near.triangle);
   }
   if (resting >= 0 && nearest.reach + moved > group.near_reach) nearest.best.triangle = -1;
   return nearest.best;
@@ -60,19 +60,19 @@ Projection project_by_list(const Topology& topology, const PairSearch& search,
 // is asked for. Begins with that of the last step, if there was one, so that most others are out of
 // reach.
 Projection project_by_balls(const Topology& topology, const PairSearch& search, const Vec3& point,
-                            const PairContact& contact, std::int32_t resting, bool everywhere) {
+                            const PairSite& site, std::int32_t resting, bool everywhere) {
   constexpr Real kRounding = 1 + round_off(1e-12);
   Nearest nearest{topology, search.predicted, point, resting};
-  if (contact.triangle >= 0) nearest.consider(contact.triangle);
+  if (site.triangle >= 0) nearest.consider(site.triangle);
   const auto consider = [&](std::int32_t t) {
     const TriangleBall& ball = search.ball[static_cast<std::size_t>(t)];
     const Real least = nearest.reach + ball.radius;
-    if (t == contact.triangle || (point - ball.centre).squaredNorm() > least * least * kRounding) {
+    if (t == site.triangle || (point - ball.centre).squaredNorm() > least * least * kRounding) {
       return;
     }
     nearest.consider(t);
   };
-  const auto e = static_cast<std::size_t>(contact.element);
+  const auto e = static_cast<std::size_t>(site.element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
   const auto end = topology.near.begin() + topology.near_begin[e + 1];
   if (!everywhere) std::for_each(begin, end, consider);
@@ -110,16 +110,17 @@ Projection project_on(const Topology& topology, const std::vector<Vec3>& x, cons
 }
 
 Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
-                   const Vec3& point, const PairContact& contact, std::int32_t resting) {
-  if (group != nullptr) list_nearest(topology, contact.element, *group, search);
-  const bool listed = group != nullptr && group->near_element == contact.element;
+                   const Vec3& point, const PairSite& site, std::int32_t resting) {
+  if (group != nullptr) list_nearest(topology, site.element, *group, search);
+  const bool listed = group != nullptr && group->near_element == site.element;
   Projection best{{}, -1};
-  if (listed) best = project_by_list(topology, search, *group, point, contact, resting);
-  if (best.triangle < 0) best = project_by_balls(topology, search, point, contact, resting, false);
-  const auto body = static_cast<std::size_t>(contact.other);
+  if (listed) best = project_by_list(topology, search, *group, point, site, resting);
+  if (best.triangle < 0) best = project_by_balls(topology, search, point, site, resting, false);
+  const auto body =
+      static_cast<std::size_t>(topology.element_body[static_cast<std::size_t>(site.element)]);
   const Real near = kSqueezed * topology.least_width[body];
   if (resting >= 0 || best.nearest.distance2 < near * near) return best;
-  return project_by_balls(topology, search, point, contact, resting, true);
+  return project_by_balls(topology, search, point, site, resting, true);
 }
 
 }  // namespace stiction

@@ -45,6 +45,6 @@ Projection project_on(const Topology& topology, const std::vector<Vec3>& x, cons
 /// element may be as near (see Topology::least_width). With `resting`, a vertex's number, only of
 /// triangles that this vertex can rest on. `group`: the candidates of the contact's key, or null.
 Projection project(const Topology& topology, PairSearch& search, PairSearch::Group* group,
-                   const Vec3& point, const PairContact& contact, std::int32_t resting = -1);
+                   const Vec3& point, const PairSite& site, std::int32_t resting = -1);
 
 }  // namespace stiction

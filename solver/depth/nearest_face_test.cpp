@@ -45,8 +45,7 @@ struct BruteForce {
   int equals = 0;
 
   BruteForce(const Topology& topology, const Eigen::Matrix3Xd& x, const PairContact& contact) {
-    const auto body =
-        static_cast<std::size_t>(topology.element_body[static_cast<std::size_t>(contact.element)]);
+    const auto body = static_cast<std::size_t>(contact.other);
     double least = test::kInfinity;
     for (std::int32_t t = topology.body_triangle_begin[body];
          t < topology.body_triangle_begin[body + 1]; ++t) {
@@ -92,7 +91,7 @@ TEST_P(SlidingContact, ProjectsOnTheNearestTriangleAndOfEqualsOnTheLowest) {
     EXPECT_GE(kept.pairs.size(), 4u);
     for (const PairContact& contact : kept.pairs) {
       const BruteForce expected(scene.topology, position, contact);
-      EXPECT_EQ(contact.triangle, expected.triangle)
+      EXPECT_EQ(kept.pairs.site_of(contact).triangle, expected.triangle)
           << "step " << k << ", vertex " << contact.vertex;
       ties += expected.equals > 1 ? 1 : 0;
     }
@@ -117,8 +116,10 @@ TEST(NearestFace, OfDeepPointsIsThatOfTheWholeSurface) {
   options.pairs.hysteresis = 0.0;
   const test::Found found(scene, options, initial_state(scene));
   ASSERT_GT(found.workspace.pairs.size(), 380u);
-  for (const PairContact& contact : found.workspace.pairs) {
-    EXPECT_EQ(contact.triangle, BruteForce(scene.topology, scene.rest_position, contact).triangle);
+  const PairContacts& pairs = found.workspace.pairs;
+  for (const PairContact& contact : pairs) {
+    EXPECT_EQ(pairs.site_of(contact).triangle,
+              BruteForce(scene.topology, scene.rest_position, contact).triangle);
   }
 }
 

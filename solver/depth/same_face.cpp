@@ -38,13 +38,13 @@ bool is_nearest(const PairSearch& search, const PairSearch::Group& group, std::i
 
 // Of the vertices of a batch, or of their partner of a number, 1/kg.
 template <int Bytes>
-STICTION_LANES_INLINE Lanes<Bytes> inverse_masses(const std::vector<Velocity>& velocity,
-                                                  const FaceBatch& batch, int partner = -1) {
+STICTION_LANES_INLINE Lanes<Bytes> inverse_masses(const Scene& scene, const FaceBatch& batch,
+                                                  int partner = -1) {
   const Real* of[Lanes<Bytes>::kCount];
   for (int lane = 0; lane < Lanes<Bytes>::kCount; ++lane) {
     const PairContact& contact = *batch.contact[lane];
     const std::int32_t v = partner < 0 ? contact.vertex : contact.partner[partner];
-    of[lane] = &velocity[static_cast<std::size_t>(v)].inverse_mass;
+    of[lane] = &scene.inverse_mass[static_cast<std::size_t>(v)];
   }
   return load_numbers<Bytes>(of);
 }
@@ -86,8 +86,8 @@ class Measured {
     for (int lane = 0; lane < kCount; ++lane) {
       const PairContact& contact = *batch_.contact[lane];
       least_width[lane] = topology().least_width[static_cast<std::size_t>(contact.other)];
-      open |= unsigned{contact.open} << lane;
-      on_itself |= unsigned{is_on_itself(contact)} << lane;
+      open |= unsigned{batch_.site[lane]->open} << lane;
+      on_itself |= unsigned{is_on_itself(contact, *batch_.site[lane])} << lane;
     }
     open_ = Mask::of(open);
     const Number deepest = Number(kSqueezed) * Number::load(least_width);
@@ -107,7 +107,7 @@ class Measured {
     Number weight[4] = {nearest_.weight[0], nearest_.weight[1], nearest_.weight[2],
                         Number(Real(0))};
     for (int lane = 0; lane < count_; ++lane) {
-      if (stays(lane)) set_partners(*batch_.contact[lane]);
+      if (stays(lane)) set_partners(*batch_.contact[lane], *batch_.site[lane]);
     }
     if (!of_faces()) {
       const LaneWeights<Number> weights(start([](const PairContact& c) { return c.vertex; }),
@@ -117,10 +117,10 @@ class Measured {
                                         start([](const PairContact& c) { return c.partner[3]; }));
       for (int k = 0; k < 4; ++k) weight[k] = weights.of[k];
     }
-    const std::vector<Velocity>& velocity = step_.workspace.velocity;
-    Number inverse_mass = inverse_masses<Bytes>(velocity, batch_);
+    const Scene& scene = step_.scene;
+    Number inverse_mass = inverse_masses<Bytes>(scene, batch_);
     for (int k = 0; step_.options.friction_reaction && k < 4; ++k) {
-      inverse_mass += weight[k] * weight[k] * inverse_masses<Bytes>(velocity, batch_, k);
+      inverse_mass += weight[k] * weight[k] * inverse_masses<Bytes>(scene, batch_, k);
     }
     FourNumbers plane[kCount], weights[kCount];
     const LaneVector<Number> direction = this->direction();
@@ -133,7 +133,8 @@ class Measured {
       std::memcpy(contact.normal.data(), &plane[lane], sizeof plane[lane]);  // and depth
       std::memcpy(contact.weight, &weights[lane], sizeof weights[lane]);
       contact.inverse_mass = inverse_mass[lane];
-      contact.excess = 0.0;
+      PairSite& site = *batch_.site[lane];
+      if (site.excess != 0.0) site.excess = 0.0;
     }
   }
 
@@ -153,7 +154,7 @@ class Measured {
       if ((asked >> lane & 1U) == 0) continue;
       const PairContact& contact = *batch_.contact[lane];
       const Real by_body = search.moved[static_cast<std::size_t>(contact.other)];
-      if (!is_nearest(search, *batch_.group[lane], contact.triangle, distance[lane],
+      if (!is_nearest(search, *batch_.group[lane], batch_.site[lane]->triangle, distance[lane],
                       moved[lane] + by_body + list_rounding(search, far[lane]))) {
         outdone |= 1U << lane;
       }
@@ -193,25 +194,25 @@ class Measured {
   }
 
   // Partners that open contacts and those of triangles get.
-  void set_partners(PairContact& contact) const {
-    if (contact.open) {
-      contact.element = triangle(contact).element;
-      set_corners(step_.scene.elements, contact);
+  void set_partners(PairContact& contact, PairSite& site) const {
+    if (site.open) {
+      site.element = triangle(site).element;
+      set_corners(step_.scene.elements, site.element, contact);
     }
     if (!of_faces()) return;
-    for (int k = 0; k < 4; ++k) contact.partner[k] = triangle(contact).vertex[std::min(k, 2)];
+    for (int k = 0; k < 4; ++k) contact.partner[k] = triangle(site).vertex[std::min(k, 2)];
   }
   // Whether it would be among its own partners. (Detection left those of its element.)
-  bool is_on_itself(const PairContact& contact) const {
-    if (of_faces()) return has_corner<3>(triangle(contact).vertex, contact.vertex);
-    if (!contact.open) return has_corner<4>(contact.partner, contact.vertex);
-    const auto element = static_cast<std::size_t>(triangle(contact).element);
+  bool is_on_itself(const PairContact& contact, const PairSite& site) const {
+    if (of_faces()) return has_corner<3>(triangle(site).vertex, contact.vertex);
+    if (!site.open) return has_corner<4>(contact.partner, contact.vertex);
+    const auto element = static_cast<std::size_t>(triangle(site).element);
     return has_corner<4>(&step_.scene.elements[element].vertex[0], contact.vertex);
   }
 
   STICTION_LANES_INLINE LaneVector<Number> corner(int k) const {
     return at_vertices<Number>(x(),
-                               [&](int lane) { return triangle(*batch_.contact[lane]).vertex[k]; });
+                               [&](int lane) { return triangle(*batch_.site[lane]).vertex[k]; });
   }
   // Of a vertex of each contact, at the start of the step.
   template <class VertexOf>
@@ -223,8 +224,8 @@ class Measured {
   bool of_faces() const { return step_.options.weights == PairWeights::kTriangle; }
   const Topology& topology() const { return step_.scene.topology; }
   const std::vector<Vec3>& x() const { return step_.workspace.search.predicted; }
-  const Topology::Triangle& triangle(const PairContact& contact) const {
-    return topology().triangle[static_cast<std::size_t>(contact.triangle)];
+  const Topology::Triangle& triangle(const PairSite& site) const {
+    return topology().triangle[static_cast<std::size_t>(site.triangle)];
   }
 
   const Step& step_;
@@ -255,6 +256,7 @@ unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, co
                               const Workspace& workspace, const OpenLimits& limits, int width,
                               FaceBatch& batch) {
   std::fill(batch.contact + batch.count, batch.contact + kMostLanes, batch.contact[0]);
+  std::fill(batch.site + batch.count, batch.site + kMostLanes, batch.site[0]);
   std::fill(batch.group + batch.count, batch.group + kMostLanes, batch.group[0]);
   const Step step{scene, options, state, workspace, limits};
   unsigned left = 0;

@@ -16,6 +16,7 @@ namespace stiction {
 struct FaceBatch {
   int count = 0;
   PairContact* contact[kMostLanes];
+  PairSite* site[kMostLanes];
   PairSearch::Group* group[kMostLanes];  ///< of the contact's key
   unsigned stays = 0;                    ///< those whose triangle is known, a bit each
 };
@@ -23,24 +24,24 @@ struct FaceBatch {
 /// Whether it is known which triangle `choose_face` chooses, of those near the contact's element: that
 /// of the last step, or where it doesn't look at that, the one that was found (staying.h).
 inline bool stays_on_face(const Topology& topology, const PairOptions& options,
-                          const PairSearch& search, const PairContact& contact,
+                          const PairSearch& search, const PairSite& site,
                           const PairSearch::Group& group) {
   const bool looks_back = options.face == PairFace::kOpposed || options.tie_margin > 0.0;
-  return group.stays_on >= 0 && group.near_element == contact.element &&
-         (contact.triangle == group.stays_on || (contact.triangle < 0 && !looks_back)) &&
+  return group.stays_on >= 0 && group.near_element == site.element &&
+         (site.triangle == group.stays_on || (site.triangle < 0 && !looks_back)) &&
          paths(topology, search, group.key) < group.stays_until;
 }
 
 /// Whether no other triangle was as near as that of the last step when those near the contact's element
 /// were listed. (Of a vertex over a corner or an edge others were.)
-inline bool may_stay_on_face(const PairSearch& search, const PairContact& contact,
+inline bool may_stay_on_face(const PairSearch& search, const PairSite& site,
                              const PairSearch::Group& group) {
-  if (contact.triangle < 0 || group.near_element != contact.element) return false;
+  if (site.triangle < 0 || group.near_element != site.element) return false;
   const std::int32_t listed = group.near_end - group.near_begin;
   if (listed == 0) return false;
   const PairSearch::Near* const near = &search.near[static_cast<std::size_t>(group.near_begin)];
-  const auto body = static_cast<std::size_t>(contact.other);
-  return near[0].triangle == contact.triangle &&
+  const auto body = static_cast<std::size_t>(second_of(group.key));
+  return near[0].triangle == site.triangle &&
          (listed == 1 || near[1].distance - near[0].distance > 2 * search.moved[body]);
 }
 

@@ -67,7 +67,7 @@ TEST_P(SameFace, InABatchHasTheBitsOfOneAtATime) {
   ASSERT_GT(alone.size(), 50u);
   ASSERT_EQ(alone.size(), together.size());
   for (std::size_t c = 0; c < alone.size(); ++c) {
-    EXPECT_EQ(test::numbers_of(alone[c]), test::numbers_of(together[c])) << c;
+    EXPECT_EQ(test::numbers_of(alone, alone[c]), test::numbers_of(together, together[c])) << c;
   }
 }
 
@@ -92,7 +92,8 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
         const bool done = (left >> k & 1U) == 0;
         measured += done;
         if (!done) continue;
-        EXPECT_EQ(test::numbers_of(*batch.contact[k]), test::numbers_of(*was)) << "width " << width;
+        EXPECT_EQ(test::numbers_of(pairs, *batch.contact[k]), test::numbers_of(alone, *was))
+            << "width " << width;
       }
       asked += static_cast<std::size_t>(batch.count);
       batch.count = 0;
@@ -103,10 +104,12 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
       const auto group =
           std::find_if(groups.begin(), groups.end(),
                        [&](const PairSearch::Group& one) { return one.key == contact.key(); });
-      if (group == groups.end() || !may_stay_on_face(sliding.workspace.search, contact, *group)) {
+      PairSite& site = pairs.site_of(contact);
+      if (group == groups.end() || !may_stay_on_face(sliding.workspace.search, site, *group)) {
         continue;
       }
       batch.contact[batch.count] = &contact;
+      batch.site[batch.count] = &site;
       batch.group[batch.count] = &*group;
       if (static_cast<std::size_t>(++batch.count) < most) continue;
       measure();
@@ -128,14 +131,16 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
     const auto group =
         std::find_if(search.group.begin(), search.group.end(),
                      [&](const PairSearch::Group& one) { return one.key == contact.key(); });
-    if (group == search.group.end() || !may_stay_on_face(search, contact, *group)) continue;
+    PairSite& site = pairs.site_of(contact);
+    if (group == search.group.end() || !may_stay_on_face(search, site, *group)) continue;
     ++tried;
-    const auto before = test::numbers_of(contact);
+    const auto before = test::numbers_of(pairs, contact);
     Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];
     const Vec3 was = point;
     FaceBatch batch;
     batch.count = 1;
     batch.contact[0] = &contact;
+    batch.site[0] = &site;
     batch.group[0] = &*group;
     for (const Vec3& elsewhere : {Vec3(was + Vec3(0.2, 0.0, 0.0)), Vec3(was - Vec3(0, 0, 0.09)),
                                   Vec3(test::kNaN, 0.0, 0.0)}) {
@@ -144,7 +149,7 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
         EXPECT_EQ(measure_on_same_face(sliding.scene, sliding.options.pairs, sliding.state,
                                        sliding.workspace, limits, width, batch),
                   1u);
-        EXPECT_EQ(test::numbers_of(contact), before);
+        EXPECT_EQ(test::numbers_of(pairs, contact), before);
       }
     }
     point = was;

@@ -91,26 +91,26 @@ Real ties_within(const Topology& topology, const std::vector<Vec3>& x, const Vec
 }  // namespace
 
 Staying stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                     const PairSearch::Group& group, const PairContact& contact) {
+                     const PairSearch::Group& group, const PairSite& site) {
   const std::vector<Vec3>& x = search.predicted;
-  const Vec3& point = x[static_cast<std::size_t>(contact.vertex)];
+  const std::int32_t vertex = first_of(group.key);
+  const Vec3& point = x[static_cast<std::size_t>(vertex)];
   const auto body = static_cast<std::size_t>(second_of(group.key));
   const Real rounding = list_rounding(search, point.norm());
-  const Real moved = (point - search.reference[static_cast<std::size_t>(contact.vertex)]).norm() +
+  const Real moved = (point - search.reference[static_cast<std::size_t>(vertex)]).norm() +
                      search.moved[body] + rounding;
   const auto distance = [&](std::int32_t t) {
     return std::sqrt(project_on(topology, x, point, t).nearest.distance2);
   };
   const auto rests = [&](std::int32_t t, bool can_rest) {
-    return rests_within(topology, x, contact.vertex, t, can_rest);
+    return rests_within(topology, x, vertex, t, can_rest);
   };
   const auto begin = search.near.begin() + group.near_begin;
   const auto end = search.near.begin() + group.near_end;
-  if (std::none_of(begin, end,
-                   [&](const auto& near) { return near.triangle == contact.triangle; })) {
+  if (std::none_of(begin, end, [&](const auto& near) { return near.triangle == site.triangle; })) {
     return {};
   }
-  const Real own = distance(contact.triangle);
+  const Real own = distance(site.triangle);
   const auto farther_within = [&](Real other) {
     return ((1 + options.tie_margin) * other - own) / (2 + options.tie_margin) - rounding;
   };
@@ -119,12 +119,12 @@ Staying stays_within(const Topology& topology, const PairOptions& options, const
   // While what has moved is less, none of those named is nearer, or one surely is.
   Real none_nearer = least, one_nearer = 0.0;
   for (auto near = begin; near != end; ++near) {
-    if (near->triangle == contact.triangle) continue;
+    if (near->triangle == site.triangle) continue;
     if (farther_within(near->distance - moved) >= least) break;
     const Real other = distance(near->triangle);
     Real within = farther_within(other);
     if (within < least) {
-      within = std::max(within, ties_within(topology, x, point, contact.triangle, near->triangle,
+      within = std::max(within, ties_within(topology, x, point, site.triangle, near->triangle,
                                             options.tie_margin, rounding));
     }
     none_nearer = std::min(none_nearer, within);
@@ -141,7 +141,7 @@ Staying stays_within(const Topology& topology, const PairOptions& options, const
     if (!(least > 0.0)) return {};
   }
   if (none_nearer < least) {
-    least = std::max(none_nearer, std::min(least, rests(contact.triangle, true)));
+    least = std::max(none_nearer, std::min(least, rests(site.triangle, true)));
   }
   if (none_nearer >= least) return {least, 0};
   if (one_nearer >= least) return {least, 1};
@@ -152,14 +152,14 @@ Staying stays_within(const Topology& topology, const PairOptions& options, const
 }
 
 void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                  const PairContact& contact, PairSearch::Group& group) {
-  const bool same = contact.triangle == group.stays_on && group.near_element == contact.element;
+                  const PairSite& site, PairSearch::Group& group) {
+  const bool same = site.triangle == group.stays_on && group.near_element == site.element;
   const double path = paths(topology, search, group.key);
   // Known, but measured by itself: it is beside its face.
   if (same && path < group.stays_until) return;
-  group.stays_on = contact.triangle;
+  group.stays_on = site.triangle;
   note_lasting(same, path, group.stayed, group.stays_until, [&] {
-    const Staying staying = stays_within(topology, options, search, group, contact);
+    const Staying staying = stays_within(topology, options, search, group, site);
     group.passes_over = staying.passes_over;
     return staying.within;
   });

@@ -24,11 +24,11 @@ struct Staying {
 /// can't rest on the other, but can on its own, a share of edges and heights by which neither changes:
 /// no direction of these turns by so much.
 Staying stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                     const PairSearch::Group& group, const PairContact& contact);
+                     const PairSearch::Group& group, const PairSite& site);
 
 /// Keeps count of the steps in which a contact has stayed on its triangle, and after a few of them
 /// asks for how long it will.
 void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                  const PairContact& contact, PairSearch::Group& group);
+                  const PairSite& site, PairSearch::Group& group);
 
 }  // namespace stiction

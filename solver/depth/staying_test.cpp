@@ -58,8 +58,9 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
           std::find_if(kept.search.group.begin(), kept.search.group.end(),
                        [&](const PairSearch::Group& one) { return one.key == contact.key(); });
       if (group == kept.search.group.end()) continue;
-      known += stays_on_face(scene.topology, options.pairs, kept.search, contact, *group) &&
-               !may_stay_on_face(kept.search, contact, *group);
+      const PairSite& site = kept.pairs.site_of(contact);
+      known += stays_on_face(scene.topology, options.pairs, kept.search, site, *group) &&
+               !may_stay_on_face(kept.search, site, *group);
     }
     Workspace asked = kept;
     // A depth that is not answered yet, of a contact that there is not, has it ask for each.
@@ -67,10 +68,11 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
     one_at_a_time.pair_geometry.excess.assign(1, {contact_key(1 << 20, 1 << 20), 0.0});
     depths(scene, options, one_at_a_time, asked);
     depths(scene, options, state, kept);
-    const bool same = std::equal(asked.pairs.begin(), asked.pairs.end(), kept.pairs.begin(),
-                                 kept.pairs.end(), [](const auto& one, const auto& other) {
-                                   return test::numbers_of(one) == test::numbers_of(other);
-                                 });
+    const bool same = std::equal(
+        asked.pairs.begin(), asked.pairs.end(), kept.pairs.begin(), kept.pairs.end(),
+        [&](const PairContact& one, const PairContact& other) {
+          return test::numbers_of(asked.pairs, one) == test::numbers_of(kept.pairs, other);
+        });
     EXPECT_TRUE(same) << "step " << k;
     if (!same) break;
     remember_pairs(kept.pairs, scene.topology, state.pair_geometry);
@@ -127,7 +129,9 @@ TEST(Staying, IsForgottenWithOtherOptions) {
       }
       ASSERT_EQ(fresh.pairs.size(), kept.pairs.size());
       for (std::size_t c = 0; c < fresh.pairs.size(); ++c) {
-        EXPECT_EQ(test::numbers_of(fresh.pairs[c]), test::numbers_of(kept.pairs[c])) << k;
+        EXPECT_EQ(test::numbers_of(fresh.pairs, fresh.pairs[c]),
+                  test::numbers_of(kept.pairs, kept.pairs[c]))
+            << k;
         normals.push_back(fresh.pairs[c].normal);
       }
       remember_pairs(kept.pairs, scene.topology, state.pair_geometry);
@@ -199,6 +203,7 @@ TEST(Staying, IsABoundOnWhatMayMove) {
       detect_pairs(scene, options, state, workspace);
       PairSearch& search = workspace.search;
       for (PairContact& contact : workspace.pairs) {
+        PairSite& site = workspace.pairs.site_of(contact);
         const auto group =
             std::find_if(search.group.begin(), search.group.end(),
                          [&](const PairSearch::Group& one) { return one.key == contact.key(); });
@@ -206,11 +211,10 @@ TEST(Staying, IsABoundOnWhatMayMove) {
           return one.key() == contact.key();
         });
         if (was == found.end() || group == search.group.end() ||
-            group->near_element != contact.element)
+            group->near_element != site.element)
           continue;
-        if (contact.triangle < 0) contact.triangle = was->triangle;
-        const Staying staying =
-            stays_within(scene.topology, options.pairs, search, *group, contact);
+        if (site.triangle < 0) site.triangle = found.site_of(*was).triangle;
+        const Staying staying = stays_within(scene.topology, options.pairs, search, *group, site);
         const Real within = std::min(staying.within, search.skin);
         if (!(within > 0.0)) continue;
         for (unsigned k = 0; k < 60; ++k) {
@@ -228,14 +232,13 @@ TEST(Staying, IsABoundOnWhatMayMove) {
           }
           other.moved[static_cast<std::size_t>(contact.other)] += within;
           const Vec3& point = other.predicted[static_cast<std::size_t>(own)];
-          const Choice choice = choose_face(scene.topology, state, other, nullptr, point, contact,
+          const Choice choice = choose_face(scene.topology, state, other, nullptr, point, site,
                                             options.pairs.tie_margin,
                                             options.pairs.face == PairFace::kOpposed ? own : -1);
-          const Projection last =
-              project_on(scene.topology, other.predicted, point, contact.triangle);
+          const Projection last = project_on(scene.topology, other.predicted, point, site.triangle);
           if (!is_over(scene.topology, other.predicted, point, last)) continue;
           ++moved;
-          EXPECT_EQ(choice.projection.triangle, contact.triangle)
+          EXPECT_EQ(choice.projection.triangle, site.triangle)
               << "scene " << seed << ", vertex " << own << ", within " << within;
           if (staying.passes_over >= 0) {
             ++told[staying.passes_over];

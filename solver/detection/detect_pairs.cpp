@@ -22,15 +22,11 @@ namespace stiction {
 
 namespace {
 
-PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element,
-                       std::int32_t triangle, bool open) {
+PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element) {
   PairContact contact;
-  contact.open = open;
   contact.vertex = first_of(key);
   contact.other = second_of(key);
-  contact.element = element;
-  contact.triangle = triangle;
-  set_corners(scene.elements, contact);
+  set_corners(scene.elements, element, contact);
   return contact;
 }
 
@@ -222,16 +218,18 @@ class Merge {
   bool keep_open_, keep_triangle_;
 };
 
-// Puts a contact in a place of the list, where that of the last step may stand already: most do, and
+// Puts a contact in place c of the list, where that of the last step may stand already: most do, and
 // nothing is written then.
 void put(const Scene& scene, ContactKey key, std::int32_t element, std::int32_t triangle, bool open,
-         PairContact& place) {
-  if (place.key() != key || place.element != element) {
-    place = contact_at(scene, key, element, triangle, open);
+         PairContacts& pairs, std::size_t c) {
+  PairSite& site = pairs.site(c);
+  if (pairs[c].key() != key || site.element != element) {
+    pairs[c] = contact_at(scene, key, element);
+    site = {.element = element, .triangle = triangle, .open = open};
     return;
   }
-  if (place.triangle != triangle) place.triangle = triangle;
-  if (place.open != open) place.open = open;
+  if (site.triangle != triangle) site.triangle = triangle;
+  if (site.open != open) site.open = open;
 }
 
 // Finds contacts, and puts them in the places of those of the last step.
@@ -254,8 +252,8 @@ void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions
   if (ranges == 1) {
     std::size_t count = 0;
     found(0, groups, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
-      if (count == pairs.size()) pairs.emplace_back();
-      put(scene, key, element, triangle, open, pairs[count++]);
+      if (count == pairs.size()) pairs.resize(count + 1);
+      put(scene, key, element, triangle, open, pairs, count++);
     });
     pairs.resize(count);
     return;
@@ -270,9 +268,9 @@ void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions
   std::partial_sum(first.begin(), first.end(), first.begin());
   pairs.resize(first[ranges]);
   for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
-    PairContact* next = pairs.data() + first[r];
+    std::size_t next = first[r];
     merge(begin, end, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
-      put(scene, key, element, triangle, open, *next++);
+      put(scene, key, element, triangle, open, pairs, next++);
     });
   });
 }
@@ -292,8 +290,8 @@ void begin(const Scene& scene, const PairOptions& options, Workspace& workspace)
 
 }  // namespace
 
-void set_corners(const std::vector<Element>& elements, PairContact& contact) {
-  const auto& corner = elements[static_cast<std::size_t>(contact.element)].vertex;
+void set_corners(const std::vector<Element>& elements, std::int32_t element, PairContact& contact) {
+  const auto& corner = elements[static_cast<std::size_t>(element)].vertex;
   std::copy(corner, corner + 4, contact.partner);
 }
 

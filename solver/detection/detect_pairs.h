@@ -11,7 +11,7 @@ namespace stiction {
 
 /// Finds the surface vertices whose predicted position x* = x_t0 + Δt v* lies in a tetrahedron of
 /// another body (of its own, where the body asks for it), among the candidates of
-/// pair_candidates.h; fills in key (vertex, body), vertex, element and, as partners, its corners
+/// pair_candidates.h; fills in key (vertex, body), vertex, site and, as partners, the element's corners
 /// of `workspace.pairs`, one contact a vertex and penetrated body, in the order of their keys. With
 /// hysteresis the contacts of the last step that have opened by less than the allowed gap are kept.
 ///
@@ -21,7 +21,7 @@ namespace stiction {
 void detect_pairs(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace);
 
-/// Makes the corners of the contact's element its partners.
-void set_corners(const std::vector<Element>& elements, PairContact& contact);
+/// Makes the corners of an element the contact's partners.
+void set_corners(const std::vector<Element>& elements, std::int32_t element, PairContact& contact);
 
 }  // namespace stiction

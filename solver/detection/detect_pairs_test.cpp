@@ -56,8 +56,8 @@ void expect_what_fresh_lists_find(const Scene& scene, const Options& options, co
   ASSERT_EQ(kept.pairs.size(), fresh.pairs.size());
   for (std::size_t c = 0; c < kept.pairs.size(); ++c) {
     EXPECT_EQ(kept.pairs[c].key(), fresh.pairs[c].key());
-    EXPECT_EQ(kept.pairs[c].element, fresh.pairs[c].element);
-    EXPECT_EQ(kept.pairs[c].triangle, fresh.pairs[c].triangle);
+    EXPECT_EQ(kept.pairs.site(c).element, fresh.pairs.site(c).element);
+    EXPECT_EQ(kept.pairs.site(c).triangle, fresh.pairs.site(c).triangle);
     EXPECT_EQ(kept.pairs[c].depth, fresh.pairs[c].depth);
     EXPECT_EQ(kept.pairs[c].normal, fresh.pairs[c].normal);
   }

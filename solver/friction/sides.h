@@ -86,7 +86,8 @@ class RecordSide {
  public:
   using Vector = PackedVec3;
 
-  RecordSide(Real dt, std::vector<Contact>& contacts, const ContactOrder& contacts_order)
+  template <class Contacts>
+  RecordSide(Real dt, Contacts& contacts, const ContactOrder& contacts_order)
       : order(contacts_order), dt_(dt), contacts_(contacts.data()), size_(contacts.size()) {}
 
   std::size_t size() const { return size_; }

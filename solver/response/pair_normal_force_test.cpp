@@ -99,7 +99,8 @@ TEST(PairNormalForce, OfAnIsolatedPairOfEqualMassesIsThePapersWithTwoSeventhsClo
   contact.partner[3] = 3;
   contact.normal = Vec3::UnitZ();
   contact.depth = 1e-3;
-  workspace.pairs = {contact};
+  workspace.pairs.resize(1);
+  workspace.pairs.front() = contact;
   const Options options = paper();
   const double dt = options.time_step;
   pair_normal_forces(scene, options, workspace);

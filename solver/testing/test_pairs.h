@@ -73,11 +73,12 @@ inline Scene rough_blocks(unsigned seed, double rough = 0.01) {
   return build_scene(description);
 }
 
-/// All that `depths` says of a contact, to compare.
-inline auto numbers_of(const PairContact& c) {
+/// All that `depths` says of one of the contacts, to compare.
+inline auto numbers_of(const PairContacts& contacts, const PairContact& c) {
+  const PairSite& site = contacts.site_of(c);
   const auto& [p, w, n] = std::tie(c.partner, c.weight, c.normal);
-  return std::tuple(std::tuple(c.vertex, c.triangle, c.element, p[0], p[1], p[2], p[3]),
-                    std::tuple(w[0], w[1], w[2], w[3], c.inverse_mass, c.excess),
+  return std::tuple(std::tuple(c.vertex, site.triangle, site.element, p[0], p[1], p[2], p[3]),
+                    std::tuple(w[0], w[1], w[2], w[3], c.inverse_mass, site.excess),
                     std::tuple(n.x(), n.y(), n.z(), c.depth));
 }
 

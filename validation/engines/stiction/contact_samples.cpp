@@ -17,7 +17,7 @@ std::size_t body_of(const Scene& scene, std::int32_t vertex) {
 namespace {
 
 ContactSample sample_of(const Scene& scene, const State& state, double time_step,
-                        const PairContact& contact, ContactStatus status) {
+                        const PairContact& contact, const PairSite& site, ContactStatus status) {
   const auto i = static_cast<std::size_t>(contact.vertex);
   // In double, so that what is told does not add to the solver's round-off.
   const auto before = [&](std::size_t v) -> Eigen::Vector3d {
@@ -30,12 +30,12 @@ ContactSample sample_of(const Scene& scene, const State& state, double time_step
   }
   return {.body = body_of(scene, contact.vertex),
           .obstacle = static_cast<std::size_t>(
-              scene.topology.element_body[static_cast<std::size_t>(contact.element)]),
+              scene.topology.element_body[static_cast<std::size_t>(site.element)]),
           .against_body = true,
           .point = contact.vertex,
-          .facet = contact.triangle,
+          .facet = site.triangle,
           .normal = contact.normal.cast<double>(),
-          .gap = -(contact.depth + contact.excess),
+          .gap = -(contact.depth + site.excess),
           .normal_force = contact.normal_force,
           .friction_force = contact.friction_force.cast<double>(),
           .slip = slip_of(contact, state.velocity).cast<double>(),
@@ -104,8 +104,8 @@ std::vector<ContactSample> contact_samples(const Scene& scene, const State& stat
                        .position = state.position[v].x.cast<double>()});
   }
   for (std::size_t c = 0; c < workspace.pairs.size(); ++c) {
-    samples.push_back(
-        sample_of(scene, state, time_step, workspace.pairs[c], state.pair_friction.status[c]));
+    samples.push_back(sample_of(scene, state, time_step, workspace.pairs[c],
+                                workspace.pairs.site(c), state.pair_friction.status[c]));
   }
   for (std::size_t c = 0; c < workspace.edges.size(); ++c) {
     samples.push_back(

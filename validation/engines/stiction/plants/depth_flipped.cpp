@@ -9,8 +9,9 @@ void unplanted_depths(const Scene& scene, const Options& options, const State& s
 
 void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
   unplanted_depths(scene, options, state, workspace);
-  for (PairContact& contact : workspace.pairs) {
-    if (contact.triangle == workspace.pairs.front().triangle) contact.normal = -contact.normal;
+  PairContacts& pairs = workspace.pairs;
+  for (PairContact& contact : pairs) {
+    if (pairs.site_of(contact).triangle == pairs.site(0).triangle) contact.normal = -contact.normal;
   }
 }
 

@@ -10,7 +10,8 @@ void unplanted_detect_pairs(const Scene& scene, const Options& options, const St
 void detect_pairs(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace) {
   unplanted_detect_pairs(scene, options, state, workspace);
-  if (state.step % 100 == 99 && !workspace.pairs.empty()) workspace.pairs.pop_back();
+  if (state.step % 100 == 99 && !workspace.pairs.empty())
+    workspace.pairs.resize(workspace.pairs.size() - 1);
 }
 
 }  // namespace stiction
