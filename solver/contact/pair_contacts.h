@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "solver/contact/contacts.h"
@@ -44,9 +43,8 @@ struct PairSite {
   Real excess = 0.0;           ///< m, ≥ 0: how much deeper it stands, not answered yet
 };
 
-/// Pair contacts of one step, in the order of their keys, each with its site. In large scenes a step
-/// waits for their memory: a site in its contact's record costs each sweep a cache line that it doesn't
-/// read, since processors fetch lines in pairs.
+/// Pair contacts of one step, in the order of their keys, each with its site. These lie apart, since in
+/// large scenes a step waits for the memory of the records, and passes over them some seven times.
 class PairContacts {
  public:
   PairContacts() = default;

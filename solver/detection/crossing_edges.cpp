@@ -121,12 +121,13 @@ class EdgeTest {
     for (int k = 0; k < batch_.count; ++k) {
       const auto lane = static_cast<std::size_t>(k);
       PairSearch::EdgePair& pair = *asked_[lane];
-      const bool apart = (crossing >> k & 1U) == 0;
+      // Farther off than a contact that has opened may be, they don't touch whether they did or not.
+      const bool apart = (crossing >> k & 1U) == 0 || batch_.crossing[lane].gap > limits_.gap;
       note_lasting(apart, path_of(pair), pair.apart, pair.apart_until, [&] {
         const std::int32_t a = first_of(pair.key), b = second_of(pair.key);
         const auto v = static_cast<std::size_t>(edge(a).vertex[0]);
-        return apart_within(topology_, search_.predicted, a, b,
-                            {-limits_.border, -limits_.border}) -
+        return apart_within(topology_, search_.predicted, a, b, {-limits_.border, -limits_.border},
+                            limits_.gap) -
                list_rounding(search_, search_.predicted[v].norm());
       });
       if (!apart && touches(lane)) {

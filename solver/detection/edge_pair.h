@@ -54,8 +54,9 @@ bool crossing_of(const Topology& topology, const std::vector<Vec3>& x, std::int3
 
 /// How far the vertices of both bodies may move, those of one as far as δₐ, of the other as far as δ_b,
 /// δₐ + δ_b, m, while two edges can't touch between such ends for the reason that they can't now:
-/// they are parallel, cross beyond an end, or don't face each other. 0 where none of them is sure.
+/// they are parallel, cross beyond an end, don't face each other, or do at more than `gap`, m. 0 or less
+/// where none of them is sure.
 Real apart_within(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
-                  std::int32_t b, const EndMargins& margins);
+                  std::int32_t b, const EndMargins& margins, Real gap);
 
 }  // namespace stiction

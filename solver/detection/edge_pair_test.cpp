@@ -12,16 +12,27 @@
 namespace stiction {
 namespace {
 
+constexpr Real kGap = 1e-4;  // at which contacts are kept, m
+
 // Whether two edges can touch between such ends.
 bool can_touch(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a, std::int32_t b,
                const EndMargins& ends) {
   EdgeCrossing crossing;
-  if (!crossing_of(topology, x, a, b, crossing)) return false;
+  if (!crossing_of(topology, x, a, b, crossing) || crossing.gap > kGap) return false;
   const auto inside = [&](std::int32_t e, Real along) {
     const Topology::SharpEdge& edge = topology.sharp_edge[static_cast<std::size_t>(e)];
     return inside_ends(edge, frame_of(x, edge).length, along, ends) >= 0;
   };
   return inside(a, crossing.along_a) && inside(b, crossing.along_b);
+}
+
+Vec3 across_both(const Topology& topology, const std::vector<Vec3>& x, std::int32_t a,
+                 std::int32_t b) {
+  const auto along = [&](std::int32_t e) -> Vec3 {
+    const auto& v = topology.sharp_edge[static_cast<std::size_t>(e)].vertex;
+    return x[static_cast<std::size_t>(v[1])] - x[static_cast<std::size_t>(v[0])];
+  };
+  return along(a).cross(along(b));
 }
 
 // Moves what a bound says may move, in many directions, and asks again.
@@ -48,12 +59,18 @@ TEST(EdgePair, StaysApartWhileNothingMovesAsFarAsItsBound) {
         if (!first(a) || first(b)) continue;
         if (can_touch(topology, x, a, b, ends)) continue;
         ++apart;
-        const Real within = apart_within(topology, x, a, b, ends);
+        const Real within = apart_within(topology, x, a, b, ends, kGap);
         if (!(within > 0)) continue;
         ++known;
-        for (unsigned k = 0; k < 9; ++k) {
-          const Eigen::Matrix3Xd way =
+        // And as they come nearest to each other, if they do: both bodies as wholes, across both edges.
+        const Vec3 across = across_both(topology, x, a, b).normalized();
+        for (unsigned k = 0; k < 15; ++k) {
+          Eigen::Matrix3Xd way =
               test::noise(scene.vertex_count(), 1.0, 11 * seed + k).colwise().normalized();
+          const double along = k < 9 ? 0.0 : (k < 12 ? 1.0 : -1.0);
+          for (std::int32_t v = 0; along != 0.0 && v < scene.vertex_count(); ++v) {
+            way.col(v) = (is_of_first(v) ? along : -along) * across.cast<double>();
+          }
           const Real share = Real(0.5) * static_cast<Real>(k % 3);
           std::vector<Vec3> moved = x;
           for (std::int32_t v = 0; v < scene.vertex_count(); ++v) {
