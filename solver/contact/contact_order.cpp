@@ -7,8 +7,6 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
-#include <type_traits>
-#include <utility>
 
 namespace stiction {
 
@@ -24,9 +22,6 @@ constexpr std::size_t kFew = 16384;
 // Vertices of a contact as they lie in its record: its own in front of the four partners.
 template <class Contact>
 constexpr std::size_t kCorners = 4 + sizeof(Contact::vertex) / sizeof(std::int32_t);
-
-template <class Contacts>
-using ContactOf = std::remove_cvref_t<decltype(std::declval<const Contacts&>()[0])>;
 
 template <class Contact>
 const std::int32_t* corners_of(const Contact& contact) {
@@ -52,7 +47,7 @@ void ContactOrder::in_one_chunk(std::size_t contacts) {
 template <class Contacts>
 void ContactOrder::remember(const Contacts& contacts) {
   in_one_chunk(contacts.size());
-  corners_ = kCorners<ContactOf<Contacts>>;
+  corners_ = kCorners<typename Contacts::value_type>;
   corner_.resize(corners_ * contacts.size());
   key_.resize(contacts.size());
   contact_.resize(contacts.size());
@@ -66,7 +61,7 @@ void ContactOrder::remember(const Contacts& contacts) {
 
 template <class Contacts>
 bool ContactOrder::is_of(const Contacts& contacts, const Chunk& chunk) const {
-  constexpr std::size_t kOfEach = kCorners<ContactOf<Contacts>>;
+  constexpr std::size_t kOfEach = kCorners<typename Contacts::value_type>;
   constexpr std::size_t kBytes = kOfEach * sizeof(std::int32_t);
   if (key_.size() != contacts.size() || corners_ != kOfEach) return false;
   for (std::size_t c = chunk.begin; c < chunk.end; ++c) {

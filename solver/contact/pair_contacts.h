@@ -47,6 +47,8 @@ struct PairSite {
 /// large scenes a step waits for the memory of the records, and passes over them some seven times.
 class PairContacts {
  public:
+  using value_type = PairContact;
+
   PairContacts() = default;
   explicit PairContacts(std::size_t count) : contact_(count), site_(count) {}
 
@@ -67,12 +69,8 @@ class PairContacts {
   PairSite& site(std::size_t c) { return site_[c]; }
   const PairSite& site(std::size_t c) const { return site_[c]; }
   /// Of a contact that is one of these.
-  const PairSite& site_of(const PairContact& contact) const {
-    return site_[static_cast<std::size_t>(&contact - contact_.data())];
-  }
-  PairSite& site_of(const PairContact& contact) {
-    return site_[static_cast<std::size_t>(&contact - contact_.data())];
-  }
+  PairSite& site_of(const PairContact& contact) { return site_[place_of(contact)]; }
+  const PairSite& site_of(const PairContact& contact) const { return site_[place_of(contact)]; }
 
   void clear() { resize(0); }
   void resize(std::size_t count) {
@@ -92,6 +90,10 @@ class PairContacts {
   }
 
  private:
+  std::size_t place_of(const PairContact& contact) const {
+    return static_cast<std::size_t>(&contact - contact_.data());
+  }
+
   std::vector<PairContact> contact_;
   std::vector<PairSite> site_;
 };

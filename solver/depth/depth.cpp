@@ -249,7 +249,7 @@ class RangeOfDepths {
     if (stays) {
       batch_.stays |= 1U << batch_.count;
       if (site.triangle != group.stays_on) site.triangle = group.stays_on;
-    } else {
+    } else {  // it will be asked whether others are as near
       ask_for(&search.reference[static_cast<std::size_t>(contact.vertex)]);
     }
     batch_.contact[batch_.count] = &contact;

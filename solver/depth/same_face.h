@@ -16,7 +16,7 @@ namespace stiction {
 struct FaceBatch {
   int count = 0;
   PairContact* contact[kMostLanes];
-  PairSite* site[kMostLanes];
+  PairSite* site[kMostLanes];            ///< of the contact
   PairSearch::Group* group[kMostLanes];  ///< of the contact's key
   unsigned stays = 0;                    ///< those whose triangle is known, a bit each
 };

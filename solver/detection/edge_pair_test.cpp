@@ -37,7 +37,7 @@ Vec3 across_both(const Topology& topology, const std::vector<Vec3>& x, std::int3
 
 // Moves what a bound says may move, in many directions, and asks again.
 TEST(EdgePair, StaysApartWhileNothingMovesAsFarAsItsBound) {
-  std::size_t known = 0, apart = 0;
+  std::size_t known = 0, apart = 0, known_off = 0, off = 0;
   std::vector<unsigned> seeds(150);
   std::iota(seeds.begin(), seeds.end(), 0U);
   // Of 6000 those in which the most comes of it when a bound is drawn wider.
@@ -59,9 +59,13 @@ TEST(EdgePair, StaysApartWhileNothingMovesAsFarAsItsBound) {
         if (!first(a) || first(b)) continue;
         if (can_touch(topology, x, a, b, ends)) continue;
         ++apart;
+        EdgeCrossing crossing;
+        const bool stands_off = crossing_of(topology, x, a, b, crossing) && crossing.gap > kGap;
+        off += stands_off;
         const Real within = apart_within(topology, x, a, b, ends, kGap);
         if (!(within > 0)) continue;
         ++known;
+        known_off += stands_off;
         // And as they come nearest to each other, if they do: both bodies as wholes, across both edges.
         const Vec3 across = across_both(topology, x, a, b).normalized();
         for (unsigned k = 0; k < 15; ++k) {
@@ -84,6 +88,7 @@ TEST(EdgePair, StaysApartWhileNothingMovesAsFarAsItsBound) {
     }
   }
   EXPECT_GT(known, 3 * apart / 4) << "of " << apart;
+  EXPECT_GT(known_off, 9 * off / 10) << "of " << off << " that face each other";
 }
 
 }  // namespace

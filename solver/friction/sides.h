@@ -86,8 +86,7 @@ class RecordSide {
  public:
   using Vector = PackedVec3;
 
-  template <class Contacts>
-  RecordSide(Real dt, Contacts& contacts, const ContactOrder& contacts_order)
+  RecordSide(Real dt, std::span<Contact> contacts, const ContactOrder& contacts_order)
       : order(contacts_order), dt_(dt), contacts_(contacts.data()), size_(contacts.size()) {}
 
   std::size_t size() const { return size_; }
