@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/friction/catalog.h"
+#include "solver/friction/with_rule.h"
 #include "solver/testing/test_scenes.h"
 
 namespace stiction {

@@ -32,16 +32,12 @@ struct Counts {
 };
 
 Counts counts_of(const Timed& timed, const Workload& work) {
-  double values = 0.0;
-  with_friction_rule(timed.rule, {}, [&](const auto& rule) {
-    values = static_cast<double>(std::decay_t<decltype(rule)>::kValues);
-  });
   return {static_cast<double>(work.scene->vertex_count()),
           static_cast<double>(work.scene->surface_vertex.size()),
           static_cast<double>(work.scene->elements.size()),
           static_cast<double>(work.workspace.pairs.size()),
           static_cast<double>(work.workspace.contacts.size()),
-          values};
+          static_cast<double>(friction_rule_values(timed.rule))};
 }
 
 ModelledCost of_phase(Phase phase, const Counts& n, bool pairs_possible) {

@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "solver/demand.h"
-#include "solver/friction/catalog.h"
 #include "solver/friction/chunks_of_side.h"
 #include "solver/friction/conjugate_directions.h"
 #include "solver/friction/friction.h"
 #include "solver/friction/sides.h"
+#include "solver/friction/with_rule.h"
 #include "solver/response/pair_normal_force.h"
 
 namespace stiction::friction_phase {

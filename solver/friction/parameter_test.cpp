@@ -11,6 +11,7 @@
 #include <string>
 
 #include "solver/friction/catalog.h"
+#include "solver/friction/with_rule.h"
 
 namespace stiction {
 namespace {

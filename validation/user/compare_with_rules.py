@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds `compare` with further friction rules, those of WORK/tree/solver/friction/rules/, and runs it:
-compare_with_rules.py BUILD ROOT WORK argument …   Only what includes the catalog of rules is compiled once more."""
+compare_with_rules.py BUILD ROOT WORK argument …   Only what knows the rules as types is compiled once more."""
 import json
 import os
 import pathlib
@@ -31,13 +31,13 @@ def compile_all():
     generated.write_text(text)
     link = subprocess.run(["ninja", "-t", "commands", "compare"], cwd=build, check=True, text=True, capture_output=True).stdout
     link = [line for line in link.splitlines() if " -o compare " in line][-1]
-    running, objects, asking = [], [], including("solver/friction/catalog.h")
+    running, objects, asking = [], [], including("solver/friction/with_rule.h")
     for unit in json.loads((build / "compile_commands.json").read_text()):
         file = pathlib.Path(unit["file"])
         words = shlex.split(unit["command"])
         at = words.index("-o") + 1
         wanted = file.suffix == ".cpp" and "_test" not in file.name and "plants" not in file.parts
-        own = re.search(r"CMakeFiles/(stiction_solver|stiction_validation|stiction_comparison|compare)\.dir/", unit["command"])
+        own = re.search(r"CMakeFiles/stiction_(solver|validation|comparison)\.dir/", unit["command"])
         if not (wanted and own and file.is_relative_to(root) and words[at] in asking):
             continue
         object_file = work / (file.stem + ".o")
@@ -46,10 +46,7 @@ def compile_all():
         # Before the build's own folder, else that one's list is taken.
         first = next(k for k, word in enumerate(words) if word.startswith(("-I", "-isystem")))
         words.insert(first, f"-I{work / 'generated'}")
-        if own.group(1) == "compare":
-            link = link.replace(next(word for word in link.split() if word.endswith("/compare.cpp.o")), str(object_file))
-        else:
-            objects.append(str(object_file))
+        objects.append(str(object_file))
         running.append(words)
         if len(running) == (os.cpu_count() or 1):
             run(running)
