@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/observables.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,7 +81,13 @@ Eigen::Matrix3d inertia(const Scene& scene, const State& state, const Body& body
 
 Eigen::Vector3d over_inertia(const Scene& scene, const State& state, const Body& body,
                              const Eigen::Vector3d& moment) {
-  return inertia(scene, state, body).completeOrthogonalDecomposition().solve(moment);
+  // About an axis without inertia nothing turns.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia(scene, state, body));
+  const Eigen::Vector3d& about = axes.eigenvalues();
+  const double nothing = 3 * std::numeric_limits<double>::epsilon() * about[2];
+  const Eigen::Vector3d own = axes.eigenvectors().transpose() * moment;
+  return axes.eigenvectors() *
+         (about.array() > nothing).select(own.array() / about.array(), 0.0).matrix();
 }
 
 Eigen::Vector3d angular_velocity(const Scene& scene, const State& state, const Body& body) {

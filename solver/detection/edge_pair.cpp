@@ -77,7 +77,7 @@ Real beyond_within(Real sine, const Edge& a, const Edge& b, Real along, const En
 
 // While nothing moves by more than 0.02 of all lengths and heights, the normal of both edges turns by
 // less than asin(0.041/sin φ), and the directions into the faces by less than 0.083.
-constexpr Real kTurns = 0.2, kSumTurns = 0.4;  // by which products of them change
+constexpr Real kProductTurns = 0.2, kSumTurns = 0.4;  // by which products of them change
 Real turns_little_within(const Edge& a, const Edge& b) {
   constexpr Real kShare = 0.02;
   return kShare * std::min(a.least_height(), b.least_height());
@@ -96,8 +96,8 @@ std::optional<Vec3> sure_normal(Real sine, const Edge& a, const Edge& b) {
 Real turned_within(const Vec3& normal, const Edge& a, const Edge& b) {
   const Real of_a[2] = {normal.dot(a.frame.into[0]), normal.dot(a.frame.into[1])};
   const Real of_b[2] = {normal.dot(b.frame.into[0]), normal.dot(b.frame.into[1])};
-  const bool turned = std::max(of_b[0], of_b[1]) > kBehind + kTurns ||
-                      std::min(of_a[0], of_a[1]) < -kBehind - kTurns ||
+  const bool turned = std::max(of_b[0], of_b[1]) > kBehind + kProductTurns ||
+                      std::min(of_a[0], of_a[1]) < -kBehind - kProductTurns ||
                       of_a[0] + of_a[1] < -kSumTurns;
   return turned ? turns_little_within(a, b) : 0;
 }
