@@ -40,6 +40,10 @@ struct PairGeometry {
     Real depth;  ///< m, > 0
   };
   std::vector<Excess> excess;  ///< in the order of the keys
+
+  /// What remember_pairs has written has a number of its own in the process, which copies share, so
+  /// that lists of contacts know it again. 0: of anyone else.
+  std::uint64_t serial = 0;
 };
 
 /// Everything that a step changes and the next step reads: what is hashed, saved and restored. A

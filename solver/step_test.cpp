@@ -247,6 +247,45 @@ TEST(Step, TakesNothingFromAWorkspaceThatSawOtherOptionsOrAnotherScene) {
   EXPECT_GT(closed, 30);
 }
 
+// Two cubes on the ground come to rest; the upper one is knocked sideways, down and up, and put back now and then
+// to where it was. Where the contacts of the last step are taken for this one's, they are those that a new
+// workspace finds.
+TEST(Step, TakesTheContactsOfTheLastStepForItsOwnOnlyWhereTheyAre) {
+  std::size_t taken = 0, most = 0, least = 1000;
+  for (const double depth : {1e-9, 1e-6}) {
+    SceneDescription description = test::stacked_cubes(depth);
+    description.half_spaces = {test::ground(0.5)};
+    description.gravity = {{0.0}, {Vec3(0.5, 0.0, -9.81)}};
+    description.drag = {.rate = 2000.0, .full_until = 1.0, .ends = 2.0};
+    const Scene scene = build_scene(description);
+    const Options options{.time_step = 1e-4};
+    State used = initial_state(scene), earlier = used;
+    Workspace workspace;
+    for (int k = 0; k < 1500; ++k) {
+      if (k % 500 == 440) earlier = used;
+      if (k % 500 == 450) {
+        const Body& upper = scene.bodies[1];
+        for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) {
+          used.velocity[static_cast<std::size_t>(v)].v +=
+              Vec3(0.02, -0.006, k % 1000 == 450 ? -0.04 : 0.04);
+        }
+      }
+      if (k % 10 == 5) used.pair_geometry = earlier.pair_geometry;  // of another moment
+      if (k % 500 == 480) used = earlier;
+      State unused = used;
+      Workspace fresh;
+      advance(scene, options, used, workspace, 1);
+      advance(scene, options, unused, fresh, 1);
+      ASSERT_EQ(hash_of(used), hash_of(unused)) << "step " << k;
+      taken += workspace.search.found_same;
+      most = std::max(most, workspace.pairs.size());
+      least = std::min(least, workspace.pairs.size());
+    }
+  }
+  EXPECT_GT(taken, 1000u);
+  EXPECT_GT(most, least) << "contacts come and go";
+}
+
 // Exact-computed: vₙ = v₀ + n Δt g, xₙ = x₀ + Δt Σ vₖ.
 TEST(Step, FollowsTheRecurrenceOfFreeFall) {
   SceneDescription description = test::one_body(test::point_masses(Vec3(1, 2, 3), 0.3));

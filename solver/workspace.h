@@ -61,6 +61,8 @@ struct PairSearch {
   std::vector<Real> moved;      ///< per body: bound on |x* − reference| of its vertices, m
   std::vector<double> path;  ///< per body: bound on how far a vertex has gone since its lists, m,
                              ///< summed from one x* to the next
+  double stride = 0.0;       ///< the longest way of a vertex from the last x* to this one, m
+  double strides = 0.0;      ///< summed over the steps of this scene, m
   std::vector<Real> farthest, longest;  ///< scratch of those two, per body
   std::vector<char> renewed;            ///< per body: its lists are made anew in this step
   std::vector<Box3> box;                ///< per body
@@ -79,7 +81,15 @@ struct PairSearch {
   std::vector<Meeting> meeting;      ///< by body, then other
   std::vector<Candidate> found;      ///< of each meeting, by element
   std::vector<Candidate> candidate;  ///< the same by key, then element
-  std::vector<std::int32_t> holds;   ///< of each group: the element that holds its vertex, or −1
+  /// The places in a list of those of which something else may be found in the next steps: in so many, as long
+  /// as `strides` isn't above `until`, m (lasting.h).
+  struct Awake {
+    std::vector<std::uint32_t> place;
+    int steps = 0;
+    double until = 0.0;
+  };
+  std::vector<std::int32_t> holds;  ///< of each group: the element that holds its vertex, or −1
+  bool found_same = false;          ///< of these lists, what the step before found was found again
   /// The candidates of one key and, once it is in contact, the triangles that may be nearest.
   struct alignas(64) Group {
     ContactKey key;
@@ -105,6 +115,7 @@ struct PairSearch {
   };
   static_assert(sizeof(Group) == 64);
   std::vector<Group> group;  ///< by key
+  Awake group_awake;
   struct Near {
     Real distance;  ///< of the group's vertex at the reference, m
     std::int32_t triangle;
@@ -163,6 +174,7 @@ struct PairSearch {
     std::int8_t apart = 0;  ///< steps in a row in which they couldn't
   };
   std::vector<EdgePair> edge_candidate;  ///< in the order of their keys
+  Awake edge_awake;                      ///< those that may touch
   /// How two edges pass each other.
   struct EdgeCrossing {
     Real along_a, along_b;  ///< where, 0 … 1 from the first end

@@ -74,6 +74,7 @@ class PairContacts {
 
   void clear() { resize(0); }
   void resize(std::size_t count) {
+    if (count != size()) remembered = 0;
     contact_.resize(count);
     site_.resize(count);
   }
@@ -88,6 +89,10 @@ class PairContacts {
     }
     resize(left);
   }
+
+  /// The serial number of the PairGeometry that says of all these, and of no other, where they stand; 0:
+  /// none, as when any is put in another's place.
+  std::uint64_t remembered = 0;
 
  private:
   std::size_t place_of(const PairContact& contact) const {

@@ -59,7 +59,7 @@ TEST(TieMargin, DoesNotPushAVertexAsideThatHasPassedAnEdgeOfAFlatFace) {
   // Over the middle of the face, across whichever diagonal its two triangles share.
   for (const double beside : {-0.1, 0.01, 0.05, 0.1}) {
     state.position.back().x.x() = 0.5 + beside * depth;
-    const test::Found now(scene, options, state);
+    test::Found now(scene, options, state);
     ASSERT_EQ(now.workspace.pairs.size(), 1u);
     const PairContact& contact = now.workspace.pairs[0];
     EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 1e-14) << beside;
@@ -109,7 +109,7 @@ TEST(SideEntry, IsAnsweredByAndBy) {
   state.step = 1;
   double expected = depth - options.pairs.border_margin * scene.topology.mean_edge / 3.0;
   for (int step = 0; step < 3; ++step, expected *= 0.9) {
-    const test::Found found(scene, options, state);
+    test::Found found(scene, options, state);
     ASSERT_EQ(found.workspace.pairs.size(), 8u);
     int by_and_by = 0;
     for (const PairContact& contact : found.workspace.pairs) {
@@ -143,7 +143,7 @@ TEST(BorderMargin, KeepsAVertexAHairBeyondItsFace) {
   const auto contacts_after = [&](double shift) {
     Options options;
     State state = initial_state(scene);
-    const test::Found before(scene, options, state);
+    test::Found before(scene, options, state);
     remember_pairs(before.workspace.pairs, scene.topology, state.pair_geometry);
     for (int v = scene.bodies[1].first_vertex; v < scene.vertex_count(); ++v) {
       state.position[static_cast<std::size_t>(v)].x += Vec3(shift, shift, 0.0);
@@ -173,7 +173,7 @@ TEST(Depths, AreThoseOfNumbers) {
   const Scene scene = build_scene(test::stacked_cubes(0.01));
   Options options;
   State state = initial_state(scene);
-  const test::Found last(scene, options, state);
+  test::Found last(scene, options, state);
   remember_pairs(last.workspace.pairs, scene.topology, state.pair_geometry);
   for (const double bad : {test::kNaN, test::kInfinity}) {
     const std::int32_t vertex = last.workspace.pairs.front().vertex;

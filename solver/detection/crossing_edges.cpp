@@ -86,6 +86,11 @@ EdgeContact contact_of(const Topology& topology, const Touch& touch) {
   return contact;
 }
 
+// Of both bodies, m.
+double path_of(const PairSearch& search, const PairSearch::EdgePair& pair) {
+  return search.path[pair.body_a] + search.path[pair.body_b];
+}
+
 // Tests a part of the candidates of a step, several side by side.
 class EdgeTest {
  public:
@@ -99,12 +104,12 @@ class EdgeTest {
         limits_(scene, options, state),
         width_(lane_width()) {}
 
-  // Leaves those of begin … end − 1 that touch in `part.touch`.
+  // Leaves those of the candidates awake in begin … end − 1 that touch in `part.touch`.
   void run(std::size_t begin, std::size_t end) {
     part_.touch.clear();
-    for (std::size_t c = begin; c < end; ++c) {
-      PairSearch::EdgePair& candidate = search_.edge_candidate[c];
-      if (path_of(candidate) < candidate.apart_until) continue;
+    for (std::size_t k = begin; k < end; ++k) {
+      PairSearch::EdgePair& candidate = search_.edge_candidate[search_.edge_awake.place[k]];
+      if (path_of(search_, candidate) < candidate.apart_until) continue;
       const auto lane = static_cast<std::size_t>(batch_.count++);
       asked_[lane] = &candidate;
       batch_.a[lane] = first_of(candidate.key);
@@ -123,7 +128,7 @@ class EdgeTest {
       PairSearch::EdgePair& pair = *asked_[lane];
       // Farther off than a contact that has opened may be, they don't touch whether they did or not.
       const bool apart = (crossing >> k & 1U) == 0 || batch_.crossing[lane].gap > limits_.gap;
-      note_lasting(apart, path_of(pair), pair.apart, pair.apart_until, [&] {
+      note_lasting(apart, path_of(search_, pair), pair.apart, pair.apart_until, [&] {
         const std::int32_t a = first_of(pair.key), b = second_of(pair.key);
         const auto v = static_cast<std::size_t>(edge(a).vertex[0]);
         return apart_within(topology_, search_.predicted, a, b, {-limits_.border, -limits_.border},
@@ -186,11 +191,6 @@ class EdgeTest {
   const Topology::SharpEdge& edge(std::int32_t e) const {
     return topology_.sharp_edge[static_cast<std::size_t>(e)];
   }
-  // Of both bodies, m.
-  double path_of(const PairSearch::EdgePair& pair) const {
-    return search_.path[pair.body_a] + search_.path[pair.body_b];
-  }
-
   const Topology& topology_;
   const State& state_;
   PairSearch& search_;
@@ -205,11 +205,16 @@ class EdgeTest {
 // With fewer candidates in a part, what it takes to wake a thread is more than it does.
 constexpr std::size_t kCandidatesToShare = 1024;
 
-// Leaves the candidates that touch in `search.edge_touch`, in their order.
+// Leaves the candidates that touch in `search.edge_touch`, in the order of their keys.
 void find_touches(const Scene& scene, const Options& options, const State& state,
                   Workspace& workspace) {
   PairSearch& search = workspace.search;
-  const std::size_t count = search.edge_candidate.size();
+  const auto sleeps = [&](std::size_t c, double more) {
+    const PairSearch::EdgePair& candidate = search.edge_candidate[c];
+    return path_of(search, candidate) + more < candidate.apart_until;
+  };
+  wake(search, search.edge_candidate.size(), sleeps, search.edge_awake);
+  const std::size_t count = search.edge_awake.place.size();
   const std::size_t parts = ranges_of(workspace.team, count, kCandidatesToShare);
   if (search.edge_part.size() < parts) search.edge_part.resize(parts);
   for_each_range(workspace.team, count, parts,

@@ -182,45 +182,56 @@ TEST(CrossingEdges, NearACornerAreThoseThatAreShallow) {
   EXPECT_EQ(edge_on_bar(1e-6, 0.1 * Vec3::UnitY()).size(), 2u) << "however it moves";
 }
 
-// Two crossed bars go their ways and tremble: pairs of edges that are known not to touch are not looked at,
-// and what is found is what fresh lists find.
+// Two crossed bars go their ways and tremble, or set out of a sudden: pairs of edges that are known not to
+// touch are not looked at, most not even in passing, and what is found is what fresh lists find.
 TEST(CrossingEdges, AreThoseOfFreshListsWhereSomeAreKnownNotToTouch) {
-  std::size_t known = 0, found = 0;
+  std::size_t known = 0, found = 0, asleep = 0;
+  const auto go = [&](double yaw, double depth, const Vec3& way, double tremble, bool suddenly) {
+    const Scene scene = crossed(yaw, depth);
+    const Options options;
+    Workspace kept;
+    std::vector<ContactKey> last;
+    for (unsigned k = 0; k < 150; ++k) {
+      const unsigned ways = !suddenly ? k : k < 75 ? (k + 3) / 8 : 4 * k - 291;
+      State state = test::on_its_way(scene, ways, way, tremble);
+      state.edge_friction.key = last;
+      for (const PairSearch::EdgePair& pair : kept.search.edge_candidate) {
+        known += pair.apart_until > kept.search.path[0] + kept.search.path[1];
+      }
+      Workspace fresh;
+      for (Workspace* workspace : {&kept, &fresh}) {
+        workspace->velocity = state.velocity;
+        detect_pairs(scene, options, state, *workspace);
+        depths(scene, options, state, *workspace);
+        crossing_edges(scene, options, state, *workspace);
+      }
+      last.clear();
+      ASSERT_EQ(kept.edges.size(), fresh.edges.size()) << "step " << k;
+      for (std::size_t c = 0; c < kept.edges.size(); ++c) {
+        EXPECT_EQ(kept.edges[c].key, fresh.edges[c].key);
+        EXPECT_EQ(kept.edges[c].depth, fresh.edges[c].depth);
+        EXPECT_EQ(kept.edges[c].normal, fresh.edges[c].normal);
+        last.push_back(kept.edges[c].key);
+      }
+      found += kept.edges.size();
+      asleep += kept.search.edge_candidate.size() - kept.search.edge_awake.place.size();
+    }
+  };
   for (const double yaw : {0.2, 0.8, 1.5707}) {
     for (const Vec3& way : {Vec3(0, 0, 0), Vec3(2e-6, 1e-6, -1e-6), Vec3(3e-4, 2e-4, 0),
                             Vec3(-5e-4, 0, 1e-6), Vec3(0, 0, -2e-5), Vec3(0, 0, 1e-6)}) {
       for (const double tremble : {0.0, 1e-8, 1e-5}) {
-        const Scene scene = crossed(yaw, 1e-5);
-        const Options options;
-        Workspace kept;
-        std::vector<ContactKey> last;
-        for (unsigned k = 0; k < 150; ++k) {
-          State state = test::on_its_way(scene, k, way, tremble);
-          state.edge_friction.key = last;
-          for (const PairSearch::EdgePair& pair : kept.search.edge_candidate) {
-            known += pair.apart_until > kept.search.path[0] + kept.search.path[1];
-          }
-          Workspace fresh;
-          for (Workspace* workspace : {&kept, &fresh}) {
-            workspace->velocity = state.velocity;
-            detect_pairs(scene, options, state, *workspace);
-            depths(scene, options, state, *workspace);
-            crossing_edges(scene, options, state, *workspace);
-          }
-          last.clear();
-          ASSERT_EQ(kept.edges.size(), fresh.edges.size()) << "step " << k;
-          for (std::size_t c = 0; c < kept.edges.size(); ++c) {
-            EXPECT_EQ(kept.edges[c].key, fresh.edges[c].key);
-            EXPECT_EQ(kept.edges[c].depth, fresh.edges[c].depth);
-            EXPECT_EQ(kept.edges[c].normal, fresh.edges[c].normal);
-            last.push_back(kept.edges[c].key);
-          }
-          found += kept.edges.size();
-        }
+        go(yaw, 1e-5, way, tremble, false);
+        go(yaw, 1e-5, way, tremble, true);
       }
+    }
+    for (const double above : {2e-4, 2.5e-4, 3e-4, 3.5e-4, 4e-4}) {  // and come down
+      go(yaw, -above, Vec3(0, 0, -2e-5), 0.0, false);
+      go(yaw, -above, Vec3(0, 0, -2e-5), 0.0, true);
     }
   }
   EXPECT_GT(known, 10000u);
+  EXPECT_GT(asleep, 10000u);
   EXPECT_GT(found, 1000u);
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -127,25 +128,56 @@ class Find {
       PairSearch::Group& group = search_.group[g];
       while (old < last_.body_key.size() && last_.body_key[old] < group.key) ++old;
       const bool persists = old < last_.body_key.size() && last_.body_key[old] == group.key;
-      const double path = paths(scene_.topology, search_, group.key);
       const std::int32_t in = persists ? last_.element[old] : -1;
-      if (path < group.holds_until &&
-          (group.verdict == in || group.verdict == verdict_of(in, -1))) {
-        search_.holds[g] = group.verdict >= 0 ? in : -1;
-        continue;
-      }
-      ask_ahead(old);
-      const std::int32_t found = find_element(scene_, search_, group, in, margin_, width_);
-      search_.holds[g] = found;
-      const std::int32_t verdict = verdict_of(in, found);
-      const bool same = verdict == group.verdict;
-      group.verdict = verdict;
-      note_lasting(same, path, group.held, group.holds_until,
-                   [&] { return lasts_within(scene_, search_, group, in, found); });
+      search_.holds[g] = held_by(group, in, [&] { ask_ahead(old); });
     }
   }
 
+  // Of all, where `holds` is of the last step, whose contacts are all remembered. Returns whether anything
+  // else holds any vertex now.
+  bool any_changes() const {
+    const auto sleeps = [&](std::size_t g, double more) {
+      const PairSearch::Group& group = search_.group[g];
+      return group.verdict == search_.holds[g] &&
+             paths(scene_.topology, search_, group.key) + more < group.holds_until;
+    };
+    wake(search_, search_.group.size(), sleeps, search_.group_awake);
+    bool any = false;
+    for (const std::uint32_t g : search_.group_awake.place) {
+      PairSearch::Group& group = search_.group[g];
+      const std::int32_t last = search_.holds[g];
+      search_.holds[g] = held_by(group, last >= 0 ? last : open_in(group), [] {});
+      any = any || search_.holds[g] != last;
+    }
+    return any;
+  }
+
  private:
+  // The element that holds the group's vertex now, or −1, `in` being what did in the last step.
+  template <class BeforeTest>
+  std::int32_t held_by(PairSearch::Group& group, std::int32_t in, const BeforeTest& before) const {
+    const double path = paths(scene_.topology, search_, group.key);
+    if (path < group.holds_until && (group.verdict == in || group.verdict == verdict_of(in, -1))) {
+      return group.verdict >= 0 ? in : -1;
+    }
+    before();
+    const std::int32_t found = find_element(scene_, search_, group, in, margin_, width_);
+    const std::int32_t verdict = verdict_of(in, found);
+    const bool same = verdict == group.verdict;
+    group.verdict = verdict;
+    note_lasting(same, path, group.held, group.holds_until,
+                 [&] { return lasts_within(scene_, search_, group, in, found); });
+    return found;
+  }
+
+  // Where the contact of a group of which nothing holds the vertex was in the last step; −1 where there is none.
+  std::int32_t open_in(const PairSearch::Group& group) const {
+    if (group.verdict == verdict_of(-1, -1)) return -1;
+    const auto at = std::lower_bound(last_.body_key.begin(), last_.body_key.end(), group.key);
+    if (at == last_.body_key.end() || *at != group.key) return -1;
+    return last_.element[static_cast<std::size_t>(at - last_.body_key.begin())];
+  }
+
   // For what the test of contacts after one of the last step will read. Twice as far ahead as elsewhere:
   // less is done between.
   void ask_ahead(std::size_t old) const {
@@ -166,6 +198,11 @@ class Find {
   int width_;
 };
 
+bool keeps_open(const PairOptions& options) { return options.hysteresis > 0.0; }
+bool keeps_triangles(const PairOptions& options) {
+  return keeps_open(options) || options.tie_margin > 0.0;
+}
+
 // Merges what is found with the contacts of the last step that have only just opened. Those are
 // measured in the depth phase, which drops them when the gap is too wide.
 class Merge {
@@ -175,8 +212,8 @@ class Merge {
       : elements_(scene.elements),
         search_(search),
         last_(last),
-        keep_open_(options.hysteresis > 0.0),
-        keep_triangle_(keep_open_ || options.tie_margin > 0.0) {}
+        keep_open_(keeps_open(options)),
+        keep_triangle_(keeps_triangles(options)) {}
 
   // Calls add(key, element, triangle, open) for each contact, in the order of the keys, from the
   // group `begin` on (all before it, if it is the first) to before the group `end`.
@@ -219,60 +256,79 @@ class Merge {
 };
 
 // Puts a contact in place c of the list, where that of the last step may stand already: most do, and
-// nothing is written then.
-void put(const Scene& scene, ContactKey key, std::int32_t element, std::int32_t triangle, bool open,
+// nothing is written then. Returns whether it did.
+bool put(const Scene& scene, ContactKey key, std::int32_t element, std::int32_t triangle, bool open,
          PairContacts& pairs, std::size_t c) {
   PairSite& site = pairs.site(c);
   if (pairs[c].key() != key || site.element != element) {
     pairs[c] = contact_at(scene, key, element);
     site = {.element = element, .triangle = triangle, .open = open};
-    return;
+    return false;
   }
   if (site.triangle != triangle) site.triangle = triangle;
   if (site.open != open) site.open = open;
+  return true;
+}
+
+// Whether `pairs` are those that detection found in the last step, as it did in the one before, and all that
+// is remembered of it: where the same holds each vertex they are those of this step.
+bool stand_as_found(const PairGeometry& last, const PairOptions& options, const PairSearch& search,
+                    const PairContacts& pairs) {
+  return search.found_same && pairs.remembered != 0 && pairs.remembered == last.serial &&
+         options.key == PairKey::kBody && keeps_triangles(options);
 }
 
 // Finds contacts, and puts them in the places of those of the last step.
 void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions& options,
                  const Team* team, PairSearch& search, PairContacts& pairs) {
+  const Find find(scene, last, options.tie_margin, search);
+  const bool tested = stand_as_found(last, options, search, pairs);
+  if (tested && !find.any_changes()) return;
   // Groups are merged while what was found of them is in the nearest cache.
   constexpr std::size_t kBlock = 256;
-  const Find find(scene, last, options.tie_margin, search);
   const Merge merge(scene, search, last, options);
   const std::size_t groups = search.group.size();
   const auto found = [&](std::size_t begin, std::size_t end, const auto& add) {
     do {
       const std::size_t next = std::min(begin + kBlock, end);
-      find(begin, next);
+      if (!tested) find(begin, next);
       merge(begin, next, add);
       begin = next;
     } while (begin < end);
   };
-  const std::size_t ranges = ranges_of(team, groups, kContactsToShare);
+  std::atomic<bool> same = true;
+  const auto put_next = [&](std::size_t& next) {
+    return [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
+      if (!put(scene, key, element, triangle, open, pairs, next++)) same = false;
+    };
+  };
+  const std::size_t ranges = ranges_of(team, groups, kContactsToShare), before = pairs.size();
+  std::size_t count = 0;
   if (ranges == 1) {
-    std::size_t count = 0;
+    const auto add = put_next(count);
     found(0, groups, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
       if (count == pairs.size()) pairs.resize(count + 1);
-      put(scene, key, element, triangle, open, pairs, count++);
+      add(key, element, triangle, open);
     });
     pairs.resize(count);
-    return;
-  }
-  // Counted first, so that each range knows where its contacts come.
-  std::vector<std::size_t> first(ranges + 1, 0);
-  for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
-    std::size_t count = 0;
-    found(begin, end, [&](ContactKey, std::int32_t, std::int32_t, bool) { ++count; });
-    first[r + 1] = count;
-  });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  pairs.resize(first[ranges]);
-  for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
-    std::size_t next = first[r];
-    merge(begin, end, [&](ContactKey key, std::int32_t element, std::int32_t triangle, bool open) {
-      put(scene, key, element, triangle, open, pairs, next++);
+  } else {
+    // Counted first, so that each range knows where its contacts come.
+    std::vector<std::size_t> first(ranges + 1, 0);
+    for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
+      std::size_t of_range = 0;
+      found(begin, end, [&](ContactKey, std::int32_t, std::int32_t, bool) { ++of_range; });
+      first[r + 1] = of_range;
     });
-  });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    count = first[ranges];
+    pairs.resize(count);
+    for_each_range(team, groups, ranges, [&](std::size_t r, std::size_t begin, std::size_t end) {
+      std::size_t next = first[r];
+      merge(begin, end, put_next(next));
+    });
+  }
+  search.found_same = same && count == before;
+  if (!search.found_same) pairs.remembered = 0;
 }
 
 // Of another scene, or with other options, what is known of faces and edges is forgotten, and the contacts
@@ -284,6 +340,7 @@ void begin(const Scene& scene, const PairOptions& options, Workspace& workspace)
   if (now == search.known_for && search.scene == scene.serial) return;
   search.known_for = now;
   search.edges_listed = false;
+  search.found_same = false;
   for (PairSearch::Group& group : search.group) group.stays_on = -1;
   workspace.pairs.clear();
 }
@@ -301,6 +358,8 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   begin(scene, options.pairs, workspace);
   if (update_candidates(scene, options.dt(), state, workspace.velocity, workspace.team, search)) {
     search.edges_listed = false;
+    search.found_same = false;
+    search.group_awake.steps = 0;
     if (options.pairs.face == PairFace::kOpposed) {
       note_outrun(scene, options.dt(), workspace.velocity, search);
     }

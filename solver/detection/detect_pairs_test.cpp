@@ -154,44 +154,67 @@ TEST(DetectPairs, LooksAtNoVertexThatIsKnownToBeClearAndMissesNoneThatComesIn) {
   }
 }
 
-// A cube stands on another, goes its way and trembles. Where it is known that the same element goes on
-// holding a vertex, or that none does, no test is made, and what is found is what fresh lists find.
+// A cube stands on another, goes its way, steadily or of a sudden, and trembles. Where it is known that the same
+// element goes on holding a vertex, or that none does, no test is made, and what is found is what fresh lists find.
 TEST(DetectPairs, KnowsForHowLongAVertexIsHeldOrOpen) {
-  std::size_t held = 0, open = 0;
+  std::size_t held = 0, open = 0, asleep = 0;
+  const auto go = [&](double depth, double tie_margin, const Vec3& way, double tremble,
+                      bool suddenly, double hysteresis = 1e3) {
+    SceneDescription description = test::stacked_cubes(depth, Vec3(0.15, 0.0, 0.0));
+    description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
+    const Scene scene = build_scene(description);
+    Workspace kept;
+    Options options;
+    options.pairs.hysteresis = hysteresis;
+    options.pairs.tie_margin = tie_margin;
+    PairGeometry memory;
+    for (unsigned k = 0; k < 300; ++k) {
+      SCOPED_TRACE(testing::Message() << depth << ", " << way.transpose() << ", " << tremble
+                                      << (suddenly ? ", suddenly" : "") << ", step " << k);
+      const unsigned ways = !suddenly ? k : k < 200 ? (k + 3) / 8 : 4 * k - 775;
+      State state = test::on_its_way(scene, ways, way, tremble);
+      state.pair_geometry = memory;
+      for (const PairSearch::Group& group : kept.search.group) {
+        if (group.holds_until > kept.search.path[0] + kept.search.path[1]) {
+          held += group.verdict >= 0;
+          open += group.verdict < -1;
+        }
+      }
+      expect_what_fresh_lists_find(scene, options, state, kept);
+      if (testing::Test::HasFailure()) return;
+      if (kept.search.found_same) {
+        asleep += kept.search.group.size() - kept.search.group_awake.place.size();
+      }
+      remember_pairs(kept.pairs, scene.topology, memory);
+      PairGeometry afresh;
+      PairContacts copy = kept.pairs;
+      remember_pairs(copy, scene.topology, afresh);
+      ASSERT_EQ(memory.body_key, afresh.body_key);
+      ASSERT_EQ(memory.element, afresh.element);
+      ASSERT_EQ(memory.triangle, afresh.triangle);
+    }
+  };
   for (const auto& [depth, tie_margin] :
        {std::pair(3e-7, 1e-3), std::pair(1e-3, 1e-3), std::pair(1e-3, 0.9)}) {
     for (const Vec3& way :
          {Vec3(0, 0, 0), Vec3(1e-6, 0, 0), Vec3(2e-4, -1e-4, 0), Vec3(1e-3, 0, 1e-8),
-          Vec3(1.3e-3, 5e-4, 0), Vec3(0, 0, 1e-8), Vec3(0, 0, -1e-6)}) {
+          Vec3(1.3e-3, 5e-4, 0), Vec3(0, 0, 1e-8), Vec3(0, 0, -1e-6), Vec3(0, 0, 2e-5)}) {
       for (const double tremble : {0.0, 1e-10, 1e-7, 1e-4}) {
-        SceneDescription description = test::stacked_cubes(depth, Vec3(0.15, 0.0, 0.0));
-        description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
-        const Scene scene = build_scene(description);
-        Workspace kept;
-        Options options;
-        options.pairs.hysteresis = 1e3;
-        options.pairs.tie_margin = tie_margin;
-        PairGeometry memory;
-        for (unsigned k = 0; k < 300; ++k) {
-          SCOPED_TRACE(testing::Message()
-                       << depth << ", " << way.transpose() << ", " << tremble << ", step " << k);
-          State state = test::on_its_way(scene, k, way, tremble);
-          state.pair_geometry = memory;
-          for (const PairSearch::Group& group : kept.search.group) {
-            if (group.holds_until > kept.search.path[0] + kept.search.path[1]) {
-              held += group.verdict >= 0;
-              open += group.verdict < -1;
-            }
-          }
-          expect_what_fresh_lists_find(scene, options, state, kept);
-          if (HasFailure()) return;
-          remember_pairs(kept.pairs, scene.topology, memory);
-        }
+        go(depth, tie_margin, way, tremble, false);
+        go(depth, tie_margin, way, tremble, true);
+        if (HasFailure()) return;
       }
     }
   }
+  // Vertices come in where others go out, in the same step.
+  for (const double way : {1e-3, 0.01, 0.02, 0.05, 0.1}) {
+    go(1e-3, 1e-3, Vec3(way, 0.4 * way, 0), 0.0, false, 0.0);
+    go(1e-6, 1e-3, Vec3(0, 0, 0), 3e-6, false, 0.0);
+    if (HasFailure()) return;
+  }
   EXPECT_GT(held, 10000u);
   EXPECT_GT(open, 1000u);
+  EXPECT_GT(asleep, 10000u);
 }
 
 // Of four cubes on each other one after the other moves: lists of the others stay, and each time what
@@ -336,7 +359,7 @@ TEST(DetectPairs, ForgetsAContactThatHasOpenedWhereOnlyTheTieMarginRemembers) {
   Options options;
   options.pairs.hysteresis = 0.0;
   options.pairs.tie_margin = 1e-3;
-  const test::Found touching(scene, options, initial_state(scene));
+  test::Found touching(scene, options, initial_state(scene));
   ASSERT_FALSE(touching.workspace.pairs.empty());
   State state = touching.state;
   remember_pairs(touching.workspace.pairs, scene.topology, state.pair_geometry);

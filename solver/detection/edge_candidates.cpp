@@ -9,6 +9,7 @@ void find_edge_candidates(const Scene& scene, PairSearch& search) {
   const Topology& topology = scene.topology;
   search.edges_listed = true;
   search.edge_candidate.clear();
+  search.edge_awake.steps = 0;
   search.edge_box.clear();
   for (std::size_t e = 0; e < topology.sharp_edge.size(); ++e) {
     const Topology::SharpEdge& edge = topology.sharp_edge[e];

@@ -66,15 +66,20 @@ bool follow(const Scene& scene, Real dt, const State& state, const std::vector<V
   };
   for_ranges(team, state.position.size(), kVerticesToShare, follow_range);
   bool any = false;
+  search.stride = 0.0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const bool renewed = search.farthest[b] > search.skin;
     const double way = std::sqrt(3.0) * static_cast<double>(search.longest[b]);
     search.renewed[b] = renewed;
     search.moved[b] = renewed ? 0 : std::sqrt(Real(3)) * search.farthest[b];
+    search.stride = std::max(search.stride, way);
     // Rounded up: what a body trembles adds up however far it has come.
     if (way > 0.0) search.path[b] = std::nextafter(search.path[b] + way, HUGE_VAL);
     if (renewed) search.path[b] = 0.0;
     any = any || renewed;
+  }
+  if (search.stride > 0.0) {
+    search.strides = std::nextafter(search.strides + search.stride, HUGE_VAL);
   }
   return any;
 }

@@ -34,4 +34,24 @@ void note_lasting(bool same, double path, std::int8_t& steps, double& until, con
   }
 }
 
+/// For so many steps it is told what is awake, if no body becomes faster than twice what the fastest is.
+inline constexpr int kStepsAwake = 16;
+inline constexpr double kFaster = 2;
+
+/// Renews what of a list of `count` is awake, unless that is known of this step: all but where
+/// `sleeps(place, more)`, which says whether what was found will be while the paths of both bodies grow by
+/// `more`, m. In a step they grow by no more than two strides.
+template <class Sleeps>
+void wake(const PairSearch& search, std::size_t count, const Sleeps& sleeps,
+          PairSearch::Awake& awake) {
+  if (awake.steps-- > 0 && search.strides <= awake.until) return;
+  const double by = kFaster * kStepsAwake * search.stride;
+  awake.steps = kStepsAwake - 1;
+  awake.until = search.strides + by;
+  awake.place.clear();
+  for (std::size_t place = 0; place < count; ++place) {
+    if (!sleeps(place, 2 * by)) awake.place.push_back(static_cast<std::uint32_t>(place));
+  }
+}
+
 }  // namespace stiction

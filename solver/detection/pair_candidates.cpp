@@ -46,6 +46,7 @@ void begin_scene(const Scene& scene, std::size_t vertices, PairSearch& search) {
   search.reference.assign(vertices, Vec3::Constant(std::numeric_limits<Real>::infinity()));
   search.moved.assign(bodies, 0.0);
   search.path.assign(bodies, 0.0);
+  search.strides = 0.0;
   search.renewed.assign(bodies, false);
   search.box.assign(bodies, Box3());
   search.meeting.clear();
