@@ -40,8 +40,9 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
       return;
     }
     case Phase::kDetect:
-      detect(scene, dt, state.position, workspace.velocity, workspace.contacts, time);
       if (scene.pairs_possible) detect_pairs(scene, options, state, workspace);
+      detect(scene, dt, state.position, workspace.velocity, workspace.contacts, time,
+             scene.pairs_possible ? &workspace.search : nullptr);
       return;
     case Phase::kDepth:
       depths(scene, options, state, workspace);

@@ -54,12 +54,11 @@ ModelledCost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
     case Phase::kPredict:
       return {n.vertices * (kVec + 2 * kVelocity), n.vertices * (1 + kAxpy)};
     case Phase::kDetect: {
-      // Of a record that lasts one line of two is read, and its site.
-      const double found = n.pairs * (kPair / 2 + kSite + 24) + n.obstacle * kOneSided;
+      // Contacts between bodies that last are not looked at.
+      const double found = n.obstacle * kOneSided;
       const double all = pairs_possible ? n.vertices * (kPosition + kVelocity + kVec)
                                         : n.surface * (kPosition + kVelocity);
-      return {all + found,
-              n.vertices * kAxpy + n.pairs * kBarycentric + n.surface * (kAxpy + kDot)};
+      return {all + found, n.vertices * kAxpy + n.surface * (kAxpy + kDot)};
     }
     case Phase::kDepth:
       return {n.pairs * (2 * kPair + kSite + kTriangle + kCorners + 3 * kVec + 5 * kPosition),
@@ -75,8 +74,7 @@ ModelledCost of_phase(Phase phase, const Counts& n, bool pairs_possible) {
               n.pairs * (2 * (4 * kAxpy + 2 * kDot) + 2 * 5 * (kAxpy + 1) + 40) +
                   n.obstacle * (4 * kDot + 2 * kAxpy + 40)};
     case Phase::kIntegrate:
-      return {n.vertices * (kVelocity + 2 * kPosition) + n.pairs * (kPair / 2 + kSite + 16),
-              n.vertices * kAxpy};
+      return {n.vertices * (kVelocity + 2 * kPosition) + n.pairs * (kSite + 8), n.vertices * kAxpy};
   }
   return {};
 }

@@ -23,4 +23,10 @@ inline bool apart(const Box3& a, const Box3& b) {
          (b.min()[0] > a.max()[0]) | (b.min()[1] > a.max()[1]) | (b.min()[2] > a.max()[2]);
 }
 
+/// Whether a box is certainly outside a half-space, m; `normal` out of it.
+inline bool clear_of(const Box3& box, const Vec3& normal, const Vec3& point) {
+  const Vec3 nearest = (normal.array() > 0).select(box.min(), box.max());
+  return normal.dot(nearest - point) > 0;
+}
+
 }  // namespace stiction

@@ -4,6 +4,7 @@
 #include "solver/contact/contacts.h"
 #include "solver/scene/scene.h"
 #include "solver/state.h"
+#include "solver/workspace.h"
 
 namespace stiction {
 
@@ -11,7 +12,9 @@ namespace stiction {
 /// their depth d = −(x* − point)·n. Order: by obstacle, then by vertex. Only surface vertices that
 /// can move are tested.
 /// An obstacle with a motion is where it will be at the end of the step that starts at `time`, s.
+/// Where `bounds` has the boxes of this step's bodies, those that are clear of the half-space are passed over.
 void detect(const Scene& scene, double dt, const std::vector<Position>& position,
-            const std::vector<Velocity>& predicted, OneSidedContacts& contacts, double time = 0.0);
+            const std::vector<Velocity>& predicted, OneSidedContacts& contacts, double time = 0.0,
+            const PairSearch* bounds = nullptr);
 
 }  // namespace stiction

@@ -284,6 +284,7 @@ void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions
   const Find find(scene, last, options.tie_margin, search);
   const bool tested = stand_as_found(last, options, search, pairs);
   if (tested && !find.any_changes()) return;
+  if (!tested) search.group_awake.steps = 0;  // tests of all may find otherwise of any
   // Groups are merged while what was found of them is in the nearest cache.
   constexpr std::size_t kBlock = 256;
   const Merge merge(scene, search, last, options);
@@ -359,7 +360,6 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
   if (update_candidates(scene, options.dt(), state, workspace.velocity, workspace.team, search)) {
     search.edges_listed = false;
     search.found_same = false;
-    search.group_awake.steps = 0;
     if (options.pairs.face == PairFace::kOpposed) {
       note_outrun(scene, options.dt(), workspace.velocity, search);
     }

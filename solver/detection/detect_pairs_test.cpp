@@ -167,8 +167,10 @@ TEST(DetectPairs, KnowsForHowLongAVertexIsHeldOrOpen) {
     Options options;
     options.pairs.hysteresis = hysteresis;
     options.pairs.tie_margin = tie_margin;
-    PairGeometry memory;
+    PairGeometry memory, earlier;
     for (unsigned k = 0; k < 300; ++k) {
+      if (k % 50 == 20) earlier = memory;
+      if (k % 50 == 45) memory = earlier;
       SCOPED_TRACE(testing::Message() << depth << ", " << way.transpose() << ", " << tremble
                                       << (suddenly ? ", suddenly" : "") << ", step " << k);
       const unsigned ways = !suddenly ? k : k < 200 ? (k + 3) / 8 : 4 * k - 775;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/detection/boxes.h"
+#include "solver/detection/detect_pairs.h"
+#include "solver/testing/test_pairs.h"
 #include "solver/testing/test_scenes.h"
 
 namespace stiction {
@@ -88,6 +91,42 @@ TEST(Detect, TestsOnlySurfaceVerticesThatCanMove) {
     EXPECT_NE(state.velocity[static_cast<std::size_t>(v)].inverse_mass, 0.0);
     EXPECT_NE(state.position[static_cast<std::size_t>(v)].x, Vec3::Constant(0.5));
   }
+}
+
+// Two cubes on each other fall past a slope and a wall, turned and trembling.
+TEST(Detect, PassesOverBodiesThatAreClearAndMissesNoneThatComes) {
+  SceneDescription description = test::stacked_cubes(-0.01);
+  description.half_spaces = {{"slope", Vec3(0, 0, -0.3), Vec3(0.6, 0.0, 0.8), 0.0},
+                             {"wall", Vec3(0, 1.3, 0), -Vec3::UnitY(), 0.0}};
+  const Scene scene = build_scene(description);
+  Workspace workspace;
+  std::size_t none = 0, some = 0;
+  for (unsigned k = 0; k < 400; ++k) {
+    Eigen::Matrix3Xd position =
+        scene.rest_position.cast<double>() + test::noise(scene.vertex_count(), 1e-4, k);
+    position.colwise() += Eigen::Vector3d(0.0, 1e-3 * k, -2e-3 * k);
+    const State state =
+        test::state_at(scene, position, Eigen::Matrix3Xd::Zero(3, scene.vertex_count()));
+    workspace.velocity = state.velocity;
+    detect_pairs(scene, {.time_step = 1e-3}, state, workspace);
+    OneSidedContacts all, passing_over;
+    detect(scene, 1e-3, state.position, state.velocity, all);
+    detect(scene, 1e-3, state.position, state.velocity, passing_over, 0.0, &workspace.search);
+    ASSERT_EQ(passing_over.key, all.key) << k;
+    ASSERT_EQ(passing_over.depth, all.depth) << k;
+    none += all.size() == 0;
+    some += all.size() > 0;
+  }
+  EXPECT_GT(none, 20u);
+  EXPECT_GT(some, 20u);
+}
+
+TEST(Boxes, AreClearOfAHalfSpaceWhereTheirNearestCornerIs) {
+  const Box3 box(Vec3(1, 2, 3), Vec3(2, 4, 6));
+  const Vec3 normal = Vec3(-2, 0, 1).normalized();  // the nearest corner: 2, any, 3
+  EXPECT_TRUE(clear_of(box, normal, Vec3(2, 9, 2.99)));
+  EXPECT_FALSE(clear_of(box, normal, Vec3(2, 9, 3.01)));
+  EXPECT_FALSE(clear_of(box, normal, Vec3::Constant(test::kNaN)));
 }
 
 }  // namespace

@@ -61,14 +61,6 @@ void begin_scene(const Scene& scene, std::size_t vertices, PairSearch& search) {
 // near in space.
 constexpr std::size_t kBlock = 16;
 
-// The places of a body's vertices in `surface_vertex`.
-std::pair<std::size_t, std::size_t> surface_of(const Scene& scene, const Body& body) {
-  const auto begin = scene.surface_vertex.begin(), end = scene.surface_vertex.end();
-  const auto first = std::lower_bound(begin, end, body.first_vertex);
-  const auto last = std::lower_bound(first, end, body.first_vertex + body.vertex_count);
-  return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
-}
-
 void widen(Box3& box, Real by) {
   box.min().array() -= by;
   box.max().array() += by;

@@ -179,6 +179,13 @@ std::uint64_t SceneSerial::next() {
   return ++scenes;
 }
 
+std::pair<std::size_t, std::size_t> surface_of(const Scene& scene, const Body& body) {
+  const auto begin = scene.surface_vertex.begin(), end = scene.surface_vertex.end();
+  const auto first = std::lower_bound(begin, end, body.first_vertex);
+  const auto last = std::lower_bound(first, end, body.first_vertex + body.vertex_count);
+  return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
+}
+
 Scene build_scene(const SceneDescription& description) {
   check_description(description);
   Scene scene;

@@ -133,6 +133,9 @@ struct Scene {
   int vertex_count() const { return static_cast<int>(mass.size()); }
 };
 
+/// The places of a body's vertices in `surface_vertex`, from the first to before the second.
+std::pair<std::size_t, std::size_t> surface_of(const Scene& scene, const Body& body);
+
 /// Checks a description and builds the scene.
 /// Throws InputError with one sentence for: NaN or infinite numbers, indices out of range, inverted
 /// or zero-volume tetrahedra, tetrahedra whose highest frequency no number holds, vertices without
