@@ -64,6 +64,21 @@ TEST(Observables, WeighVerticesByTheirMass) {
             25 * test::kEpsilon);
 }
 
+// Two masses on the z axis, which have no inertia about it.
+TEST(Observables, TurnNothingAboutAnAxisWithoutInertia) {
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 2);
+  points.row(2) << -1.0, 1.0;
+  const Scene scene = build_scene(test::one_body(test::point_masses(points, 1.0)));
+  const State state = initial_state(scene);
+  const double inertia_about_x = scene.mass[0] + scene.mass[1];  // Σ m · (1 m)²
+  const Eigen::Vector3d turned = over_inertia(scene, state, scene.bodies[0], {3.0, -5.0, 7.0});
+  EXPECT_LT((inertia_about_x * turned - Eigen::Vector3d(3.0, -5.0, 0.0)).norm(), 1e-14);
+  State at_one_point = state;
+  for (Position& position : at_one_point.position) position.x.setZero();
+  EXPECT_EQ(over_inertia(scene, at_one_point, scene.bodies[0], {1.0, 1.0, 1.0}),
+            Eigen::Vector3d(0.0, 0.0, 0.0));
+}
+
 TEST(IsFinite, SeesASingleNaNInPositionsOrVelocitiesAndNotThePadding) {
   const Scene scene = two_bodies();
   State state = initial_state(scene);

@@ -247,6 +247,36 @@ TEST(Step, TakesNothingFromAWorkspaceThatSawOtherOptionsOrAnotherScene) {
   EXPECT_GT(closed, 30);
 }
 
+// Contacts that last, some of them open, with a workspace that saw other options in the step before.
+TEST(Step, TakesNoContactsOfOtherOptions) {
+  SceneDescription description = test::stacked_cubes(1e-9);
+  description.half_spaces = {test::ground(0.5)};
+  description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
+  const Scene scene = build_scene(description);
+  const Options usual{.time_step = 1e-4};
+  Options forgetting = usual, by_triangle = usual;
+  forgetting.pairs.hysteresis = 0.0;
+  by_triangle.pairs.key = PairKey::kTriangle;
+  State state = initial_state(scene);
+  Workspace workspace;
+  int lasted = 0;
+  for (int k = 0; k < 60; ++k) {
+    for (const Options& other : {forgetting, by_triangle}) {
+      lasted += workspace.search.found_same;
+      Workspace used = workspace;
+      State of_used = state, of_fresh = state;
+      for (const Options& options : {other, usual, usual}) {
+        Workspace fresh;
+        advance(scene, options, of_used, used, 1);
+        advance(scene, options, of_fresh, fresh, 1);
+        ASSERT_EQ(hash_of(of_used), hash_of(of_fresh)) << k;
+      }
+    }
+    advance(scene, usual, state, workspace, 1);
+  }
+  EXPECT_GT(lasted, 60);
+}
+
 // Two cubes on the ground come to rest; the upper one is knocked sideways, down and up, and put back now and then
 // to where it was. Where the contacts of the last step are taken for this one's, they are those that a new
 // workspace finds.

@@ -157,11 +157,12 @@ struct PairSearch {
     std::int32_t edge, body;
   };
   std::vector<EdgeBox> edge_box;  ///< scratch of the search for edges that cross
-  /// The options that what is known of faces, edges and partners depends on.
+  /// The options that what is known of contacts, faces, edges and partners depends on.
   struct KnownFor {
     PairFace face = PairFace::kOpposed;
     PairWeights weights = PairWeights::kTetrahedron;
-    Real tie_margin = 0.0, border_margin = 0.0;
+    PairKey key = PairKey::kBody;
+    Real tie_margin = 0.0, border_margin = 0.0, hysteresis = 0.0;
     bool operator==(const KnownFor&) const = default;
   } known_for;
   bool edges_listed = false;  ///< whether the next are of the present lists

@@ -183,7 +183,7 @@ TEST(CrossingEdges, NearACornerAreThoseThatAreShallow) {
 }
 
 // Two crossed bars go their ways and tremble, or set out of a sudden: pairs of edges that are known not to
-// touch are not looked at, most not even in passing, and what is found is what fresh lists find.
+// touch are not looked at, some not even in passing, and what is found is what fresh lists find.
 TEST(CrossingEdges, AreThoseOfFreshListsWhereSomeAreKnownNotToTouch) {
   std::size_t known = 0, found = 0, asleep = 0;
   const auto go = [&](double yaw, double depth, const Vec3& way, double tremble, bool suddenly) {

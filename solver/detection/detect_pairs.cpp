@@ -336,8 +336,8 @@ void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions
 // of the last step say nothing of this one's.
 void begin(const Scene& scene, const PairOptions& options, Workspace& workspace) {
   PairSearch& search = workspace.search;
-  const PairSearch::KnownFor now{options.face, options.weights, options.tie_margin,
-                                 options.border_margin};
+  const PairSearch::KnownFor now{options.face,       options.weights,       options.key,
+                                 options.tie_margin, options.border_margin, options.hysteresis};
   if (now == search.known_for && search.scene == scene.serial) return;
   search.known_for = now;
   search.edges_listed = false;
