@@ -14,6 +14,7 @@
 #include "solver/contact/pair_contacts.h"
 #include "solver/contact/pair_options.h"
 #include "solver/depth/consistent_scratch.h"
+#include "solver/detection/box_arrays.h"
 #include "solver/detection/element_boxes.h"
 #include "solver/detection/spatial_hash.h"
 #include "solver/detection/triangle_balls.h"
@@ -129,7 +130,8 @@ struct PairSearch {
   std::vector<Candidate> old_found;
   std::vector<Group> old_group;
   std::vector<Near> old_near;
-  ElementBoxes element_boxes;      ///< of one body, where it can meet another
+  ElementBoxes element_boxes;               ///< of one body, where it can meet another
+  std::vector<std::int32_t> common_vertex;  ///< of a meeting
   std::vector<Box3> vertex_block;  ///< of several surface vertices in turn, at the reference
   SpatialHash hash;
   std::vector<std::int32_t> candidate_place;
@@ -152,11 +154,6 @@ struct PairSearch {
   };
   TooDeep too_deep;
 
-  struct EdgeBox {
-    Box3 box;
-    std::int32_t edge, body;
-  };
-  std::vector<EdgeBox> edge_box;  ///< scratch of the search for edges that cross
   /// The options that what is known of contacts, faces, edges and partners depends on.
   struct KnownFor {
     PairFace face = PairFace::kOpposed;
@@ -165,7 +162,8 @@ struct PairSearch {
     Real tie_margin = 0.0, border_margin = 0.0, hysteresis = 0.0;
     bool operator==(const KnownFor&) const = default;
   } known_for;
-  bool edges_listed = false;  ///< whether the next are of the present lists
+  /// Whether the next are of the present lists, or were of those before.
+  bool edges_listed = false;
   /// Two sharp edges that may come to cross.
   struct EdgePair {
     ContactKey key;
@@ -176,6 +174,18 @@ struct PairSearch {
   };
   std::vector<EdgePair> edge_candidate;  ///< in the order of their keys
   Awake edge_awake;                      ///< those that may touch
+  BoxArrays edge_box;                    ///< of each sharp edge, at the reference
+  // Scratch of listing those: what they were before, the meetings of a body with later ones, and of each
+  // the other's edges that are near.
+  std::vector<EdgePair> old_edge_candidate;
+  struct EdgeMeeting {
+    const Meeting* of;
+    bool keeps;                      ///< its pairs of edges are as they were
+    std::size_t begin = 0, end = 0;  ///< in `near_edge`
+  };
+  std::vector<EdgeMeeting> edge_meeting;
+  std::vector<std::size_t> near_edge;
+  BoxArrays near_edge_box;
   /// How two edges pass each other.
   struct EdgeCrossing {
     Real along_a, along_b;  ///< where, 0 … 1 from the first end

@@ -41,8 +41,7 @@ void detect(const Scene& scene, double dt, const std::vector<Position>& position
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       // The box is a skin wider than where the body's vertices may be, which is far above round-off.
       if (clear_of(bounds->box[b], obstacle.normal, point)) continue;
-      const auto [begin, end] = surface_of(scene, scene.bodies[b]);
-      test(begin, end);
+      test(scene.bodies[b].surface_begin, scene.bodies[b].surface_end);
     }
   }
 }

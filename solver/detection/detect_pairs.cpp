@@ -357,14 +357,19 @@ void detect_pairs(const Scene& scene, const Options& options, const State& state
                   Workspace& workspace) {
   PairSearch& search = workspace.search;
   begin(scene, options.pairs, workspace);
-  if (update_candidates(scene, options.dt(), state, workspace.velocity, workspace.team, search)) {
-    search.edges_listed = false;
+  const bool renewed =
+      update_candidates(scene, options.dt(), state, workspace.velocity, workspace.team, search);
+  if (renewed) {
     search.found_same = false;
     if (options.pairs.face == PairFace::kOpposed) {
       note_outrun(scene, options.dt(), workspace.velocity, search);
     }
   }
-  if (with_edges(options) && !search.edges_listed) find_edge_candidates(scene, search);
+  if (!with_edges(options)) {
+    search.edges_listed = false;
+  } else if (renewed || !search.edges_listed) {
+    find_edge_candidates(scene, search);
+  }
   renew_pairs(scene, state.pair_geometry, options.pairs, workspace.team, search, workspace.pairs);
 }
 

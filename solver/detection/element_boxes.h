@@ -2,19 +2,19 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "solver/detection/boxes.h"
+#include "solver/detection/box_arrays.h"
+#include "solver/detection/spatial_hash.h"
 #include "solver/lanes/lanes.h"
 #include "solver/scene/scene.h"
 
 namespace stiction {
 
-/// Boxes around elements of one body, in arrays, so that several are compared side by side.
+/// Boxes around elements of one body.
 class ElementBoxes {
  public:
   /// Bounds the body's elements at `x`, m, widens each box by `margin`, m, and keeps those that meet
@@ -24,20 +24,16 @@ class ElementBoxes {
 
   std::size_t size() const { return element_.size(); }
 
-  /// Calls use(element, box) for those that meet `around`, in their order, by registers of `Bytes`.
+  /// Calls use(point, element) for each point and each box that holds it, those of a point in the order of
+  /// the elements, by registers of `Bytes`. `points`, at `x`, m, are within `around`, and not looked up yet.
   template <int Bytes, class Use>
-  STICTION_LANES_INLINE void for_each_at(const Box3& around, const Use& use) const {
-    constexpr std::size_t kCount = Lanes<Bytes>::kCount;
-    static_assert(kBlock % kCount == 0);
-    for (std::size_t begin = 0; begin < size(); begin += kBlock) {
-      if (apart(block_[begin / kBlock], around)) continue;
-      const std::size_t end = std::min(begin + kBlock, size());
-      for (std::size_t first = begin; first < end; first += kCount) {
-        for (unsigned bits = meeting<Bytes>(around, first, end); bits != 0; bits &= bits - 1) {
-          const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(bits));
-          use(element_[k], box(k));
-        }
-      }
+  STICTION_LANES_INLINE void for_each_holding(const Box3& around, SpatialHash& points,
+                                              const std::vector<Vec3>& x, const Use& use) {
+    if (points.points().size() <= kFew) {
+      for_each_holding_few<Bytes>(around, points.points(), use);
+    } else {
+      points.build();
+      for_each_holding_many<Bytes>(around, points, x, use);
     }
   }
 
@@ -45,30 +41,84 @@ class ElementBoxes {
   // What is next in number is near in space: so many are asked for by one box around all at first.
   static constexpr std::size_t kBlock = 16;
 
-  // Of the boxes from `first` on, below `end`: a bit each.
-  template <int Bytes>
-  STICTION_LANES_INLINE unsigned meeting(const Box3& around, std::size_t first,
-                                         std::size_t end) const {
-    using Number = Lanes<Bytes>;
-    const auto along = [&](std::size_t axis) __attribute__((always_inline)) {
-      const Number low = Number::load(&low_[axis][first]), high = Number::load(&high_[axis][first]);
-      const auto of_axis = static_cast<Eigen::Index>(axis);
-      return (low <= Number(around.max()[of_axis])) & (Number(around.min()[of_axis]) <= high);
+  // Of so many points each is compared with all boxes near them; of more, with those near it.
+  static constexpr std::size_t kFew = 24;
+
+  // By words of bits: where a loop ends after a few, register by register, the processor guesses wrong.
+  template <int Bytes, class Use>
+  STICTION_LANES_INLINE void for_each_holding_few(const Box3& around,
+                                                  std::span<const SpatialHash::Point> points,
+                                                  const Use& use) {
+    near_.resize(size());
+    std::size_t count = 0;
+    const auto note_block = [&](std::size_t begin) __attribute__((always_inline)) {
+      const auto note = [&](std::size_t k) __attribute__((always_inline)) {
+        near_[count++] = begin + k;
+      };
+      for_each_bit(meeting<Bytes>(begin, around), note);
     };
-    return first_bits(along(0) & along(1) & along(2), end - first);
+    for_each_block<Bytes>(around, note_block);
+    near_box_.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) near_box_.set(k, box_, near_[k]);
+    constexpr std::size_t kWord = 64;
+    for (const SpatialHash::Point& point : points) {
+      const BoxLanes<Bytes> there(Box3(point.x, point.x));
+      for (std::size_t begin = 0; begin < count; begin += kWord) {
+        const std::size_t end = std::min(begin + kWord, count);
+        const auto holds = [&](std::size_t k) __attribute__((always_inline)) {
+          use(point.number, element_[near_[begin + k]]);
+        };
+        for_each_bit(near_box_.meeting<Bytes>(begin, end, there), holds);
+      }
+    }
   }
 
-  Box3 box(std::size_t k) const {
-    return {Vec3(low_[0][k], low_[1][k], low_[2][k]), Vec3(high_[0][k], high_[1][k], high_[2][k])};
+  template <int Bytes, class Use>
+  STICTION_LANES_INLINE void for_each_holding_many(const Box3& around, SpatialHash& points,
+                                                   const std::vector<Vec3>& x, const Use& use) {
+    const auto look_up = [&](std::size_t begin) __attribute__((always_inline)) {
+      for (const std::int32_t point : points.points_in<Bytes>(block_[begin / kBlock])) {
+        const Vec3& there = x[static_cast<std::size_t>(point)];
+        const auto holds = [&](std::size_t k) __attribute__((always_inline)) {
+          use(point, element_[begin + k]);
+        };
+        for_each_bit(meeting<Bytes>(begin, Box3(there, there)), holds);
+      }
+    };
+    for_each_block<Bytes>(around, look_up);
+  }
+
+  // Calls use(begin) for the blocks that meet `around`.
+  template <int Bytes, class Use>
+  STICTION_LANES_INLINE void for_each_block(const Box3& around, const Use& use) const {
+    const BoxLanes<Bytes> there(around);
+    constexpr std::size_t kCount = Lanes<Bytes>::kCount;
+    const std::size_t blocks = (size() + kBlock - 1) / kBlock;
+    for (std::size_t first = 0; first < blocks; first += kCount) {
+      const std::size_t end = std::min(first + kCount, blocks);
+      const auto use_block = [&](std::size_t k) __attribute__((always_inline)) {
+        use((first + k) * kBlock);
+      };
+      for_each_bit(block_.meeting<Bytes>(first, end, there), use_block);
+    }
+  }
+
+  // Those of a block, a bit each.
+  template <int Bytes>
+  STICTION_LANES_INLINE std::uint64_t meeting(std::size_t begin, const Box3& around) const {
+    const std::size_t end = std::min(begin + kBlock, size());
+    return box_.meeting<Bytes>(begin, end, BoxLanes<Bytes>(around));
   }
 
   template <int Bytes>
   void bound_side_by_side(const Scene& scene, const Body& body, const std::vector<Vec3>& x,
                           Real margin, const Box3& within);
 
-  std::array<std::vector<Real>, 3> low_, high_;  // along each axis, m; longer by a register
+  BoxArrays box_, block_;  // of each, and around kBlock of them in turn
   std::vector<std::int32_t> element_;
-  std::vector<Box3> block_;  // around kBlock of them in turn
+  // Scratch: places of those near, and their boxes.
+  std::vector<std::size_t> near_;
+  BoxArrays near_box_;
 };
 
 }  // namespace stiction

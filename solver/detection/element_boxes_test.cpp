@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "solver/lanes/lane_width.h"
 #include "solver/testing/test_scenes.h"
 
@@ -35,69 +39,90 @@ struct Two {
   }
 };
 
-struct Seen {
-  std::vector<int> element;
-  std::vector<Vec3> low, high;
-  bool operator==(const Seen&) const = default;
+using Held = std::vector<std::pair<int, int>>;  // a point, and the element whose box holds it
 
-  void add(int e, const Box3& box) {
-    element.push_back(e);
-    low.push_back(box.min());
-    high.push_back(box.max());
+// Points are vertices of both bodies, `every`-th of them.
+struct Points {
+  std::vector<int> vertex;
+  Box3 around;
+
+  Points(const Two& two, std::size_t first, std::size_t every) {
+    for (std::size_t k = first; k < two.x.size(); k += every) {
+      vertex.push_back(static_cast<int>(k));
+      around.extend(two.x[k]);
+    }
   }
 };
 
 template <int Bytes>
-Seen seen_at(const ElementBoxes& boxes, const Box3& around) {
-  Seen seen;
-  boxes.for_each_at<Bytes>(around, [&](int e, const Box3& box) { seen.add(e, box); });
-  return seen;
+Held held_at(const Two& two, ElementBoxes& boxes, const Points& points) {
+  SpatialHash hash;
+  hash.clear(0.4);
+  for (const int k : points.vertex) hash.add(k, two.x[static_cast<std::size_t>(k)]);
+  Held held;
+  boxes.for_each_holding<Bytes>(points.around, hash, two.x, [&](int point, int element) {
+    held.push_back({point, element});
+  });
+  // Of one point they come in the order of the elements, points in any.
+  std::stable_sort(held.begin(), held.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  return held;
 }
 
-// One body has fewer elements than a block and the other more; within some boxes are all of them, and
-// within others none.
-TEST(ElementBoxes, AreThoseOfTheElementsThatMeetTwoBoxes) {
+Held expected_of(const Two& two, const Body& body, const Points& points, const Box3& within) {
+  Held expected;
+  for (const int k : points.vertex) {
+    for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
+      const Box3 box = two.box(e);
+      if (!box.intersects(within)) continue;
+      if (box.contains(two.x[static_cast<std::size_t>(k)])) expected.push_back({k, e});
+    }
+  }
+  return expected;
+}
+
+// One body has fewer elements than a block and the other more than a word has bits; points are a few, each
+// compared with all, and many, which are looked up; within some boxes are all elements, and within others none.
+TEST(ElementBoxes, HoldWhatComparingWithEachFinds) {
   const Two two;
-  int most = 0;
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    const Eigen::Matrix3Xd ends = test::noise(4, 1.5, 100 + seed);
-    const auto between = [&](int k) {
-      return Box3(Vec3(ends.col(k).cwiseMin(ends.col(k + 1))),
-                  Vec3(ends.col(k).cwiseMax(ends.col(k + 1))));
-    };
-    const Box3 within = between(0), around = between(2);
-    for (const Body& body : two.scene.bodies) {
-      Seen kept, wanted;
-      for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
-        const Box3 box = two.box(e);
-        if (!box.intersects(within)) continue;
-        kept.add(e, box);
-        if (box.intersects(around)) wanted.add(e, box);
-      }
-      most = std::max(most, static_cast<int>(wanted.element.size()));
-      for (const int width : lane_widths()) {
-        ElementBoxes boxes;
-        boxes.bound(two.scene, body, two.x, kMargin, within, width);
-        EXPECT_EQ(boxes.size(), kept.element.size());
-        EXPECT_EQ(seen_at<16>(boxes, around), wanted) << "width " << width << ", seed " << seed;
-        EXPECT_EQ(seen_at<32>(boxes, around), wanted) << "width " << width << ", seed " << seed;
-        EXPECT_EQ(seen_at<64>(boxes, around), wanted) << "width " << width << ", seed " << seed;
+  std::size_t most = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const Eigen::Matrix3Xd ends = test::noise(2, 1.5, 100 + seed);
+    const Box3 within = seed == 0 ? Box3(Vec3::Constant(-9), Vec3::Constant(9))
+                                  : Box3(Vec3(ends.col(0).cwiseMin(ends.col(1))),
+                                         Vec3(ends.col(0).cwiseMax(ends.col(1))));
+    for (const std::size_t every : {1, 5, 40}) {
+      const Points points(two, seed % every, every);
+      for (const Body& body : two.scene.bodies) {
+        const Held expected = expected_of(two, body, points, within);
+        most = std::max(most, expected.size());
+        for (const int width : lane_widths()) {
+          ElementBoxes boxes;
+          boxes.bound(two.scene, body, two.x, kMargin, within, width);
+          EXPECT_EQ(held_at<16>(two, boxes, points), expected)
+              << "width " << width << ", seed " << seed;
+          EXPECT_EQ(held_at<32>(two, boxes, points), expected)
+              << "width " << width << ", seed " << seed;
+          EXPECT_EQ(held_at<64>(two, boxes, points), expected)
+              << "width " << width << ", seed " << seed;
+        }
       }
     }
   }
-  EXPECT_GT(most, 20);
+  EXPECT_GT(most, 1000u);
 }
 
 // Of a body with fewer than before nothing is left.
 TEST(ElementBoxes, ForgetTheBodyBefore) {
   const Two two;
   const Box3 everywhere(Vec3::Constant(-9), Vec3::Constant(9));
+  const Points points(two, 0, 1);
   ElementBoxes boxes;
   for (const std::size_t b : {1, 0}) {
     const Body& body = two.scene.bodies[b];
     boxes.bound(two.scene, body, two.x, kMargin, everywhere, lane_width());
-    EXPECT_EQ(seen_at<16>(boxes, everywhere).element.size(),
-              static_cast<std::size_t>(body.element_count));
+    EXPECT_EQ(boxes.size(), static_cast<std::size_t>(body.element_count));
+    EXPECT_EQ(held_at<16>(two, boxes, points), expected_of(two, body, points, everywhere));
   }
 }
 

@@ -31,11 +31,6 @@ bool comes_before(const PairSearch::Meeting& a, const PairSearch::Meeting& b) {
   return a.body != b.body ? a.body < b.body : a.other < b.other;
 }
 
-// Whether either of two bodies has moved too far for its lists.
-bool is_renewed(const PairSearch& search, std::int32_t a, std::int32_t b) {
-  return search.renewed[static_cast<std::size_t>(a)] || search.renewed[static_cast<std::size_t>(b)];
-}
-
 // Forgets the lists of another scene.
 void begin_scene(const Scene& scene, std::size_t vertices, PairSearch& search) {
   if (search.scene == scene.serial && search.reference.size() == vertices) return;
@@ -83,7 +78,7 @@ void bound_bodies(const Scene& scene, PairSearch& search) {
   // Those that hold vertices of two bodies are made twice, to the same.
   search.vertex_block.resize((scene.surface_vertex.size() + kBlock - 1) / kBlock);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const auto [begin, end] = surface_of(scene, scene.bodies[b]);
+    const std::size_t begin = scene.bodies[b].surface_begin, end = scene.bodies[b].surface_end;
     if (!search.renewed[b] || begin == end) continue;
     for (std::size_t block = begin / kBlock; block * kBlock < end; ++block) {
       const std::size_t last = std::min((block + 1) * kBlock, scene.surface_vertex.size());
@@ -130,17 +125,13 @@ void find_meetings(const Scene& scene, PairSearch& search) {
   std::sort(search.meeting.begin(), search.meeting.end(), comes_before);
 }
 
-// The vertices of a meeting that are in an element's box.
-template <int Bytes>
-STICTION_LANES_INLINE void note_vertices(const Scene& scene, const PairSearch::Meeting& meeting,
-                                         std::int32_t element, const Box3& box,
-                                         PairSearch& search) {
-  const bool self = meeting.body == meeting.other;
+// A vertex of a meeting that is in an element's box.
+void note_vertex(const Scene& scene, const PairSearch::Meeting& meeting, std::int32_t vertex,
+                 std::int32_t element, PairSearch& search) {
   const auto& corner = scene.elements[static_cast<std::size_t>(element)].vertex;
-  for (const std::int32_t vertex : search.hash.points_in<Bytes>(box)) {
-    if (self && std::count(corner, corner + 4, vertex) > 0) continue;
-    search.found.push_back({contact_key(vertex, meeting.body), element});
-  }
+  const bool self = meeting.body == meeting.other;
+  if (self && std::count(corner, corner + 4, vertex) > 0) return;
+  search.found.push_back({contact_key(vertex, meeting.body), element});
 }
 
 // Most rows and blocks have few: wider registers would be filled by half.
@@ -151,25 +142,32 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
   const Body& other = scene.bodies[static_cast<std::size_t>(meeting.other)];
   search.hash.clear(scene.topology.mean_edge);
   Box3 around;  // those vertices
-  const auto [first, last] = surface_of(scene, other);
-  for (std::size_t begin = first, end; begin < last; begin = end) {
-    end = std::min((begin / kBlock + 1) * kBlock, last);
+  const auto at = [&](std::int32_t vertex) -> const Vec3& {
+    return search.reference[static_cast<std::size_t>(vertex)];
+  };
+  // Noted whether they are wanted or not, for which is anybody's guess.
+  std::vector<std::int32_t>& common = search.common_vertex;
+  common.resize(other.surface_end - other.surface_begin);
+  std::size_t count = 0;
+  for (std::size_t begin = other.surface_begin, end; begin < other.surface_end; begin = end) {
+    end = std::min((begin / kBlock + 1) * kBlock, other.surface_end);
     if (apart(search.vertex_block[begin / kBlock], meeting.common)) continue;
     for (std::size_t k = begin; k < end; ++k) {
-      const std::int32_t vertex = scene.surface_vertex[k];
-      const Vec3& x = search.reference[static_cast<std::size_t>(vertex)];
-      if (!holds(meeting.common, x)) continue;
-      search.hash.add(vertex, x);
-      around.extend(x);
+      common[count] = scene.surface_vertex[k];
+      count += static_cast<std::size_t>(holds(meeting.common, at(common[count])));
     }
   }
-  search.hash.build();
+  for (std::size_t k = 0; k < count; ++k) {
+    search.hash.add(common[k], at(common[k]));
+    around.extend(at(common[k]));
+  }
   if (search.hash.empty()) return;
   in_lanes(
       kSideBySide, lane_width(), [&](auto bytes) __attribute__((always_inline)) {
-        search.element_boxes.for_each_at<bytes>(
-            around, [&](std::int32_t element, const Box3& box) __attribute__((always_inline)) {
-              note_vertices<bytes>(scene, meeting, element, box, search);
+        search.element_boxes.for_each_holding<bytes>(
+            around, search.hash, search.reference,
+            [&](std::int32_t vertex, std::int32_t element) __attribute__((always_inline)) {
+              note_vertex(scene, meeting, vertex, element, search);
             });
       });
 }

@@ -16,14 +16,18 @@ namespace stiction {
 ///   x in tetrahedron, each coordinate of each vertex within s of the reference  ⇒
 ///   x_reference in the tetrahedron's reference box widened by 2s
 ///
-/// How far each body has moved since is noted (follow.h). So the lists of two bodies hold until some vertex of either has moved by more than the
-/// skin s along an axis since they were made; until then a step only tests what they name, and
-/// others' are made anew without them. What is found never
-/// depends on when they were made. They are made from the overlap of two bodies' boxes by spatial
-/// hashing, linear in the primitives there; bodies that are apart are not looked at. Returns whether
-/// any were made anew.
+/// How far each body has moved since is noted (follow.h). So the lists of two bodies hold until some
+/// vertex of either has moved by more than the skin s along an axis since they were made; until then a
+/// step only tests what they name, and others' are made anew without them. What is found never depends
+/// on when they were made. They are made from the overlap of two bodies' boxes (element_boxes.h), linear
+/// in the primitives there; bodies that are apart are not looked at. Returns whether any were made anew.
 bool update_candidates(const Scene& scene, Real dt, const State& state,
                        const std::vector<Velocity>& velocity, const Team* team, PairSearch& search);
+
+/// Whether the lists of two bodies were made anew in this step: either had moved too far for them.
+inline bool is_renewed(const PairSearch& search, std::int32_t a, std::int32_t b) {
+  return search.renewed[static_cast<std::size_t>(a)] || search.renewed[static_cast<std::size_t>(b)];
+}
 
 /// Far above the round-off of a distance of the lists, for a vertex so far from the origin, m.
 inline Real list_rounding(const PairSearch& search, Real from_origin) {

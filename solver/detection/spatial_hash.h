@@ -23,10 +23,15 @@ namespace stiction {
 /// allocates nothing once it is warm; each point carries its cell, so that two cells with one hash are
 /// told apart. Where the points fill the box of their cells, as those of a surface where it touches
 /// another do, the cells are numbered row by row instead, and a row is looked up at once. Points of a
-/// cell or row are compared side by side; a few are all compared, as they came.
+/// cell or row are compared side by side.
 class SpatialHash {
  public:
   using Cell = Eigen::Matrix<std::int32_t, 3, 1>;
+  struct Point {
+    Vec3 x;     ///< m
+    Cell cell;  ///< once the table is built
+    std::int32_t number;
+  };
 
   /// Forgets all points; `cell_size` > 0, m.
   void clear(Real cell_size) {
@@ -36,6 +41,9 @@ class SpatialHash {
 
   void add(std::int32_t point, const Vec3& x) { entries_.push_back({x, Cell::Zero(), point}); }
 
+  /// All of them, as they came.
+  std::span<const Point> points() const { return entries_; }
+
   /// To be called once, when all points are in.
   void build() {
     const std::size_t count = entries_.size();
@@ -43,10 +51,7 @@ class SpatialHash {
     inside_.resize(count);
     // What the last register reads beyond the last point is a number, and not looked at.
     for (std::vector<Real>& x : x_) x.resize(count + static_cast<std::size_t>(kMostLanes));
-    if (count <= kFew) {
-      for (std::size_t k = 0; k < count; ++k) put(k, entries_[k]);
-      return;
-    }
+    if (count == 0) return;
     number_cells();
     std::size_t size = cells_;
     if (!by_rows()) {
@@ -56,9 +61,9 @@ class SpatialHash {
       cell_.resize(count);
     }
     begin_.assign(size + 1, 0);
-    for (const Entry& entry : entries_) ++begin_[bucket(entry.cell) + 1];
+    for (const Point& entry : entries_) ++begin_[bucket(entry.cell) + 1];
     for (std::size_t k = 1; k <= size; ++k) begin_[k] += begin_[k - 1];
-    for (const Entry& entry : entries_) {
+    for (const Point& entry : entries_) {
       // Each bucket's begin moves to its end here, and back below.
       const std::size_t place = begin_[bucket(entry.cell)]++;
       put(place, entry);
@@ -83,7 +88,7 @@ class SpatialHash {
   }
 
   /// The points in the box, each once, until the next call, by registers of `Bytes`. All are compared
-  /// where they are few, or where the box has far more cells than there are points.
+  /// where the box has far more cells than there are points.
   template <int Bytes>
   STICTION_LANES_INLINE std::span<const std::int32_t> points_in(const Box3& box) {
     const InBox<Bytes> in_box(box, *this);
@@ -102,7 +107,7 @@ class SpatialHash {
       note(0, point_.size(), any);
       return std::span<const std::int32_t>(inside_.data(), found);
     };
-    if (point_.size() <= kFew) return all();
+    if (empty()) return {};
     const Cell low = cell(box.min()), high = cell(box.max());
     if (by_rows()) {
       const Cell from = low.cwiseMax(low_), to = high.cwiseMin(high_);
@@ -132,14 +137,6 @@ class SpatialHash {
   bool empty() const { return entries_.empty(); }
 
  private:
-  struct Entry {
-    Vec3 x;
-    Cell cell;  // where they are more than a few
-    std::int32_t point;
-  };
-
-  static constexpr std::size_t kFew = 24;  // as in most meetings of a pile
-
   // Which of the points side by side are in a box.
   template <int Bytes>
   struct InBox {
@@ -164,11 +161,11 @@ class SpatialHash {
     }
   };
 
-  void put(std::size_t place, const Entry& entry) {
+  void put(std::size_t place, const Point& entry) {
     for (int axis = 0; axis < 3; ++axis) {
       x_[static_cast<std::size_t>(axis)][place] = entry.x[axis];
     }
-    point_[place] = entry.point;
+    point_[place] = entry.number;
   }
 
   bool by_rows() const { return cells_ > 0; }
@@ -177,7 +174,7 @@ class SpatialHash {
   void number_cells() {
     cells_ = 0;
     low_ = high_ = cell(entries_[0].x);
-    for (Entry& entry : entries_) {
+    for (Point& entry : entries_) {
       entry.cell = cell(entry.x);
       low_ = low_.cwiseMin(entry.cell);
       high_ = high_.cwiseMax(entry.cell);
@@ -202,7 +199,7 @@ class SpatialHash {
   std::uint32_t mask_ = 0;
   Cell low_ = Cell::Zero(), high_ = Cell::Zero();  // of the points' cells
   std::size_t cells_ = 0;                          // between those; 0: they are hashed
-  std::vector<Entry> entries_;
+  std::vector<Point> entries_;
   std::vector<std::uint32_t> begin_;
   // Bucket by bucket:
   std::array<std::vector<Real>, 3> x_;

@@ -143,6 +143,7 @@ Topology build_topology(const Scene& scene) {
     topology.body_triangle_begin.push_back(static_cast<std::int32_t>(topology.triangle.size()));
     const std::size_t first = topology.triangle.size();
     add_triangles(scene, body, topology);
+    topology.body_edge_begin.push_back(static_cast<std::int32_t>(topology.sharp_edge.size()));
     add_sharp_edges(scene, first, topology);
     Real least = std::numeric_limits<Real>::infinity();
     for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
@@ -151,6 +152,7 @@ Topology build_topology(const Scene& scene) {
     topology.least_width.push_back(least);
   }
   topology.body_triangle_begin.push_back(static_cast<std::int32_t>(topology.triangle.size()));
+  topology.body_edge_begin.push_back(static_cast<std::int32_t>(topology.sharp_edge.size()));
   note_ends(scene, topology);
   topology.mean_edge = mean_edge_length(scene);
 

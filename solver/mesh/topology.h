@@ -35,8 +35,9 @@ struct Topology {
     std::int32_t element;      ///< one that has the edge
     bool goes_on[2];           ///< another sharp edge goes on there within 30° of straight on
   };
-  std::vector<SharpEdge> sharp_edge;  ///< body by body
-  Real mean_edge = 0.0;               ///< of all elements, m: the cell of the hash
+  std::vector<SharpEdge> sharp_edge;          ///< body by body
+  std::vector<std::int32_t> body_edge_begin;  ///< first sharp edge of each body, and one past all
+  Real mean_edge = 0.0;                       ///< of all elements, m: the cell of the hash
   /// Per body: the least width of its elements at rest, m; infinite where it has none. The hat
   /// functions of any of an element's corners fall from 1 to 0 within no less. So from a point of
   /// an element e to a triangle that shares no corner with e it is at least as far.

@@ -121,6 +121,7 @@ void add_body(const BodyDescription& body, Scene& scene) {
     scene.inverse_mass[static_cast<std::size_t>(place)] = 0.0;
     scene.initial_velocity.col(place) = body.motion.velocity.cast<Real>();
   }
+  const std::size_t surface_begin = scene.surface_vertex.size();
   for (int k = 0; k < numbering.surface_count; ++k) scene.surface_vertex.push_back(first + k);
 
   const auto described_before = static_cast<int>(scene.elements.size());
@@ -148,6 +149,8 @@ void add_body(const BodyDescription& body, Scene& scene) {
   scene.bodies.push_back({.name = body.name,
                           .first_vertex = first,
                           .vertex_count = static_cast<int>(count),
+                          .surface_begin = surface_begin,
+                          .surface_end = scene.surface_vertex.size(),
                           .mass = std::accumulate(mass.begin(), mass.end(), 0.0),
                           .first_element = static_cast<int>(first_element),
                           .element_count = static_cast<int>(body.mesh.tetrahedra.cols()),
@@ -177,13 +180,6 @@ FrictionTable own_friction(const Scene& scene, const std::vector<PairFriction>& 
 std::uint64_t SceneSerial::next() {
   static std::atomic<std::uint64_t> scenes{0};
   return ++scenes;
-}
-
-std::pair<std::size_t, std::size_t> surface_of(const Scene& scene, const Body& body) {
-  const auto begin = scene.surface_vertex.begin(), end = scene.surface_vertex.end();
-  const auto first = std::lower_bound(begin, end, body.first_vertex);
-  const auto last = std::lower_bound(first, end, body.first_vertex + body.vertex_count);
-  return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
 }
 
 Scene build_scene(const SceneDescription& description) {

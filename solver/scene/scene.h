@@ -71,6 +71,8 @@ struct Body {
   std::string name;
   int first_vertex = 0;  ///< its vertices are contiguous
   int vertex_count = 0;
+  std::size_t surface_begin = 0;  ///< its places in Scene::surface_vertex, to before `surface_end`
+  std::size_t surface_end = 0;
   double mass = 0.0;      ///< kg, the sum of its vertices', pinned ones included
   int first_element = 0;  ///< its elements are contiguous
   int element_count = 0;
@@ -132,9 +134,6 @@ struct Scene {
 
   int vertex_count() const { return static_cast<int>(mass.size()); }
 };
-
-/// The places of a body's vertices in `surface_vertex`, from the first to before the second.
-std::pair<std::size_t, std::size_t> surface_of(const Scene& scene, const Body& body);
 
 /// Checks a description and builds the scene.
 /// Throws InputError with one sentence for: NaN or infinite numbers, indices out of range, inverted
