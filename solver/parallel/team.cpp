@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <system_error>
@@ -18,6 +19,7 @@
 #include <chrono>
 #include <ctime>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -161,24 +163,59 @@ class OpenWork {
   std::exception_ptr thrown_;
 };
 
+// The work of the teams there are, by number. A helper who was called knows the number alone: oneTBB may let
+// him begin after his team has gone, or never, where the program ends before.
+class OpenWorks {
+ public:
+  static OpenWorks& all() {
+    static auto* const works =
+        new OpenWorks;  // for ever: for who comes while the program ends, too
+    return *works;
+  }
+  std::uint64_t add(const std::shared_ptr<OpenWork>& work) {
+    const std::lock_guard lock(changing_);
+    work_[++last_] = work;
+    return last_;
+  }
+  void remove(std::uint64_t number) {
+    const std::lock_guard lock(changing_);
+    work_.erase(number);
+  }
+  std::shared_ptr<OpenWork> find(std::uint64_t number) {
+    const std::lock_guard lock(changing_);
+    const auto found = work_.find(number);
+    return found == work_.end() ? nullptr : found->second;
+  }
+
+ private:
+  std::mutex changing_;
+  std::map<std::uint64_t, std::shared_ptr<OpenWork>> work_;
+  std::uint64_t last_ = 0;
+};
+
 }  // namespace
 
 struct Team::Arena {
   // More than the machine has would gain nothing, and oneTBB would say so on standard error.
   explicit Arena(int wanted) : threads(std::min(wanted, tbb::info::default_concurrency())) {}
-  ~Arena() { work->end(); }
+  ~Arena() {
+    work->end();
+    OpenWorks::all().remove(number);
+  }
 
   int threads;
   tbb::task_arena arena{threads};
-  // Of helpers too, whom oneTBB may let begin after the team has gone.
-  std::shared_ptr<OpenWork> work = std::make_shared<OpenWork>();
+  std::shared_ptr<OpenWork> work = std::make_shared<OpenWork>();  // of helpers too, while they help
+  std::uint64_t number = OpenWorks::all().add(work);
 };
 
 int most_threads() { return 256; }
 
 void Team::share(std::size_t count, Call call, const void* work) const {
   while (arena_->work->calls_helper(arena_->threads - 1)) {
-    arena_->arena.enqueue([open = arena_->work] { open->help(); });
+    arena_->arena.enqueue([number = arena_->number] {
+      if (const auto open = OpenWorks::all().find(number)) open->help();
+    });
   }
   arena_->work->share(count, call, work);
 }
