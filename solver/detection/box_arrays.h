@@ -36,15 +36,10 @@ struct BoxLanes {
   }
 };
 
-/// Calls use(k) for the places of the bits that are set, the lowest first.
-template <class Use>
-STICTION_LANES_INLINE void for_each_bit(std::uint64_t bits, const Use& use) {
-  for (; bits != 0; bits &= bits - 1) use(static_cast<std::size_t>(std::countr_zero(bits)));
-}
-
-/// Boxes in arrays, m. A register that begins at one of them may be read.
+/// Boxes in arrays, m.
 class BoxArrays {
  public:
+  /// Makes place for so many; those there are stay.
   void reserve(std::size_t count) {
     for (auto* side : {&low_, &high_}) {
       for (std::vector<Real>& numbers : *side) {
@@ -52,15 +47,7 @@ class BoxArrays {
       }
     }
   }
-  template <int Bytes>
-  STICTION_LANES_INLINE BoxLanes<Bytes> lanes(std::size_t first) const {
-    BoxLanes<Bytes> boxes;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      boxes.low[axis] = Lanes<Bytes>::load(&low_[axis][first]);
-      boxes.high[axis] = Lanes<Bytes>::load(&high_[axis][first]);
-    }
-    return boxes;
-  }
+  /// A register of them, from a place that there is on.
   template <int Bytes>
   STICTION_LANES_INLINE void set_lanes(std::size_t first, const BoxLanes<Bytes>& boxes) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -83,21 +70,45 @@ class BoxArrays {
       high_[axis][k] = other.high_[axis][of_other];
     }
   }
-  // Those from `begin` to before `end`, at most 64, that have a point in common with what is in all lanes of
-  // `there`: a bit each.
-  template <int Bytes>
-  STICTION_LANES_INLINE std::uint64_t meeting(std::size_t begin, std::size_t end,
-                                              const BoxLanes<Bytes>& there) const {
-    constexpr std::size_t kCount = Lanes<Bytes>::kCount;
-    std::uint64_t bits = 0;
-    for (std::size_t k = begin; k < end; k += kCount) {
-      bits |= std::uint64_t{lanes<Bytes>(k).meeting(there)} << (k - begin);
+  /// Calls use(k) for those from `begin` to before `end` that have a point in common with `box`, in their
+  /// order. They are asked for by words of bits: where a loop ends after a few, register by register, the
+  /// processor guesses wrong.
+  template <int Bytes, class Use>
+  STICTION_LANES_INLINE void for_each_meeting(std::size_t begin, std::size_t end, const Box3& box,
+                                              const Use& use) const {
+    const BoxLanes<Bytes> there(box);
+    for (std::size_t first = begin; first < end; first += kWord) {
+      const std::size_t count = std::min(end - first, kWord);
+      for (std::uint64_t bits = meeting(first, count, there); bits != 0; bits &= bits - 1) {
+        use(first + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
     }
-    return bits & (~std::uint64_t{0} >> (64 - (end - begin)));
   }
 
  private:
-  std::array<std::vector<Real>, 3> low_, high_;  // along each axis
+  static constexpr std::size_t kWord = 64;
+
+  // Of `count` from `first` on, 1 to kWord, a bit each. The last register may reach beyond them.
+  template <int Bytes>
+  STICTION_LANES_INLINE std::uint64_t meeting(std::size_t first, std::size_t count,
+                                              const BoxLanes<Bytes>& there) const {
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < count; k += Lanes<Bytes>::kCount) {
+      bits |= std::uint64_t{lanes<Bytes>(first + k).meeting(there)} << k;
+    }
+    return bits & (~std::uint64_t{0} >> (kWord - count));
+  }
+  template <int Bytes>
+  STICTION_LANES_INLINE BoxLanes<Bytes> lanes(std::size_t first) const {
+    BoxLanes<Bytes> boxes;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      boxes.low[axis] = Lanes<Bytes>::load(&low_[axis][first]);
+      boxes.high[axis] = Lanes<Bytes>::load(&high_[axis][first]);
+    }
+    return boxes;
+  }
+
+  std::array<std::vector<Real>, 3> low_, high_;  // along each axis, longer by a register
 };
 
 }  // namespace stiction

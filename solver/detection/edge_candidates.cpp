@@ -14,7 +14,6 @@ namespace {
 
 // So few edges of a body are near another that wider registers would be filled by half.
 constexpr int kSideBySide = 4;
-constexpr std::size_t kWord = 64;  // of bits, as many as are asked for at once
 
 // Edges are numbered body by body, and meetings are in the order of their bodies: so pairs come in the
 // order of their keys, made anew or kept.
@@ -89,15 +88,11 @@ class EdgeLists {
   // Lists those of the edges that may be where a meeting is.
   template <int Bytes>
   STICTION_LANES_INLINE void list_near(const Range& edges, PairSearch::EdgeMeeting& meeting) {
-    const BoxLanes<Bytes> there(meeting.of->common);
     meeting.begin = search_.near_edge.size();
-    for (std::size_t first = edges.begin; first < edges.end; first += kWord) {
-      const std::size_t end = std::min(first + kWord, edges.end);
-      const auto note = [&](std::size_t k) __attribute__((always_inline)) {
-        search_.near_edge.push_back(first + k);
-      };
-      for_each_bit(search_.edge_box.meeting<Bytes>(first, end, there), note);
-    }
+    const auto note = [&](std::size_t e) __attribute__((always_inline)) {
+      search_.near_edge.push_back(e);
+    };
+    search_.edge_box.for_each_meeting<Bytes>(edges.begin, edges.end, meeting.of->common, note);
     meeting.end = search_.near_edge.size();
     search_.near_edge_box.reserve(meeting.end);
     for (std::size_t k = meeting.begin; k < meeting.end; ++k) {
@@ -109,16 +104,12 @@ class EdgeLists {
   template <int Bytes>
   STICTION_LANES_INLINE void add(std::size_t edge, const Box3& box,
                                  const PairSearch::EdgeMeeting& meeting) {
-    const BoxLanes<Bytes> there(box);
-    for (std::size_t first = meeting.begin; first < meeting.end; first += kWord) {
-      const std::size_t end = std::min(first + kWord, meeting.end);
-      const auto pair = [&](std::size_t k) __attribute__((always_inline)) {
-        search_.edge_candidate.push_back({.key = key_of(edge, search_.near_edge[first + k]),
-                                          .body_a = static_cast<std::uint32_t>(meeting.of->body),
-                                          .body_b = static_cast<std::uint32_t>(meeting.of->other)});
-      };
-      for_each_bit(search_.near_edge_box.meeting<Bytes>(first, end, there), pair);
-    }
+    const auto pair = [&](std::size_t k) __attribute__((always_inline)) {
+      search_.edge_candidate.push_back({.key = key_of(edge, search_.near_edge[k]),
+                                        .body_a = static_cast<std::uint32_t>(meeting.of->body),
+                                        .body_b = static_cast<std::uint32_t>(meeting.of->other)});
+    };
+    search_.near_edge_box.for_each_meeting<Bytes>(meeting.begin, meeting.end, box, pair);
   }
 
   // Keeps the pairs of an edge with others as they are. To be called in the order of their keys.

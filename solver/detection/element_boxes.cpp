@@ -53,13 +53,13 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
 void ElementBoxes::bound(const Scene& scene, const Body& body, const std::vector<Vec3>& x,
                          Real margin, const Box3& within, int width) {
   const auto count = static_cast<std::size_t>(body.element_count);
-  box_.reserve(count + kBlock);
+  box_.reserve(count);
   element_.resize(count);
   in_lanes(
       body.element_count, width, [&](auto bytes) __attribute__((always_inline)) {
         bound_side_by_side<bytes>(scene, body, x, margin, within);
       });
-  block_.reserve((size() + kBlock - 1) / kBlock);
+  block_.reserve(blocks());
   for (std::size_t begin = 0; begin < size(); begin += kBlock) {
     Box3 block;
     for (std::size_t k = begin; k < std::min(begin + kBlock, size()); ++k) block.extend(box_[k]);

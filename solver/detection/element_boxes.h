@@ -44,70 +44,50 @@ class ElementBoxes {
   // Of so many points each is compared with all boxes near them; of more, with those near it.
   static constexpr std::size_t kFew = 24;
 
-  // By words of bits: where a loop ends after a few, register by register, the processor guesses wrong.
   template <int Bytes, class Use>
   STICTION_LANES_INLINE void for_each_holding_few(const Box3& around,
                                                   std::span<const SpatialHash::Point> points,
                                                   const Use& use) {
     near_.resize(size());
     std::size_t count = 0;
-    const auto note_block = [&](std::size_t begin) __attribute__((always_inline)) {
-      const auto note = [&](std::size_t k) __attribute__((always_inline)) {
-        near_[count++] = begin + k;
-      };
-      for_each_bit(meeting<Bytes>(begin, around), note);
+    const auto note = [&](std::size_t k) __attribute__((always_inline)) { near_[count++] = k; };
+    const auto note_block = [&](std::size_t b) __attribute__((always_inline)) {
+      for_each_of_block<Bytes>(b, around, note);
     };
-    for_each_block<Bytes>(around, note_block);
+    block_.for_each_meeting<Bytes>(0, blocks(), around, note_block);
     near_box_.reserve(count);
     for (std::size_t k = 0; k < count; ++k) near_box_.set(k, box_, near_[k]);
-    constexpr std::size_t kWord = 64;
     for (const SpatialHash::Point& point : points) {
-      const BoxLanes<Bytes> there(Box3(point.x, point.x));
-      for (std::size_t begin = 0; begin < count; begin += kWord) {
-        const std::size_t end = std::min(begin + kWord, count);
-        const auto holds = [&](std::size_t k) __attribute__((always_inline)) {
-          use(point.number, element_[near_[begin + k]]);
-        };
-        for_each_bit(near_box_.meeting<Bytes>(begin, end, there), holds);
-      }
+      const auto holds = [&](std::size_t k) __attribute__((always_inline)) {
+        use(point.number, element_[near_[k]]);
+      };
+      near_box_.for_each_meeting<Bytes>(0, count, Box3(point.x, point.x), holds);
     }
   }
 
   template <int Bytes, class Use>
   STICTION_LANES_INLINE void for_each_holding_many(const Box3& around, SpatialHash& points,
                                                    const std::vector<Vec3>& x, const Use& use) {
-    const auto look_up = [&](std::size_t begin) __attribute__((always_inline)) {
-      for (const std::int32_t point : points.points_in<Bytes>(block_[begin / kBlock])) {
+    const auto look_up = [&](std::size_t b) __attribute__((always_inline)) {
+      for (const std::int32_t point : points.points_in<Bytes>(block_[b])) {
         const Vec3& there = x[static_cast<std::size_t>(point)];
         const auto holds = [&](std::size_t k) __attribute__((always_inline)) {
-          use(point, element_[begin + k]);
+          use(point, element_[k]);
         };
-        for_each_bit(meeting<Bytes>(begin, Box3(there, there)), holds);
+        for_each_of_block<Bytes>(b, Box3(there, there), holds);
       }
     };
-    for_each_block<Bytes>(around, look_up);
+    block_.for_each_meeting<Bytes>(0, blocks(), around, look_up);
   }
 
-  // Calls use(begin) for the blocks that meet `around`.
+  std::size_t blocks() const { return (size() + kBlock - 1) / kBlock; }
+
+  // Calls use(k) for those of a block that meet `around`.
   template <int Bytes, class Use>
-  STICTION_LANES_INLINE void for_each_block(const Box3& around, const Use& use) const {
-    const BoxLanes<Bytes> there(around);
-    constexpr std::size_t kCount = Lanes<Bytes>::kCount;
-    const std::size_t blocks = (size() + kBlock - 1) / kBlock;
-    for (std::size_t first = 0; first < blocks; first += kCount) {
-      const std::size_t end = std::min(first + kCount, blocks);
-      const auto use_block = [&](std::size_t k) __attribute__((always_inline)) {
-        use((first + k) * kBlock);
-      };
-      for_each_bit(block_.meeting<Bytes>(first, end, there), use_block);
-    }
-  }
-
-  // Those of a block, a bit each.
-  template <int Bytes>
-  STICTION_LANES_INLINE std::uint64_t meeting(std::size_t begin, const Box3& around) const {
-    const std::size_t end = std::min(begin + kBlock, size());
-    return box_.meeting<Bytes>(begin, end, BoxLanes<Bytes>(around));
+  STICTION_LANES_INLINE void for_each_of_block(std::size_t block, const Box3& around,
+                                               const Use& use) const {
+    const std::size_t begin = block * kBlock;
+    box_.for_each_meeting<Bytes>(begin, std::min(begin + kBlock, size()), around, use);
   }
 
   template <int Bytes>

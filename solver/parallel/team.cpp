@@ -168,8 +168,8 @@ class OpenWork {
 class OpenWorks {
  public:
   static OpenWorks& all() {
-    static auto* const works =
-        new OpenWorks;  // for ever: for who comes while the program ends, too
+    // For ever: for who comes while the program ends, too.
+    static auto* const works = new OpenWorks;
     return *works;
   }
   std::uint64_t add(const std::shared_ptr<OpenWork>& work) {
