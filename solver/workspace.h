@@ -199,7 +199,9 @@ struct PairSearch {
     bool outdone = false;  ///< by another, so that it counts for nothing
   };
   std::vector<EdgeTouch> edge_touch;
-  std::vector<std::uint64_t> touch_by_b;  ///< their places below their edges b
+  std::vector<std::size_t> touch_counts;  ///< places of those that no other outdoes
+  std::vector<std::uint64_t> touch_by_b;  ///< their places below their edges b, in this order
+  std::vector<ContactKey> touch_key;      ///< of those that it was made of
   /// … of a part of the candidates, which a thread of a team looks at.
   struct EdgePart {
     std::vector<EdgeTouch> touch;

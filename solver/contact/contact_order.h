@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solver/contact/contacts.h"
@@ -15,10 +16,12 @@
 namespace stiction {
 
 /// The order in which forces of contacts go to their vertices. Few contacts have that of their keys.
-/// Many are cut into chunks of neighbours, and chunks that share no vertex have the same colour:
-/// colour by colour, the threads of a team do the chunks of one side by side, and each vertex gets
-/// its forces in the same order for any number of threads. It follows from the contacts of the step
-/// alone, so that a state that is restored goes on as it did.
+/// Many come in that of the first of their vertices along a curve through the scene, so that those
+/// stand together that lie together, whichever of two bodies a vertex is of, and are cut into chunks;
+/// chunks that share no vertex have the same colour: colour by colour, the threads of a team do the
+/// chunks of one side by side, and each vertex gets its forces in the same order for any number of
+/// threads. It follows from the scene and the contacts of the step alone, so that a state that is
+/// restored goes on as it did.
 ///
 /// Contacts that share no vertex can change places without changing a bit. Where contacts have lasted
 /// for a step, those that share one are put apart: each comes in the first round after those of all
@@ -26,23 +29,24 @@ namespace stiction {
 /// solves), so that the processor has several to do at once, none of which waits for the last.
 class ContactOrder {
  public:
-  /// Places [begin, end), which have the contacts [begin, end) between them: those with obstacles in
-  /// their order, others where `sequence` says.
+  /// Places [begin, end). Contacts with obstacles have those of their own numbers, others those that
+  /// `sequence` says.
   struct Chunk {
     std::size_t begin = 0, end = 0;
   };
 
   /// Fewer contacts than this are one chunk: threads would gain nothing.
-  static constexpr std::size_t kMany = 4096;
+  static constexpr std::size_t kMany = 1536;
 
   /// So many contacts in the order of their keys.
   void in_one_chunk(std::size_t contacts);
-  /// Of contacts between bodies; a scene has so many vertices. Calls work(chunk) for each chunk, as by
+  /// Of contacts between bodies; `places` are those of the scene's vertices along the curve
+  /// (Topology::vertex_place). Calls work(chunk) for each chunk, as by
   /// `for_each_chunk`: while it is found out whether these are the contacts that the order was made of
   /// before, so that each record is fetched once for both. `restart()` comes first, and again where they
   /// are not and all chunks are others.
   template <class Restart, class Work>
-  void make(const PairContacts& pairs, std::size_t vertices, const Team* team,
+  void make(const PairContacts& pairs, std::span<const std::int32_t> places, const Team* team,
             const Restart& restart, const Work& work) {
     restart();
     if (is_for(pairs.size())) {
@@ -51,18 +55,17 @@ class ContactOrder {
         if (!is_of(pairs, chunk)) lasts = false;
         work(chunk);
       });
-      if (lasts) return put_apart(vertices);
+      if (lasts) return put_apart(places.size());
       restart();
     }
-    make_anew(pairs, vertices);
+    make_anew(pairs, places);
     for_each_chunk(team, [&](std::size_t, const Chunk& chunk) { work(chunk); });
   }
-  void make(const PairContacts& pairs, std::size_t vertices) {
+  void make(const PairContacts& pairs, std::span<const std::int32_t> places) {
     make(
-        pairs, vertices, nullptr, [] {}, [](const Chunk&) {});
+        pairs, places, nullptr, [] {}, [](const Chunk&) {});
   }
-  /// Of edges: however many they are, one chunk.
-  void make(const EdgeContacts& edges, std::size_t vertices);
+  void make(const EdgeContacts& edges, std::span<const std::int32_t> places);
   /// Of contacts with obstacles, whose colour is the obstacle.
   void make(const OneSidedContacts& contacts);
 
@@ -106,6 +109,11 @@ class ContactOrder {
     return sequence;
   }
 
+  /// The contacts of a chunk as they stood before they were put apart.
+  std::span<const std::int32_t> in_turn(const Chunk& chunk) const {
+    return {in_turn_.data() + chunk.begin, chunk.end - chunk.begin};
+  }
+
   std::size_t chunks() const { return chunk_.size(); }
   std::size_t colours() const { return colour_begin_.empty() ? 0 : colour_begin_.size() - 1; }
   /// Of a colour; that of `colours()` is `chunks()`.
@@ -126,7 +134,9 @@ class ContactOrder {
   bool is_of(const Contacts& contacts, const Chunk& chunk) const;
   template <class Contacts>
   void remember(const Contacts& contacts);
-  void make_anew(const PairContacts& pairs, std::size_t vertices);
+  template <class Contacts>
+  void make_anew(const Contacts& contacts, std::span<const std::int32_t> places);
+  void bring_together(std::span<const std::int32_t> places);
   void colour(std::size_t vertices);
   void put_apart(std::size_t vertices);
   std::int32_t put_apart_in(const Chunk& window, std::int32_t before);
@@ -139,9 +149,12 @@ class ContactOrder {
   std::size_t corners_ = 0;            // vertices that each has
   std::vector<std::int32_t> corner_;   // these, one contact after the other
   std::vector<ContactKey> key_;        // of each
-  std::vector<std::int32_t> contact_;  // of each place
+  std::vector<std::int32_t> in_turn_;  // the contact of each place before they were put apart,
+  std::vector<std::int32_t> contact_;  // and now
   bool apart_ = false;                 // whether neighbours stand apart
   std::vector<std::int32_t> round_;    // scratch: per vertex, the last round that has it
+  std::vector<std::int32_t> next_;  // scratch: per part of the curve, where its next contact comes
+  std::vector<std::uint64_t> taken_;  // scratch: per vertex, its colours bit by bit; 0 between uses
   std::vector<std::int32_t> round_of_, round_begin_;  // scratch: per contact; per round
 };
 

@@ -5,6 +5,9 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "solver/depth/consistent_depth.h"
 #include "solver/depth/face_choice.h"
@@ -77,6 +80,11 @@ struct Found {
   bool dropped = false;    // any that is no contact
   bool immovable = false;  // any that nothing can move
   PairSearch::TooDeep too_deep;
+  // Those that are not measured yet: their triangles are to be listed first, by one thread alone.
+  struct Unlisted {
+    std::size_t contact, group;
+  };
+  std::vector<Unlisted> unlisted;
 
   void note_depth(const Topology& topology, const PairContact& contact) {
     Found one;
@@ -95,6 +103,7 @@ struct Found {
         (too_deep.depth == 0.0 || key(other.too_deep) < key(too_deep))) {
       too_deep = other.too_deep;
     }
+    unlisted.insert(unlisted.end(), other.unlisted.begin(), other.unlisted.end());
   }
 };
 
@@ -220,9 +229,11 @@ class RangeOfDepths {
         // What is not answered yet of a depth is rare, and looked up one at a time.
         most_(state.pair_geometry.excess.empty() ? lanes_of(width_) : 0) {}
 
+  // Leaves those aside whose triangles are to be listed, unless there is no team.
   Found operator()(std::size_t begin, std::size_t end) {
     PairContacts& pairs = workspace_.pairs;
     std::vector<PairSearch::Group>& groups = workspace_.search.group;
+    const bool lists = workspace_.team == nullptr;
     if (begin == end) return found_;
     // Contacts and groups are both in the order of their keys.
     auto group = first_group(groups, pairs[begin].key());
@@ -232,12 +243,25 @@ class RangeOfDepths {
       measure_.ask_ahead(pairs, c);
       while (group != groups.end() && group->key < contact.key()) ++group;
       const bool known = group != groups.end() && group->key == contact.key();
+      if (known && !lists && is_to_list(scene_.topology, site.element, *group)) {
+        found_.unlisted.push_back({c, static_cast<std::size_t>(group - groups.begin())});
+        continue;
+      }
       if (!(known && most_ > 0 && put_in_batch(contact, site, *group))) {
         measure_one(contact, site, known ? &*group : nullptr);
       }
       if (batch_.count == most_) measure_batch();
     }
     measure_batch();
+    return found_;
+  }
+
+  // Some that were left aside, and have been listed.
+  Found operator()(std::span<const Found::Unlisted> listed) {
+    PairContacts& pairs = workspace_.pairs;
+    for (const auto [c, group] : listed) {
+      measure_one(pairs[c], pairs.site(c), &workspace_.search.group[group]);
+    }
     return found_;
   }
 
@@ -298,16 +322,31 @@ class RangeOfDepths {
   Found found_;
 };
 
-// What `project` would list as it comes to it, for threads that must not.
-void list_all_nearest(const Topology& topology, const PairContacts& pairs, PairSearch& search) {
-  auto group = search.group.begin();
-  for (const PairContact& contact : pairs) {
-    while (group != search.group.end() && group->key < contact.key()) ++group;
-    if (group == search.group.end()) return;
-    if (group->key == contact.key()) {
-      list_nearest(topology, pairs.site_of(contact).element, *group, search);
-    }
+// Measures all.
+Found measure_all(const Scene& scene, const Options& options, const State& state,
+                  Workspace& workspace) {
+  PairContacts& pairs = workspace.pairs;
+  const Measure measure(scene, options, state, workspace);
+  Found all;
+  std::mutex of_all;
+  const auto add = [&](const auto&... range) {
+    RangeOfDepths depths_of(measure, scene, options, state, workspace);
+    const Found found = depths_of(range...);
+    const std::lock_guard lock(of_all);
+    all.add(found);
+  };
+  for_ranges(workspace.team, pairs.size(), kContactsToShare, add);
+  if (all.unlisted.empty()) return all;
+  const std::vector<Found::Unlisted> unlisted = std::move(all.unlisted);
+  for (const auto [c, group] : unlisted) {
+    list_nearest(scene.topology, pairs.site(c).element, workspace.search.group[group],
+                 workspace.search);
   }
+  for_ranges(workspace.team, unlisted.size(), kContactsToShare,
+             [&](std::size_t begin, std::size_t end) {
+               add(std::span(unlisted).subspan(begin, end - begin));
+             });
+  return all;
 }
 
 }  // namespace
@@ -323,17 +362,7 @@ void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t b
 
 void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
   PairContacts& pairs = workspace.pairs;
-  const Measure measure(scene, options, state, workspace);
-  if (workspace.team != nullptr) list_all_nearest(scene.topology, pairs, workspace.search);
-  Found all;
-  std::mutex of_all;
-  for_ranges(workspace.team, pairs.size(), kContactsToShare,
-             [&](std::size_t begin, std::size_t end) {
-               RangeOfDepths range(measure, scene, options, state, workspace);
-               const Found found = range(begin, end);
-               const std::lock_guard lock(of_all);
-               all.add(found);
-             });
+  const Found all = measure_all(scene, options, state, workspace);
   if (workspace.search.too_deep.depth == 0.0) workspace.search.too_deep = all.too_deep;
   if (all.dropped) {
     pairs.drop([](const PairContact& c) { return c.vertex == kDropped; });

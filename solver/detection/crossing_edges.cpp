@@ -2,7 +2,9 @@
 #include "solver/detection/crossing_edges.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
+#include <span>
 
 #include "solver/depth/depth.h"
 #include "solver/depth/open_limits.h"
@@ -61,12 +63,19 @@ void mark_outdone(const Topology& topology, PairSearch& search) {
   };
   compare(first_of, second_of, [&](std::size_t k) -> Touch& { return all[k]; });
   std::vector<std::uint64_t>& by_b = search.touch_by_b;
-  by_b.clear();
-  for (const Touch& touch : all) {
-    const auto b = static_cast<std::uint32_t>(second_of(touch.key));
-    by_b.push_back(std::uint64_t{b} << 32 | by_b.size());
+  const auto has_key = [](const Touch& touch, ContactKey key) { return touch.key == key; };
+  // In most steps they are those of the last.
+  if (!std::equal(all.begin(), all.end(), search.touch_key.begin(), search.touch_key.end(),
+                  has_key)) {
+    search.touch_key.clear();
+    by_b.clear();
+    for (const Touch& touch : all) {
+      const auto b = static_cast<std::uint32_t>(second_of(touch.key));
+      by_b.push_back(std::uint64_t{b} << 32 | by_b.size());
+      search.touch_key.push_back(touch.key);
+    }
+    std::sort(by_b.begin(), by_b.end());
   }
-  std::sort(by_b.begin(), by_b.end());
   compare(second_of, first_of, [&](std::size_t k) -> Touch& {
     return all[static_cast<std::size_t>(by_b[k] & 0xffffffff)];
   });
@@ -203,7 +212,7 @@ class EdgeTest {
 };
 
 // With fewer candidates in a part, what it takes to wake a thread is more than it does.
-constexpr std::size_t kCandidatesToShare = 1024;
+constexpr std::size_t kCandidatesToShare = 256;
 
 // Leaves the candidates that touch in `search.edge_touch`, in the order of their keys.
 void find_touches(const Scene& scene, const Options& options, const State& state,
@@ -245,13 +254,27 @@ void crossing_edges(const Scene& scene, const Options& options, const State& sta
   PairSearch& search = workspace.search;
   find_touches(scene, options, state, workspace);
   EdgeContacts& contacts = workspace.edges;
-  contacts.clear();
   mark_outdone(topology, search);
-  for (const Touch& touch : search.edge_touch) {
-    if (!touch.outdone) contacts.push_back(contact_of(topology, touch));
+  search.touch_counts.clear();
+  for (std::size_t k = 0; k < search.edge_touch.size(); ++k) {
+    if (!search.edge_touch[k].outdone) search.touch_counts.push_back(k);
   }
-  set_partners(scene, state, workspace.velocity, lane_width(), contacts);
-  std::erase_if(contacts, [](const EdgeContact& contact) { return contact.inverse_mass == 0.0; });
+  contacts.resize(search.touch_counts.size());
+  std::atomic<bool> any_immovable = false;
+  for_ranges(workspace.team, contacts.size(), kContactsToShare,
+             [&](std::size_t begin, std::size_t end) {
+               for (std::size_t c = begin; c < end; ++c) {
+                 contacts[c] = contact_of(topology, search.edge_touch[search.touch_counts[c]]);
+               }
+               const auto range = std::span(contacts).subspan(begin, end - begin);
+               set_partners(scene, state, workspace.velocity, lane_width(), range);
+               for (const EdgeContact& contact : range) {
+                 if (contact.inverse_mass == 0.0) any_immovable = true;
+               }
+             });
+  if (any_immovable) {
+    std::erase_if(contacts, [](const EdgeContact& contact) { return contact.inverse_mass == 0.0; });
+  }
   for (const EdgeContact& contact : contacts) {
     note_too_deep(topology, contact.vertex[0],
                   topology.element_body[static_cast<std::size_t>(contact.element)], contact.depth,

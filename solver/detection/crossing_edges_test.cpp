@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "solver/observables.h"
@@ -245,6 +246,11 @@ TEST(CrossingEdges, OfOneEdgeWithABodyInTwoDirectionsTheShallowerCounts) {
     for (const PairSearch::EdgePair& pair : found.workspace.search.edge_candidate) {
       found.state.edge_friction.key.push_back(pair.key);
     }
+    crossing_edges(scene, {}, found.state, found.workspace);
+    // Once more, after a step in which as many others touched.
+    PairSearch& search = found.workspace.search;
+    search.touch_key.assign(search.touch_key.size(), 0);
+    std::iota(search.touch_by_b.begin(), search.touch_by_b.end(), 0);
     crossing_edges(scene, {}, found.state, found.workspace);
     const std::vector<PairSearch::EdgeTouch>& all = found.workspace.search.edge_touch;
     for (const PairSearch::EdgeTouch& touch : all) {

@@ -135,20 +135,24 @@ class Find {
 
   // Of all, where `holds` is of the last step, whose contacts are all remembered. Returns whether anything
   // else holds any vertex now.
-  bool any_changes() const {
+  bool any_changes(const Team* team) const {
     const auto sleeps = [&](std::size_t g, double more) {
       const PairSearch::Group& group = search_.group[g];
       return group.verdict == search_.holds[g] &&
              paths(scene_.topology, search_, group.key) + more < group.holds_until;
     };
     wake(search_, search_.group.size(), sleeps, search_.group_awake);
-    bool any = false;
-    for (const std::uint32_t g : search_.group_awake.place) {
-      PairSearch::Group& group = search_.group[g];
-      const std::int32_t last = search_.holds[g];
-      search_.holds[g] = held_by(group, last >= 0 ? last : open_in(group), [] {});
-      any = any || search_.holds[g] != last;
-    }
+    const std::vector<std::uint32_t>& awake = search_.group_awake.place;
+    std::atomic<bool> any = false;
+    for_ranges(team, awake.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::uint32_t g = awake[k];
+        PairSearch::Group& group = search_.group[g];
+        const std::int32_t last = search_.holds[g];
+        search_.holds[g] = held_by(group, last >= 0 ? last : open_in(group), [] {});
+        if (search_.holds[g] != last) any = true;
+      }
+    });
     return any;
   }
 
@@ -283,7 +287,7 @@ void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions
                  const Team* team, PairSearch& search, PairContacts& pairs) {
   const Find find(scene, last, options.tie_margin, search);
   const bool tested = stand_as_found(last, options, search, pairs);
-  if (tested && !find.any_changes()) return;
+  if (tested && !find.any_changes(team)) return;
   if (!tested) search.group_awake.steps = 0;  // tests of all may find otherwise of any
   // Groups are merged while what was found of them is in the nearest cache.
   constexpr std::size_t kBlock = 256;

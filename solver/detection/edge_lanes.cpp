@@ -159,7 +159,7 @@ unsigned cross_side_by_side(const Topology& topology, const std::vector<Vec3>& x
 }
 
 void set_partners(const Scene& scene, const State& state, const std::vector<Velocity>& velocity,
-                  int width, EdgeContacts& contacts) {
+                  int width, std::span<EdgeContact> contacts) {
   for (EdgeContact& contact : contacts) {
     const auto& corner = scene.elements[static_cast<std::size_t>(contact.element)].vertex;
     std::copy(std::begin(corner), std::end(corner), contact.partner);

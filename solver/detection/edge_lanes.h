@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "solver/contact/edge_contacts.h"
@@ -26,6 +27,6 @@ unsigned cross_side_by_side(const Topology& topology, const std::vector<Vec3>& x
 /// The corners of the tetrahedron that has edge b, the weights in it of the crossing at the start of the
 /// step, and the inverse mass, of contacts whose edges and `own_weight` are known.
 void set_partners(const Scene& scene, const State& state, const std::vector<Velocity>& velocity,
-                  int width, EdgeContacts& contacts);
+                  int width, std::span<EdgeContact> contacts);
 
 }  // namespace stiction

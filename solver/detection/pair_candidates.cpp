@@ -295,15 +295,20 @@ bool update_candidates(const Scene& scene, Real dt, const State& state,
   return true;
 }
 
+bool is_to_list(const Topology& topology, std::int32_t element, const PairSearch::Group& group) {
+  const auto e = static_cast<std::size_t>(element);
+  return group.near_element != element && group.listings < kMostListings &&
+         topology.near_begin[e] < topology.near_begin[e + 1];
+}
+
 void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Group& group,
                   PairSearch& search) {
-  if (group.near_element == element || group.listings == kMostListings) return;
+  if (!is_to_list(topology, element, group)) return;
   const Real moves = std::sqrt(Real(3)) * search.skin;
   const Vec3& x = search.reference[static_cast<std::size_t>(first_of(group.key))];
   const auto e = static_cast<std::size_t>(element);
   const auto begin = topology.near.begin() + topology.near_begin[e];
   const auto end = topology.near.begin() + topology.near_begin[e + 1];
-  if (begin == end) return;
   ++group.listings;
   const auto ball = [&](std::int32_t t) -> const TriangleBall& {
     return search.ball[static_cast<std::size_t>(t)];

@@ -47,4 +47,7 @@ void list_nearest(const Topology& topology, std::int32_t element, PairSearch::Gr
                   PairSearch& search);
 inline constexpr int kMostListings = 8;
 
+/// Whether it would list any.
+bool is_to_list(const Topology& topology, std::int32_t element, const PairSearch::Group& group);
+
 }  // namespace stiction

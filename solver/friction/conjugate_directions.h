@@ -64,7 +64,9 @@ class ConjugateSide {
   }
   void finish(std::size_t k, const ContactOrder::Chunk& chunk) {
     if constexpr (!Side::kInOrder) {
-      for (std::size_t c = chunk.begin; c < chunk.end; ++c) sum_.power += scratch_.change[c].power;
+      for (const std::int32_t c : side_.order.in_turn(chunk)) {
+        sum_.power += scratch_.change[static_cast<std::size_t>(c)].power;
+      }
     }
     (alone() ? *all_ : scratch_.of_chunk[k]) = sum_;
   }

@@ -195,11 +195,11 @@ void run(const Friction& mu, const Scene& scene, const Options& options, State& 
   const Team* const team = workspace.team;
   workspace.obstacle_order.make(workspace.contacts);
   if (!workspace.pair_order.is_for(workspace.pairs.size())) {
-    workspace.pair_order.make(workspace.pairs, velocity.size());
+    workspace.pair_order.make(workspace.pairs, scene.topology.vertex_place);
   }
   assert(workspace.pair_order.is_of(workspace.pairs));
   if (!workspace.edge_order.is_for(workspace.edges.size())) {
-    workspace.edge_order.make(workspace.edges, velocity.size());
+    workspace.edge_order.make(workspace.edges, scene.topology.vertex_place);
   }
   assert(workspace.edge_order.is_of(workspace.edges));
   const ObstacleSide<Friction> obstacles{scene, mu, options.dt(), workspace.contacts,

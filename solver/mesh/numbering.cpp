@@ -63,4 +63,15 @@ Numbering spatial_numbering(const TetMesh& mesh, const Eigen::Matrix3d& axes) {
   return numbering;
 }
 
+std::vector<std::int32_t> places_along_curve(const Eigen::Matrix3Xd& points) {
+  const std::vector<std::uint64_t> codes = morton_codes(points);
+  std::vector<std::size_t> order(codes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return codes[a] < codes[b]; });
+  std::vector<std::int32_t> place(codes.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::int32_t>(k);
+  return place;
+}
+
 }  // namespace stiction

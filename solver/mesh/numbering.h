@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "solver/mesh/mesh.h"
@@ -19,5 +20,9 @@ struct Numbering {
 /// they are numbered in, orthonormal; a body that is turned with its axes keeps its numbering.
 Numbering spatial_numbering(const TetMesh& mesh,
                             const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+
+/// The place of each point (3 × count) along a Z-order curve through all of them; a permutation of
+/// 0 … count − 1.
+std::vector<std::int32_t> places_along_curve(const Eigen::Matrix3Xd& points);
 
 }  // namespace stiction

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "solver/mesh/numbering.h"
 #include "solver/scene/scene.h"
 
 namespace stiction {
@@ -134,6 +135,7 @@ Topology build_topology(const Scene& scene) {
   const auto vertices = static_cast<std::size_t>(scene.vertex_count());
   topology.vertex_body.resize(vertices);
   topology.element_body.resize(scene.elements.size());
+  topology.vertex_place = places_along_curve(scene.rest_position.cast<double>());
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     std::fill_n(topology.vertex_body.begin() + body.first_vertex, body.vertex_count,

@@ -19,6 +19,9 @@ struct Topology {
   std::vector<Triangle> triangle;          ///< surface triangles, body by body
   std::vector<std::int32_t> element_body;  ///< body of each element
   std::vector<std::int32_t> vertex_body;   ///< body of each vertex
+  /// Place of each vertex along a curve through all bodies at rest: neighbours, of whichever body they
+  /// are, have places near each other.
+  std::vector<std::int32_t> vertex_place;
   /// Triangles to which a point inside an element can be nearest: all within two rings around the
   /// element's corners. near[near_begin[e] … near_begin[e + 1]); empty for elements deep inside,
   /// whose points are compared with every triangle of the body.

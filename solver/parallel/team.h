@@ -49,11 +49,12 @@ int chosen_step_threads(const std::string& wanted);
 /// Work that a range of a few microseconds holds: with less of it, to wake a thread costs more than
 /// it saves.
 inline constexpr std::size_t kVerticesToShare = 4096;  ///< of a few operations on each
-inline constexpr std::size_t kContactsToShare = 512;   ///< of their search or memory
+inline constexpr std::size_t kContactsToShare = 128;   ///< of their search or memory
 
 /// Calls work(0) … work(count − 1), each once: by the threads of the team, side by side and in any
 /// order, or in this order where there is none. Returns when all are done, and throws what one of
-/// them threw.
+/// them threw. Each thread begins with a part of its own, of pieces that follow each other, the same
+/// for each work of so many.
 template <class Work>
 void for_each(const Team* team, std::size_t count, const Work& work) {
   // By a pointer, so that the compiler has one copy of the work: of two it inlines less into each,
@@ -62,19 +63,17 @@ void for_each(const Team* team, std::size_t count, const Work& work) {
   Team::run(team, count, call, &work);
 }
 
-/// Into how many ranges of `grain` numbers or more, on average, `count` of them are cut for a team: four
-/// for each thread, so that where another program holds one up the others have the rest; one where there
-/// is no team, or nothing to share.
+/// Into how many ranges of `grain` numbers or more `count` of them are cut for a team: eight for each
+/// thread, so that where another program holds one up the others have the rest; one where there is no
+/// team, or nothing to share.
 inline std::size_t ranges_of(const Team* team, std::size_t count, std::size_t grain) {
   if (team == nullptr || team->size() == 1 || count < 2 * grain) return 1;
-  return std::min(count / grain, 4 * static_cast<std::size_t>(team->size()));
+  return std::min(count / grain, 8 * static_cast<std::size_t>(team->size()));
 }
 
-/// Where the k-th of the ranges begins; at `ranges` that is `count`. Each is shorter than those before it,
-/// so that who finds none left waits for a short one of another's.
+/// Where the k-th of the ranges begins; at `ranges` that is `count`.
 inline std::size_t range_begin(std::size_t count, std::size_t k, std::size_t ranges) {
-  const std::size_t left = ranges - k;
-  return count - count * left * left / (ranges * ranges);
+  return count * k / ranges;
 }
 
 /// Calls work(k, begin, end) for so many ranges, which make up 0 … count.

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/response/contact_load.h"
 
+#include <algorithm>
+#include <span>
+
 namespace stiction {
 
 namespace {
 
 // Σ over contacts of a chunk of what each asks of its vertex and of its partners, per vertex.
-void accumulate(const PairContacts& pairs, const ContactOrder::Chunk& chunk, bool count_vertex,
+void accumulate(const PairContacts& pairs, std::span<const std::int32_t> chunk, bool count_vertex,
                 bool count_kept, std::vector<Real>& load) {
   const PairContact* const contacts = pairs.data();
   Real* const of_vertex = load.data();
-  const auto [begin, end] = chunk;
-  for (std::size_t c = begin; c < end; ++c) {
-    const PairContact& contact = contacts[c];
+  for (const std::int32_t c : chunk) {
+    const PairContact& contact = contacts[static_cast<std::size_t>(c)];
     if (!count_kept && contact.depth == 0.0) continue;  // asked last: it is in another line
     if (count_vertex) of_vertex[static_cast<std::size_t>(contact.vertex)] += 1;
     for (int k = 0; k < 4; ++k) {
@@ -21,8 +23,10 @@ void accumulate(const PairContacts& pairs, const ContactOrder::Chunk& chunk, boo
   }
 }
 
-void accumulate(const EdgeContacts& edges, bool count_kept, std::vector<Real>& load) {
-  for (const EdgeContact& contact : edges) {
+void accumulate(const EdgeContacts& edges, std::span<const std::int32_t> chunk, bool count_kept,
+                std::vector<Real>& load) {
+  for (const std::int32_t c : chunk) {
+    const EdgeContact& contact = edges[static_cast<std::size_t>(c)];
     if (contact.depth == 0.0 && !count_kept) continue;
     for (int k = 0; k < 2; ++k) {
       load[static_cast<std::size_t>(contact.vertex[k])] += contact.own_weight[k];
@@ -55,12 +59,21 @@ void contact_loads(const Scene& scene, const Options& options, const FrictionMem
   const bool harmonic = options.pairs.gain == NormalGain::kHarmonic;
   const bool count_kept = options.pairs.count_hysteresis;
   const auto vertices = static_cast<std::size_t>(scene.vertex_count());
-  workspace.pair_order.make(
-      workspace.pairs, vertices, workspace.team, [&] { workspace.load.assign(vertices, 0.0); },
-      [&](const ContactOrder::Chunk& chunk) {
-        accumulate(workspace.pairs, chunk, harmonic, !harmonic || count_kept, workspace.load);
-      });
-  accumulate(workspace.edges, count_kept, workspace.load);
+  workspace.load.resize(vertices);
+  const auto clear = [&] {
+    for_ranges(workspace.team, vertices, kVerticesToShare, [&](std::size_t begin, std::size_t end) {
+      std::fill(workspace.load.data() + begin, workspace.load.data() + end, Real(0));
+    });
+  };
+  workspace.pair_order.make(workspace.pairs, scene.topology.vertex_place, workspace.team, clear,
+                            [&](const ContactOrder::Chunk& chunk) {
+                              accumulate(workspace.pairs, workspace.pair_order.in_turn(chunk),
+                                         harmonic, !harmonic || count_kept, workspace.load);
+                            });
+  workspace.edge_order.for_each_chunk(workspace.team, [&](std::size_t,
+                                                          const ContactOrder::Chunk& chunk) {
+    accumulate(workspace.edges, workspace.edge_order.in_turn(chunk), count_kept, workspace.load);
+  });
   if (harmonic) add_obstacles(workspace, last_obstacles, count_kept);
 }
 

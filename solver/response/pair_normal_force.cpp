@@ -79,13 +79,6 @@ Real paper_force(Real dt, const Vertices& vertices, const PairContact& contact) 
   return effective_mass * contact.depth / (dt * dt);
 }
 
-// Puts the normal force of a contact on its vertex and, where bodies react, on its partners.
-STICTION_LANES_INLINE void transmit(Real dt, bool react, const PairContact& contact,
-                                    std::span<Velocity> velocity) {
-  const PackedVec3 normal = PackedVec3::load(contact.normal.data());
-  HeldVelocities(contact, velocity).push(dt * contact.normal_force * normal, react);
-}
-
 // fⁿ of a contact.
 class PairForce {
  public:
@@ -112,38 +105,46 @@ class PairForce {
   Real transmitted_;  // of the paper's force
 };
 
-}  // namespace
+// Puts the normal force of a contact on its vertex and, where bodies react, on its partners.
+STICTION_LANES_INLINE void transmit(Real dt, bool react, const PairContact& contact,
+                                    std::span<Velocity> velocity) {
+  const PackedVec3 normal = PackedVec3::load(contact.normal.data());
+  HeldVelocities(contact, velocity).push(dt * contact.normal_force * normal, react);
+}
 
-void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
-                        const FrictionMemory& last_obstacles) {
-  PairContacts& pairs = workspace.pairs;
-  workspace.edge_order.make(workspace.edges, static_cast<std::size_t>(scene.vertex_count()));
-  contact_loads(scene, options, last_obstacles, workspace);
-  const Vertices vertices{workspace.load.data(), workspace.velocity.data()};
-  const PairForce force(options, vertices);
+// Reckons the forces of contacts, and puts none on anything.
+template <class Contacts>
+void reckon(const PairForce& force, const Team* team, Contacts& contacts) {
+  for_ranges(team, contacts.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
+    const PairForce own_force = force;
+    for (std::size_t c = begin; c < end; ++c) contacts[c].normal_force = own_force(contacts[c]);
+  });
+}
+
+// Puts forces that are reckoned on the vertices of contacts.
+void transmit_all(const Options& options, Workspace& workspace, EdgeContacts& edges) {
   const int width = lane_width();
-  in_registers(
-      width, [&]() __attribute__((always_inline)) {
-        const PairForce own_force = force;
-        const std::span<Velocity> velocity = workspace.velocity;
-        const Real dt = options.dt();
-        const ContactOrder::Sequence sequence = workspace.edge_order.sequence();
-        EdgeContact* const edges = workspace.edges.data();
-        const std::size_t count = workspace.edges.size();
-        for (std::size_t c = 0; c < count; ++c) edges[c].normal_force = own_force(edges[c]);
-        for (std::size_t place = 0; place < count; ++place) {
-          const EdgeContact& contact = edges[sequence.contact(place)];
-          const PackedVec3 normal = PackedVec3::load(contact.normal.data());
-          HeldEdgeVelocities(contact, velocity).push(dt * contact.normal_force * normal);
-        }
-      });
-  if (!options.pairs.normals_first) {
-    for_ranges(workspace.team, pairs.size(), kContactsToShare,
-               [&](std::size_t begin, std::size_t end) {
-                 for (std::size_t c = begin; c < end; ++c) pairs[c].normal_force = force(pairs[c]);
-               });
-    return;
-  }
+  workspace.edge_order.for_each_chunk(workspace.team, [&](std::size_t, const auto& chunk) {
+    in_registers(
+        width, [&]() __attribute__((always_inline)) {
+          const std::span<Velocity> velocity = workspace.velocity;
+          const ContactOrder::Sequence sequence = workspace.edge_order.sequence();
+          const Real dt = options.dt();
+          const EdgeContact* const contacts = edges.data();
+          const auto [begin, end] = chunk;
+          for (std::size_t place = begin; place < end; ++place) {
+            const EdgeContact& contact = contacts[sequence.contact(place)];
+            const PackedVec3 normal = PackedVec3::load(contact.normal.data());
+            HeldEdgeVelocities(contact, velocity).push(dt * contact.normal_force * normal);
+          }
+        });
+  });
+}
+
+// Reckons forces and puts them on the vertices while the records are near.
+void reckon_and_transmit(const PairForce& force, const Options& options, Workspace& workspace,
+                         PairContacts& pairs) {
+  const int width = lane_width();
   workspace.pair_order.for_each_chunk(workspace.team, [&](std::size_t, const auto& chunk) {
     in_registers(
         width, [&]() __attribute__((always_inline)) {
@@ -164,13 +165,29 @@ void pair_normal_forces(const Scene& scene, const Options& options, Workspace& w
               contact.normal_force = own_force(contact);
             }
             for (std::size_t place = first; place < next; ++place) {
-              const PairContact& contact = contacts[sequence.contact(place)];
-              const PackedVec3 normal = PackedVec3::load(contact.normal.data());
-              HeldVelocities(contact, velocity).push(dt * contact.normal_force * normal, react);
+              transmit(dt, react, contacts[sequence.contact(place)], velocity);
             }
           }
         });
   });
+}
+
+}  // namespace
+
+void pair_normal_forces(const Scene& scene, const Options& options, Workspace& workspace,
+                        const FrictionMemory& last_obstacles) {
+  PairContacts& pairs = workspace.pairs;
+  workspace.edge_order.make(workspace.edges, scene.topology.vertex_place);
+  contact_loads(scene, options, last_obstacles, workspace);
+  const Vertices vertices{workspace.load.data(), workspace.velocity.data()};
+  const PairForce force(options, vertices);
+  reckon(force, workspace.team, workspace.edges);
+  transmit_all(options, workspace, workspace.edges);
+  if (options.pairs.normals_first) {
+    reckon_and_transmit(force, options, workspace, pairs);
+  } else {
+    reckon(force, workspace.team, pairs);
+  }
 }
 
 void apply_normal_force(const Options& options, const PairContact& contact,

@@ -8,7 +8,7 @@ namespace stiction {
 void contact_loads(const Scene& scene, const Options& options, const FrictionMemory&,
                    Workspace& workspace) {
   const auto vertices = static_cast<std::size_t>(scene.vertex_count());
-  workspace.pair_order.make(workspace.pairs, vertices);
+  workspace.pair_order.make(workspace.pairs, scene.topology.vertex_place);
   workspace.load.assign(vertices, options.pairs.gain == NormalGain::kHarmonic ? 1.0 : 0.0);
 }
 
