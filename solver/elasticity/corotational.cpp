@@ -304,8 +304,9 @@ void add_corotational_forces(const Scene& scene, const State& state, const Team&
   // With fewer in a share, what it takes to wake a thread is more than it does; and what lies at the border
   // of shares is done twice, so that each thread has two.
   constexpr std::size_t kFewest = 2048;
-  const std::size_t count = std::min(ranges_of(&team, scene.elements.size(), kFewest),
-                                     2 * static_cast<std::size_t>(team.size()));
+  const auto threads = static_cast<std::size_t>(team.size());
+  std::size_t count = std::min(ranges_of(&team, scene.elements.size(), kFewest), 2 * threads);
+  if (count > threads) count -= count % threads;
   if (count == 1) {
     add_corotational_forces(scene, state, force);
     return;

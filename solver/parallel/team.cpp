@@ -15,7 +15,12 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#ifdef __x86_64__
+#include <xmmintrin.h>
+#else
 #include <cfenv>
+#endif
+
 #include <chrono>
 #include <ctime>
 #include <exception>
@@ -32,11 +37,45 @@ namespace stiction {
 
 namespace {
 
-void pause() {
-#ifdef __SSE2__
-  __builtin_ia32_pause();
+// How a thread does arithmetic, its rounding mode and the like; which exceptions arithmetic has raised in it.
+#ifdef __x86_64__
+void pause() { __builtin_ia32_pause(); }
+
+// Of the unit that all numbers here go through. A tenth of a microsecond at either end of a piece of work is
+// less than half of what <cfenv> takes, which looks after another unit too.
+class Arithmetic {
+ public:
+  static Arithmetic of_this_thread() { return Arithmetic(_mm_getcsr() & ~kRaised); }
+  void apply() const { _mm_setcsr(value_); }  // nothing has been raised
+  static int raised() { return static_cast<int>(_mm_getcsr() & kRaised); }
+  static void raise(int which) { _mm_setcsr(_mm_getcsr() | static_cast<unsigned>(which)); }
+
+ private:
+  static constexpr unsigned kRaised = _MM_EXCEPT_MASK;
+  explicit Arithmetic(unsigned value) : value_(value) {}
+  unsigned value_;
+};
+#else
+void pause() {}
+
+class Arithmetic {
+ public:
+  static Arithmetic of_this_thread() {
+    Arithmetic arithmetic;
+    std::fegetenv(&arithmetic.value_);
+    return arithmetic;
+  }
+  void apply() const {
+    std::fesetenv(&value_);
+    std::feclearexcept(FE_ALL_EXCEPT);
+  }
+  static int raised() { return std::fetestexcept(FE_ALL_EXCEPT); }
+  static void raise(int which) { std::feraiseexcept(which); }
+
+ private:
+  std::fenv_t value_;
+};
 #endif
-}
 
 using Clock = std::chrono::steady_clock;
 
@@ -52,14 +91,54 @@ double cpu_seconds_of_this_thread() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// What is left of a member's own part of some work: he takes pieces from the front, and who has none left
-// from the end, where the owner would come last.
-class alignas(64) OwnPieces {
+// One of a team: where he stands, and what is left of his own part of some work. He takes pieces from its
+// front, and who has none left from its end, where he would come last. One line of the cache, so that a
+// helper who is offered work has what he needs when he sees it.
+class alignas(64) Member {
  public:
-  void set(std::uint32_t begin, std::uint32_t end) { left_ = joined(begin, end); }
-  bool any() const {
-    const std::uint64_t left = left_;
-    return begin_of(left) < end_of(left);
+  // By the caller. Returns whether the helper is away, and is to be called.
+  bool offer() { return state_.exchange(State::kOffered) == State::kAway; }
+  // By the caller, who has done all that was left: nobody comes any more. Who has come is waited for.
+  template <class Wait>
+  void close(const Wait& wait) {
+    State offered = State::kOffered;
+    if (state_.compare_exchange_strong(offered, State::kLooking)) return;
+    for (int looks = 1; state_.load(std::memory_order_acquire) == State::kInside; ++looks) {
+      wait(looks);
+    }
+  }
+
+  // By the helper: whether he has come in time.
+  bool enter() {
+    State offered = State::kOffered;
+    return state_.load(std::memory_order_relaxed) == State::kOffered &&
+           state_.compare_exchange_strong(offered, State::kInside);
+  }
+  void leave() {
+    counted_.store(false, std::memory_order_relaxed);
+    state_.store(State::kLooking, std::memory_order_release);
+  }
+  // For the work that he has left.
+  void add_cpu_seconds(double more) {
+    cpu_seconds_.store(cpu_seconds_.load(std::memory_order_relaxed) + more,
+                       std::memory_order_relaxed);
+    counted_.store(true, std::memory_order_release);
+  }
+  // Whether he may, as nothing is offered.
+  bool go_away() {
+    State looking = State::kLooking;
+    return state_.compare_exchange_strong(looking, State::kAway);
+  }
+
+  // By the caller, between works: what the helper has spent on all of them.
+  template <class Wait>
+  double cpu_seconds(const Wait& wait) const {
+    for (int looks = 1; !counted_.load(std::memory_order_acquire); ++looks) wait(looks);
+    return cpu_seconds_.load(std::memory_order_relaxed);
+  }
+
+  void set_left(std::uint32_t begin, std::uint32_t end) {
+    left_.store(joined(begin, end), std::memory_order_relaxed);
   }
   bool take_first(std::size_t& k) {
     return take([&](std::uint32_t begin, std::uint32_t end) {
@@ -75,28 +154,32 @@ class alignas(64) OwnPieces {
   }
 
  private:
+  // Nobody; somebody who looks out for work, or was called to; as he would with work for him; who does some.
+  enum class State : int { kAway, kLooking, kOffered, kInside };
+
   static std::uint64_t joined(std::uint32_t begin, std::uint32_t end) {
     return std::uint64_t{end} << 32 | begin;
   }
-  static std::uint32_t begin_of(std::uint64_t left) { return static_cast<std::uint32_t>(left); }
-  static std::uint32_t end_of(std::uint64_t left) { return static_cast<std::uint32_t>(left >> 32); }
-
   template <class Rest>
   bool take(const Rest& rest) {
-    std::uint64_t left = left_;
-    while (begin_of(left) < end_of(left)) {
-      if (left_.compare_exchange_weak(left, rest(begin_of(left), end_of(left)))) return true;
+    std::uint64_t left = left_.load(std::memory_order_relaxed);
+    for (;;) {
+      const auto begin = static_cast<std::uint32_t>(left);
+      const auto end = static_cast<std::uint32_t>(left >> 32);
+      if (begin >= end) return false;
+      if (left_.compare_exchange_weak(left, rest(begin, end))) return true;
     }
-    return false;
   }
 
+  std::atomic<State> state_ = State::kAway;
+  std::atomic<bool> counted_ = true;
+  std::atomic<double> cpu_seconds_ = 0.0;
   std::atomic<std::uint64_t> left_ = 0;
 };
 
-// Work that lies open, for its caller and those who help. A helper enters before he looks whether it
-// is open, and the caller closes it before he looks whether somebody is inside: so nobody reads what
-// is being written for the next work. The caller waits for pieces that others have begun, never for
-// who has not come yet.
+// Work that lies open, for its caller and those who help. The caller offers it to each, and closes it to who
+// has not come: so nobody reads what is being written for the next work, and the caller waits for pieces
+// that others have begun, never for who has not come yet.
 //
 // Each member has a part of his own, of pieces that follow each other: what they read and write stays in his
 // processor's cache from one work to the next. Where each piece went to who came first, friction of 10⁴
@@ -105,56 +188,70 @@ class OpenWork {
  public:
   using Call = void (*)(const void* work, std::size_t k);
 
-  // For so many, the caller among them.
-  explicit OpenWork(int members)
-      : members_(static_cast<std::size_t>(members)), own_(members_), called_(members_) {}
+  // For so many, the caller among them, who is member 0.
+  explicit OpenWork(int members) : member_(static_cast<std::size_t>(members)) {}
 
-  // By the caller, who has whatever the helpers leave; throws what a piece threw.
-  void share(std::size_t count, Call call, const void* work) {
+  // By the caller, who has whatever the helpers leave; throws what a piece threw. Calls those who are away,
+  // call_helper(m).
+  template <class CallHelper>
+  void share(std::size_t count, Call call, const void* work, const CallHelper& call_helper) {
     if (in_piece_) {  // of work that shares in turn: that part is this thread's own
       for (std::size_t k = 0; k < count; ++k) call(work, k);
       return;
     }
     call_ = call;
     work_ = work;
-    std::fegetenv(&environment_);
-    for (std::size_t m = 0; m < members_; ++m) {
-      own_[m].set(static_cast<std::uint32_t>(count * m / members_),
-                  static_cast<std::uint32_t>(count * (m + 1) / members_));
+    arithmetic_ = Arithmetic::of_this_thread();
+    const std::size_t members = member_.size();
+    for (std::size_t m = 0; m < members; ++m) {
+      member_[m].set_left(static_cast<std::uint32_t>(count * m / members),
+                          static_cast<std::uint32_t>(count * (m + 1) / members));
     }
-    open_ = true;
+    for (std::size_t m = 1; m < members; ++m) {
+      if (member_[m].offer()) call_helper(m);
+    }
     pieces(0);
-    open_ = false;
-    for (int looks = 1; inside_ > 0; ++looks) wait(looks);
-    if (const int raised = raised_.exchange(0)) std::feraiseexcept(raised);
+    for (std::size_t m = 1; m < members; ++m) member_[m].close(wait);
+    if (raised_ != 0) Arithmetic::raise(raised_.exchange(0));
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
-  }
-
-  // By the caller: calls each member who isn't there.
-  template <class Enqueue>
-  void call_helpers(const Enqueue& enqueue) {
-    for (std::size_t m = 1; m < members_; ++m) {
-      if (!called_[m].exchange(true)) enqueue(m);
-    }
   }
 
   // By the member m, who was called, until nothing has come for a while, or will.
   void help(std::size_t m) {
+    Member& member = member_[m];
+    const Arithmetic own = Arithmetic::of_this_thread();
+    double cpu_before = cpu_seconds_of_this_thread();
     auto until = Clock::now() + kPatience;
     for (int looks = 1; !ended_; ++looks) {
-      if (open_ && help_once(m)) {
+      if (member.enter()) {
+        const auto begun = Clock::now();
+        help_once(m);
+        const std::chrono::duration<double> took = Clock::now() - begun;
+        member.leave();
+        // The clock of CPU time is slow: it is asked while nobody waits. What it says of looking out before is
+        // not work; what the other says of being held up is not either.
+        const double cpu_now = cpu_seconds_of_this_thread();
+        member.add_cpu_seconds(std::min(took.count(), cpu_now - cpu_before));
+        cpu_before = cpu_now;
         until = Clock::now() + kPatience;
-      } else if (looks % kLooks == 0 && Clock::now() > until) {
-        break;
+        looks = 0;
+      } else if (looks % kLooks == 0) {
+        cpu_before = cpu_seconds_of_this_thread();
+        if (Clock::now() > until && member.go_away()) break;
+        wait(looks);
       } else {
         wait(looks);
       }
     }
-    called_[m] = false;
+    own.apply();
   }
 
   void end() { ended_ = true; }
-  double helpers_cpu_seconds() const { return helpers_cpu_seconds_; }
+  double helpers_cpu_seconds() const {
+    double sum = 0.0;
+    for (const Member& member : member_) sum += member.cpu_seconds(wait);
+    return sum;
+  }
 
  private:
   static void wait(int looks) {
@@ -165,69 +262,43 @@ class OpenWork {
     }
   }
 
-  bool any_left() const {
-    return std::any_of(own_.begin(), own_.end(), [](const OwnPieces& own) { return own.any(); });
-  }
-
   // The next piece for the member m.
   bool take(std::size_t m, std::size_t& k) {
-    if (own_[m].take_first(k)) return true;
-    for (std::size_t other = 1; other < members_; ++other) {
-      if (own_[(m + other) % members_].take_last(k)) return true;
+    if (member_[m].take_first(k)) return true;
+    for (std::size_t other = 1; other < member_.size(); ++other) {
+      if (member_[(m + other) % member_.size()].take_last(k)) return true;
     }
     return false;
   }
 
-  bool pieces(std::size_t m) {
-    bool any = false;
+  void pieces(std::size_t m) {
     in_piece_ = true;
     try {
-      for (std::size_t k = 0; take(m, k); any = true) call_(work_, k);
+      for (std::size_t k = 0; take(m, k);) call_(work_, k);
     } catch (...) {
       const std::lock_guard lock(throwing_);
       if (!thrown_) thrown_ = std::current_exception();
-      for (OwnPieces& own : own_) own.set(0, 0);
-      any = true;
+      for (Member& member : member_) member.set_left(0, 0);
     }
     in_piece_ = false;
-    return any;
   }
 
-  bool help_once(std::size_t m) {
-    if (!any_left()) return false;
-    ++inside_;
-    bool helped = false;
-    if (open_) {
-      const double before = cpu_seconds_of_this_thread();
-      std::fenv_t own;
-      std::fegetenv(&own);
-      std::fesetenv(&environment_);
-      std::feclearexcept(FE_ALL_EXCEPT);
-      helped = pieces(m);
-      raised_ |= std::fetestexcept(FE_ALL_EXCEPT);
-      std::fesetenv(&own);
-      helpers_cpu_seconds_ += cpu_seconds_of_this_thread() - before;
-    }
-    --inside_;
-    return helped;
+  void help_once(std::size_t m) {
+    arithmetic_.apply();
+    pieces(m);
+    if (const int raised = Arithmetic::raised()) raised_ |= raised;
   }
 
   static inline thread_local bool in_piece_ = false;
 
-  std::size_t members_;
-
-  // Of the work that lies open, written while nobody is inside.
-  Call call_ = nullptr;
+  // Of the work that lies open: written while nobody is inside, and read together.
+  alignas(64) Call call_ = nullptr;
   const void* work_ = nullptr;
-  std::fenv_t environment_{};
-  std::vector<OwnPieces> own_;  // of each member
+  Arithmetic arithmetic_ = Arithmetic::of_this_thread();
 
-  std::vector<std::atomic<bool>> called_;  // each member, who has not gone yet
-  alignas(64) std::atomic<bool> open_ = false;
-  std::atomic<bool> ended_ = false;
-  alignas(64) std::atomic<int> inside_ = 0;
+  std::vector<Member> member_;
+  alignas(64) std::atomic<bool> ended_ = false;
   std::atomic<int> raised_ = 0;  // by helpers, who have flags of their own
-  std::atomic<double> helpers_cpu_seconds_ = 0.0;
   std::mutex throwing_;
   std::exception_ptr thrown_;
 };
@@ -282,12 +353,11 @@ struct Team::Arena {
 int most_threads() { return 256; }
 
 void Team::share(std::size_t count, Call call, const void* work) const {
-  arena_->work->call_helpers([&](std::size_t member) {
+  arena_->work->share(count, call, work, [&](std::size_t member) {
     arena_->arena.enqueue([number = arena_->number, member] {
       if (const auto open = OpenWorks::all().find(number)) open->help(member);
     });
   });
-  arena_->work->share(count, call, work);
 }
 
 double Team::helpers_cpu_seconds() const {
