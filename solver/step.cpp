@@ -42,7 +42,7 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
     case Phase::kDetect:
       if (scene.pairs_possible) detect_pairs(scene, options, state, workspace);
       detect(scene, dt, state.position, workspace.velocity, workspace.contacts, time,
-             scene.pairs_possible ? &workspace.search : nullptr);
+             scene.pairs_possible ? &workspace.search : nullptr, workspace.team);
       return;
     case Phase::kDepth:
       depths(scene, options, state, workspace);

@@ -53,8 +53,19 @@ struct OneSidedContacts {
   std::vector<Real> normal_force;       ///< fⁿ, N
   std::vector<Vec3> friction_force;     ///< f on the vertex, N
 
+  /// Scratch of detection: what the ranges of vertices have found that threads look at.
+  struct Found {
+    std::int32_t vertex;
+    Real depth;  ///< m
+  };
+  std::vector<std::vector<Found>> found;
+
   std::size_t size() const { return key.size(); }
-  void clear();
+  void clear() { resize(0); }
+  void resize(std::size_t count);
+  /// The c-th is this one, without forces yet.
+  void set(std::size_t c, ContactKey contact, std::int32_t vertex_number,
+           std::int32_t obstacle_number, Real penetration_depth, const Vec3& velocity_of_obstacle);
   void add(ContactKey contact, std::int32_t vertex_number, std::int32_t obstacle_number,
            Real penetration_depth, const Vec3& velocity_of_obstacle = Vec3::Zero());
 };

@@ -15,6 +15,6 @@ namespace stiction {
 /// Where `bounds` has the boxes of this step's bodies, those that are clear of the half-space are passed over.
 void detect(const Scene& scene, double dt, const std::vector<Position>& position,
             const std::vector<Velocity>& predicted, OneSidedContacts& contacts, double time = 0.0,
-            const PairSearch* bounds = nullptr);
+            const PairSearch* bounds = nullptr, const Team* team = nullptr);
 
 }  // namespace stiction
