@@ -55,13 +55,18 @@ TEST_F(TeamOfMany, GivesEachThreadAPartOfItsOwn) {
   for (int round = 0; round < 20; ++round) {
     std::vector<char> by_caller(kPieces);
     std::atomic<std::size_t> first_of_helper = kPieces;
-    std::atomic<bool> both = false;
+    std::atomic<bool> caller_came = false;
     for_each(&team, kPieces, [&](std::size_t k) {
       const bool calls = std::this_thread::get_id() == caller;
       by_caller[k] = calls;
-      std::size_t none = kPieces;
-      if (!calls && first_of_helper.compare_exchange_strong(none, k)) both = true;
-      while (!both) std::this_thread::yield();  // until both have come
+      if (calls) {
+        caller_came = true;
+      } else {
+        std::size_t none = kPieces;
+        first_of_helper.compare_exchange_strong(none, k);
+      }
+      // Until both have come, however late.
+      while (!caller_came || first_of_helper == kPieces) std::this_thread::yield();
     });
     EXPECT_EQ(first_of_helper, kPieces / 2);
     EXPECT_TRUE(by_caller[0]);
