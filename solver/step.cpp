@@ -2,6 +2,7 @@
 #include "solver/step.h"
 
 #include "solver/depth/depth.h"
+#include "solver/depth/remember_pairs.h"
 #include "solver/detection/crossing_edges.h"
 #include "solver/detection/detect.h"
 #include "solver/detection/detect_pairs.h"

@@ -28,6 +28,7 @@ void OneSidedContacts::set(std::size_t c, ContactKey contact, std::int32_t verte
 void OneSidedContacts::add(ContactKey contact, std::int32_t vertex_number,
                            std::int32_t obstacle_number, Real penetration_depth,
                            const Vec3& velocity_of_obstacle) {
+  // By `resize` and `set` detection of vertices on a plane took 1.8 times as long.
   key.push_back(contact);
   vertex.push_back(vertex_number);
   obstacle.push_back(obstacle_number);

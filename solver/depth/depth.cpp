@@ -2,10 +2,8 @@
 #include "solver/depth/depth.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,9 +44,6 @@ void set_partners(const Triangle& triangle, const Options& options, const State&
       barycentric(x(contact.vertex), x(corner[0]), x(corner[1]), x(corner[2]), x(corner[3]));
   for (int k = 0; k < 4; ++k) contact.weight[k] = weight[k];
 }
-
-// In mean edges: an excess below the rounding of a position.
-constexpr Real kNothing = round_off(1e-15);
 
 // What of the contact's depth is not to be answered in this step, m; `last` and `now` are its triangles
 // of the last step and of this one. A vertex that comes in through a side wall, behind a face that it
@@ -256,15 +251,6 @@ class RangeOfDepths {
     return found_;
   }
 
-  // Some that were left aside, and have been listed.
-  Found operator()(std::span<const Found::Unlisted> listed) {
-    PairContacts& pairs = workspace_.pairs;
-    for (const auto [c, group] : listed) {
-      measure_one(pairs[c], pairs.site(c), &workspace_.search.group[group]);
-    }
-    return found_;
-  }
-
  private:
   bool put_in_batch(PairContact& contact, PairSite& site, PairSearch::Group& group) {
     const PairSearch& search = workspace_.search;
@@ -329,22 +315,26 @@ Found measure_all(const Scene& scene, const Options& options, const State& state
   const Measure measure(scene, options, state, workspace);
   Found all;
   std::mutex of_all;
-  const auto add = [&](const auto&... range) {
-    RangeOfDepths depths_of(measure, scene, options, state, workspace);
-    const Found found = depths_of(range...);
+  const auto add = [&](const Found& found) {
     const std::lock_guard lock(of_all);
     all.add(found);
   };
-  for_ranges(workspace.team, pairs.size(), kContactsToShare, add);
+  for_ranges(workspace.team, pairs.size(), kContactsToShare,
+             [&](std::size_t begin, std::size_t end) {
+               add(RangeOfDepths(measure, scene, options, state, workspace)(begin, end));
+             });
   if (all.unlisted.empty()) return all;
-  const std::vector<Found::Unlisted> unlisted = std::move(all.unlisted);
-  for (const auto [c, group] : unlisted) {
+  const std::vector<Found::Unlisted> listed = std::exchange(all.unlisted, {});
+  for (const auto [c, group] : listed) {
     list_nearest(scene.topology, pairs.site(c).element, workspace.search.group[group],
                  workspace.search);
   }
-  for_ranges(workspace.team, unlisted.size(), kContactsToShare,
+  for_ranges(workspace.team, listed.size(), kContactsToShare,
              [&](std::size_t begin, std::size_t end) {
-               add(std::span(unlisted).subspan(begin, end - begin));
+               for (std::size_t k = begin; k < end; ++k) {
+                 const std::size_t c = listed[k].contact;
+                 add(RangeOfDepths(measure, scene, options, state, workspace)(c, c + 1));
+               }
              });
   return all;
 }
@@ -381,43 +371,6 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   if (options.pairs.key == PairKey::kTriangle) {
     for (PairContact& contact : workspace.pairs) {
       contact.other = workspace.pairs.site_of(contact).triangle;
-    }
-  }
-}
-
-void remember_pairs(PairContacts& pairs, const Topology& topology, PairGeometry& memory,
-                    const Team* team) {
-  static std::atomic<std::uint64_t> last_serial = 0;
-  const bool known = pairs.remembered != 0 && pairs.remembered == memory.serial;
-  if (!known) {
-    memory.body_key.resize(pairs.size());
-    memory.element.resize(pairs.size());
-    memory.triangle.resize(pairs.size());
-  }
-  memory.excess.clear();
-  // Few steps have any excess, and many where the lists are known no other triangle.
-  std::atomic<bool> any_excess = false, any_change = !known;
-  for_ranges(team, pairs.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const PairSite& site = pairs.site(c);
-      if (site.excess > kNothing * topology.mean_edge) any_excess = true;
-      if (!known) {
-        const std::int32_t body = topology.element_body[static_cast<std::size_t>(site.element)];
-        memory.body_key[c] = contact_key(pairs[c].vertex, body);
-        memory.element[c] = site.element;
-        memory.triangle[c] = site.triangle;
-      } else if (memory.triangle[c] != site.triangle || memory.element[c] != site.element) {
-        memory.triangle[c] = site.triangle;
-        memory.element[c] = site.element;
-        any_change = true;
-      }
-    }
-  });
-  if (any_change) pairs.remembered = memory.serial = ++last_serial;
-  for (std::size_t c = 0; any_excess && c < pairs.size(); ++c) {
-    const Real excess = pairs.site(c).excess;
-    if (excess > kNothing * topology.mean_edge) {
-      memory.excess.push_back({memory.body_key[c], excess});
     }
   }
 }

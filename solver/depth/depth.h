@@ -28,9 +28,4 @@ inline constexpr Real kPassed = 0.4;
 void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, Real depth,
                    PairSearch::TooDeep& too_deep);
 
-/// Keeps where the contacts are for the hysteresis and the ties of the next step: of those that it has
-/// kept already, what has changed.
-void remember_pairs(PairContacts& pairs, const Topology& topology, PairGeometry& memory,
-                    const Team* team = nullptr);
-
 }  // namespace stiction

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/depth/nearest.h"
+#include "solver/depth/remember_pairs.h"
 #include "solver/testing/test_pairs.h"
 
 namespace stiction {

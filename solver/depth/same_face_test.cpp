@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "solver/depth/remember_pairs.h"
 #include "solver/lanes/lane_width.h"
 #include "solver/testing/test_pairs.h"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/depth/face_choice.h"
+#include "solver/depth/remember_pairs.h"
 #include "solver/depth/same_face.h"
 #include "solver/detection/pair_candidates.h"
 #include "solver/testing/test_pairs.h"

@@ -13,6 +13,7 @@ namespace stiction {
 /// can move are tested.
 /// An obstacle with a motion is where it will be at the end of the step that starts at `time`, s.
 /// Where `bounds` has the boxes of this step's bodies, those that are clear of the half-space are passed over.
+/// The threads of a team look at ranges of vertices, and find the same.
 void detect(const Scene& scene, double dt, const std::vector<Position>& position,
             const std::vector<Velocity>& predicted, OneSidedContacts& contacts, double time = 0.0,
             const PairSearch* bounds = nullptr, const Team* team = nullptr);

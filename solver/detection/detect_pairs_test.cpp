@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <set>
 
+#include "solver/depth/remember_pairs.h"
 #include "solver/testing/test_pairs.h"
 
 namespace stiction {

@@ -40,6 +40,17 @@ std::vector<std::uint64_t> morton_codes(const Eigen::Matrix3Xd& vertices) {
   return codes;
 }
 
+// The place of each of so many numbers where they are put in order.
+template <class Before>
+std::vector<std::int32_t> places_by(std::size_t count, const Before& before) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), before);
+  std::vector<std::int32_t> place(count);
+  for (std::size_t k = 0; k < count; ++k) place[order[k]] = static_cast<std::int32_t>(k);
+  return place;
+}
+
 }  // namespace
 
 Numbering spatial_numbering(const TetMesh& mesh, const Eigen::Matrix3d& axes) {
@@ -50,28 +61,17 @@ Numbering spatial_numbering(const TetMesh& mesh, const Eigen::Matrix3d& axes) {
   for (const int v : triangles.reshaped()) inner[static_cast<std::size_t>(v)] = false;
 
   const std::vector<std::uint64_t> codes = morton_codes(axes.transpose() * mesh.vertices);
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  Numbering numbering;
+  numbering.place = places_by(count, [&](std::size_t a, std::size_t b) {
     return inner[a] != inner[b] ? !inner[a] : codes[a] < codes[b];
   });
-
-  Numbering numbering;
-  numbering.place.resize(count);
-  for (std::size_t k = 0; k < count; ++k) numbering.place[order[k]] = static_cast<int>(k);
   numbering.surface_count = static_cast<int>(std::count(inner.begin(), inner.end(), false));
   return numbering;
 }
 
 std::vector<std::int32_t> places_along_curve(const Eigen::Matrix3Xd& points) {
   const std::vector<std::uint64_t> codes = morton_codes(points);
-  std::vector<std::size_t> order(codes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return codes[a] < codes[b]; });
-  std::vector<std::int32_t> place(codes.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::int32_t>(k);
-  return place;
+  return places_by(codes.size(), [&](std::size_t a, std::size_t b) { return codes[a] < codes[b]; });
 }
 
 }  // namespace stiction
