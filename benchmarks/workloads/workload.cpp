@@ -13,15 +13,22 @@ namespace stiction::bench {
 
 namespace {
 
-// ωT of the time under drag, after which (1 + ωT) e^{−ωT} = 5e-4 of the bounce is left, and of the
+// ωT of the time under drag, after which (1 + ωT) e^{−ωT} = 7e-3 of the bounce is left, and of the
 // free time behind it.
 constexpr double kDragPhase = 7.0;
 constexpr double kFreePhase = 0.5;
+
+// What trembles is seen in some steps and not in others: the worst of so many is what counts.
+constexpr int kWatchedSteps = 20;
 
 bool held(const Scene& scene, const Body& body) {
   const auto first = scene.inverse_mass.begin() + body.first_vertex;
   return std::find(first, first + body.vertex_count, 0.0) != first + body.vertex_count;
 }
+
+// Of two figures the larger; what is no number stays so.
+bool is_worse(double now, double so_far) { return !(now <= so_far) && !std::isnan(so_far); }
+double worse(double now, double so_far) { return is_worse(now, so_far) ? now : so_far; }
 
 // The worst body's |Δ momentum| in one step over its weight × Δt.
 double unbalance(const Scene& scene, const State& before, const State& after, double gravity_step,
@@ -31,10 +38,8 @@ double unbalance(const Scene& scene, const State& before, const State& after, do
     if (held(scene, body)) continue;
     const double change =
         (centre_velocity(scene, after, body) - centre_velocity(scene, before, body)).norm();
-    if (!(change / gravity_step <= largest) && !std::isnan(largest)) {
-      largest = change / gravity_step;
-      worst = body.name;
-    }
+    if (is_worse(change / gravity_step, largest)) worst = body.name;
+    largest = worse(change / gravity_step, largest);
   }
   return largest;
 }
@@ -74,8 +79,8 @@ Judgement rest_check(const std::string& quantity, const std::string& statement, 
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
              .tolerance = 0.05,
-             .reason = "the drag leaves (1 + ωT) e^(−ωT) = 5e-4 of the bounce, ωT = 10; modes a "
-                       "hundred times weaker than the slowest bounce was taken for are left whole"},
+             .reason = "the drag leaves (1 + ωT) e^(−ωT) = 7e-3 of a bounce of one weight, ωT = 7; "
+                       "seven times that, for modes that are slower than the family's bounce"},
             value);
   check.worst = worst;
   return check;
@@ -85,11 +90,7 @@ Judgement rest_check(const std::string& quantity, const std::string& statement, 
 
 double Workload::error() const {
   double largest = 0.0;
-  for (const Judgement& check : checks) {
-    // What is no number stays so.
-    if (!(std::abs(check.error) <= largest) && !std::isnan(largest))
-      largest = std::abs(check.error);
-  }
+  for (const Judgement& check : checks) largest = worse(std::abs(check.error), largest);
   return largest;
 }
 
@@ -101,15 +102,22 @@ void put_on_ground(double friction, Setup& setup) {
 
 void go_on(Workload& work, int steps) {
   const Scene& scene = *work.scene;
-  State before;
-  for (int k = 0; k < steps; ++k) {
-    if (k + 1 == steps) before = work.state;
-    step(scene, work.options, work.state, work.workspace);
-  }
   const double gravity_step = work.options.time_step * scene.gravity.at(0.0).norm();
+  double force = 0.0, slip = 0.0;
   std::string worst;
-  const double force = unbalance(scene, before, work.state, gravity_step, worst);
-  const double slip = mean_slip(scene, work.state, work.workspace) / gravity_step;
+  for (int left = steps; left > 0; --left) {
+    if (left > kWatchedSteps) {
+      step(scene, work.options, work.state, work.workspace);
+      continue;
+    }
+    const State before = work.state;
+    step(scene, work.options, work.state, work.workspace);
+    std::string body;
+    const double now = unbalance(scene, before, work.state, gravity_step, body);
+    if (is_worse(now, force)) worst = body;
+    force = worse(now, force);
+    slip = worse(mean_slip(scene, work.state, work.workspace) / gravity_step, slip);
+  }
   work.checks = {rest_check("unbalanced force over weight", "each body is carried by its contacts",
                             force, worst),
                  rest_check("mean slip over gΔt", "static friction holds all contacts", slip, "")};

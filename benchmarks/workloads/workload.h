@@ -51,8 +51,9 @@ struct Workload {
   Options options;
   State state;          ///< at rest
   Workspace workspace;  ///< warm: what the last step left
-  /// How far from rest: the worst body's unbalanced force over its weight, and the mean slip of
-  /// loaded contacts over what gravity adds to a free body's speed in one step.
+  /// How far from rest, in the worst of the last steps: the worst body's unbalanced force over its
+  /// weight, and the mean slip of loaded contacts over what gravity adds to a free body's speed in one
+  /// step.
   std::vector<Judgement> checks;
 
   std::size_t contacts() const {
@@ -61,7 +62,7 @@ struct Workload {
   double error() const;  ///< largest |error| of the checks, dimensionless
 };
 
-/// Takes `steps` ≥ 1 steps more, and checks the last one.
+/// Takes `steps` ≥ 1 steps more, and checks the worst of the last 20 of them.
 void go_on(Workload& work, int steps);
 
 /// Builds the scene of a family and lets it come to rest.
