@@ -103,10 +103,11 @@ void put_on_ground(double friction, Setup& setup) {
 void go_on(Workload& work, int steps) {
   const Scene& scene = *work.scene;
   const double gravity_step = work.options.time_step * scene.gravity.at(0.0).norm();
+  const int watched = std::min(kWatchedSteps, (steps + 1) / 2);
   double force = 0.0, slip = 0.0;
   std::string worst;
   for (int left = steps; left > 0; --left) {
-    if (left > kWatchedSteps) {
+    if (left > watched) {
       step(scene, work.options, work.state, work.workspace);
       continue;
     }

@@ -62,7 +62,8 @@ struct Workload {
   double error() const;  ///< largest |error| of the checks, dimensionless
 };
 
-/// Takes `steps` ≥ 1 steps more, and checks the worst of the last 20 of them.
+/// Takes `steps` ≥ 1 steps more, and checks the worst of the last 20 of them; of fewer than 40, of
+/// their second half.
 void go_on(Workload& work, int steps);
 
 /// Builds the scene of a family and lets it come to rest.
