@@ -26,22 +26,27 @@ bool held(const Scene& scene, const Body& body) {
   return std::find(first, first + body.vertex_count, 0.0) != first + body.vertex_count;
 }
 
-// Of two figures the larger; what is no number stays so.
-bool is_worse(double now, double so_far) { return !(now <= so_far) && !std::isnan(so_far); }
-double worse(double now, double so_far) { return is_worse(now, so_far) ? now : so_far; }
+// The largest of some figures, and whose it is; what is no number stays so.
+struct Worst {
+  double value = 0.0;
+  std::string of;
 
-// The worst body's |Δ momentum| in one step over its weight × Δt.
-double unbalance(const Scene& scene, const State& before, const State& after, double gravity_step,
-                 std::string& worst) {
-  double largest = 0.0;
+  void add(double figure, const std::string& whose = "") {
+    if (figure <= value || std::isnan(value)) return;
+    value = figure;
+    of = whose;
+  }
+};
+
+// Each body's |Δ momentum| in one step over its weight × Δt.
+void add_unbalance(const Scene& scene, const State& before, const State& after, double gravity_step,
+                   Worst& worst) {
   for (const Body& body : scene.bodies) {
     if (held(scene, body)) continue;
     const double change =
         (centre_velocity(scene, after, body) - centre_velocity(scene, before, body)).norm();
-    if (is_worse(change / gravity_step, largest)) worst = body.name;
-    largest = worse(change / gravity_step, largest);
+    worst.add(change / gravity_step, body.name);
   }
-  return largest;
 }
 
 // Mean tangential slip of the loaded contacts, m/s.
@@ -69,8 +74,8 @@ double mean_slip(const Scene& scene, const State& state, const Workspace& worksp
   return loaded > 0 ? sum / loaded : 0.0;
 }
 
-Judgement rest_check(const std::string& quantity, const std::string& statement, double value,
-                     const std::string& worst) {
+Judgement rest_check(const std::string& quantity, const std::string& statement,
+                     const Worst& worst) {
   Judgement check =
       judge({.quantity = quantity,
              .unit = "1",
@@ -81,17 +86,17 @@ Judgement rest_check(const std::string& quantity, const std::string& statement, 
              .tolerance = 0.05,
              .reason = "the drag leaves (1 + ωT) e^(−ωT) = 7e-3 of a bounce of one weight, ωT = 7; "
                        "seven times that, for modes that are slower than the family's bounce"},
-            value);
-  check.worst = worst;
+            worst.value);
+  check.worst = worst.of;
   return check;
 }
 
 }  // namespace
 
 double Workload::error() const {
-  double largest = 0.0;
-  for (const Judgement& check : checks) largest = worse(std::abs(check.error), largest);
-  return largest;
+  Worst worst;
+  for (const Judgement& check : checks) worst.add(std::abs(check.error));
+  return worst.value;
 }
 
 void put_on_ground(double friction, Setup& setup) {
@@ -104,24 +109,18 @@ void go_on(Workload& work, int steps) {
   const Scene& scene = *work.scene;
   const double gravity_step = work.options.time_step * scene.gravity.at(0.0).norm();
   const int watched = std::min(kWatchedSteps, (steps + 1) / 2);
-  double force = 0.0, slip = 0.0;
-  std::string worst;
-  for (int left = steps; left > 0; --left) {
-    if (left > watched) {
-      step(scene, work.options, work.state, work.workspace);
-      continue;
-    }
+  const auto one_more = [&] { step(scene, work.options, work.state, work.workspace); };
+  for (int k = watched; k < steps; ++k) one_more();
+  Worst force, slip;
+  for (int k = 0; k < watched; ++k) {
     const State before = work.state;
-    step(scene, work.options, work.state, work.workspace);
-    std::string body;
-    const double now = unbalance(scene, before, work.state, gravity_step, body);
-    if (is_worse(now, force)) worst = body;
-    force = worse(now, force);
-    slip = worse(mean_slip(scene, work.state, work.workspace) / gravity_step, slip);
+    one_more();
+    add_unbalance(scene, before, work.state, gravity_step, force);
+    slip.add(mean_slip(scene, work.state, work.workspace) / gravity_step);
   }
-  work.checks = {rest_check("unbalanced force over weight", "each body is carried by its contacts",
-                            force, worst),
-                 rest_check("mean slip over gΔt", "static friction holds all contacts", slip, "")};
+  work.checks = {
+      rest_check("unbalanced force over weight", "each body is carried by its contacts", force),
+      rest_check("mean slip over gΔt", "static friction holds all contacts", slip)};
 }
 
 Workload settle(const WorkloadFamily& family, int contacts) {

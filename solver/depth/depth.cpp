@@ -210,11 +210,11 @@ std::vector<PairSearch::Group>::iterator first_group(std::vector<PairSearch::Gro
       [](const PairSearch::Group& group, ContactKey of) { return group.key < of; });
 }
 
-// Measures the contacts of a range, in batches where they may have stayed on their faces.
-class RangeOfDepths {
+// Measures the contacts of ranges, in batches where they may have stayed on their faces.
+class RangesOfDepths {
  public:
-  RangeOfDepths(const Measure& measure, const Scene& scene, const Options& options,
-                const State& state, Workspace& workspace)
+  RangesOfDepths(const Measure& measure, const Scene& scene, const Options& options,
+                 const State& state, Workspace& workspace)
       : measure_(measure),
         scene_(scene),
         options_(options.pairs),
@@ -224,12 +224,12 @@ class RangeOfDepths {
         // What is not answered yet of a depth is rare, and looked up one at a time.
         most_(state.pair_geometry.excess.empty() ? lanes_of(width_) : 0) {}
 
-  // Leaves those aside whose triangles are to be listed, unless there is no team.
-  Found operator()(std::size_t begin, std::size_t end) {
+  // One more range. Leaves those aside whose triangles are to be listed, unless there is no team.
+  void measure(std::size_t begin, std::size_t end) {
     PairContacts& pairs = workspace_.pairs;
     std::vector<PairSearch::Group>& groups = workspace_.search.group;
     const bool lists = workspace_.team == nullptr;
-    if (begin == end) return found_;
+    if (begin == end) return;
     // Contacts and groups are both in the order of their keys.
     auto group = first_group(groups, pairs[begin].key());
     for (std::size_t c = begin; c < end; ++c) {
@@ -248,8 +248,9 @@ class RangeOfDepths {
       if (batch_.count == most_) measure_batch();
     }
     measure_batch();
-    return found_;
   }
+  // Of all of them.
+  const Found& found() const { return found_; }
 
  private:
   bool put_in_batch(PairContact& contact, PairSite& site, PairSearch::Group& group) {
@@ -315,13 +316,15 @@ Found measure_all(const Scene& scene, const Options& options, const State& state
   const Measure measure(scene, options, state, workspace);
   Found all;
   std::mutex of_all;
-  const auto add = [&](const Found& found) {
+  const auto measure_some = [&](const auto& ranges) {
+    RangesOfDepths depths(measure, scene, options, state, workspace);
+    ranges(depths);
     const std::lock_guard lock(of_all);
-    all.add(found);
+    all.add(depths.found());
   };
   for_ranges(workspace.team, pairs.size(), kContactsToShare,
              [&](std::size_t begin, std::size_t end) {
-               add(RangeOfDepths(measure, scene, options, state, workspace)(begin, end));
+               measure_some([&](RangesOfDepths& depths) { depths.measure(begin, end); });
              });
   if (all.unlisted.empty()) return all;
   const std::vector<Found::Unlisted> listed = std::exchange(all.unlisted, {});
@@ -331,10 +334,11 @@ Found measure_all(const Scene& scene, const Options& options, const State& state
   }
   for_ranges(workspace.team, listed.size(), kContactsToShare,
              [&](std::size_t begin, std::size_t end) {
-               for (std::size_t k = begin; k < end; ++k) {
-                 const std::size_t c = listed[k].contact;
-                 add(RangeOfDepths(measure, scene, options, state, workspace)(c, c + 1));
-               }
+               measure_some([&](RangesOfDepths& depths) {
+                 for (std::size_t k = begin; k < end; ++k) {
+                   depths.measure(listed[k].contact, listed[k].contact + 1);
+                 }
+               });
              });
   return all;
 }
