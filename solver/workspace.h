@@ -70,8 +70,7 @@ struct PairSearch {
   std::vector<Box3> overlap;            ///< per body: where it can meet others
   std::vector<int> order;               ///< bodies along x
   struct Candidate {
-    ContactKey key;  ///< (vertex, body that it may be in)
-    std::int32_t element;
+    std::int32_t vertex, element;  ///< that it may be in
   };
   /// Vertices of one body that may be in tetrahedra of another.
   struct Meeting {
@@ -79,9 +78,9 @@ struct PairSearch {
     Box3 common;               ///< m
     std::size_t begin, end;    ///< in `found`
   };
-  std::vector<Meeting> meeting;      ///< by body, then other
-  std::vector<Candidate> found;      ///< of each meeting, by element
-  std::vector<Candidate> candidate;  ///< the same by key, then element
+  std::vector<Meeting> meeting;         ///< by body, then other
+  std::vector<Candidate> found;         ///< of each meeting, by element
+  std::vector<std::int32_t> candidate;  ///< the same elements, by vertex, then element
   /// The places in a list of those of which something else may be found in the next steps: in so many, as long
   /// as `strides` isn't above `until`, m (lasting.h).
   struct Awake {
@@ -95,15 +94,15 @@ struct PairSearch {
   struct alignas(64) Group {
     ContactKey key;
     std::int32_t candidate_begin, candidate_end;
-    std::int32_t near_begin, near_end;  ///< in `near`
-    std::int32_t near_element;          ///< while the vertex is in this one; −1: not listed yet
-    std::int8_t listings = 0;  ///< how often they have been listed since the lists were made
+    std::int32_t near_begin = 0, near_end = 0;  ///< in `near`
+    std::int32_t near_element = -1;  ///< while the vertex is in this one; −1: not listed yet
+    std::int8_t listings = 0;        ///< how often they have been listed since the lists were made
     // Steps in a row with the same verdict, and on the same face, since it was last asked for how long.
     std::int8_t held = 0, stayed = 0;
     /// While it stays on its face: whether faces that are nearer are passed over, on which it can't rest;
     /// −1: not known.
     std::int8_t passes_over = -1;
-    Real near_reach;  ///< m: up to this distance at the reference `near` names all
+    Real near_reach = 0.0;  ///< m: up to this distance at the reference `near` names all
     /// What the test of the candidates has found, and will find while the paths of both bodies together
     /// are below `holds_until`, m: ≥ 0, the element that holds the vertex, and held it before; −2 − e:
     /// none, and it was with e in the last step; −1: none, and it was with none.
@@ -125,7 +124,7 @@ struct PairSearch {
   std::vector<TriangleBall> ball;  ///< per triangle; infinite while its body can meet no other
 
   // Scratch of making lists: what they were before, a meeting's elements and vertices, and where each
-  // vertex's next candidate comes.
+  // vertex's candidates end.
   std::vector<Meeting> old_meeting;
   std::vector<Candidate> old_found;
   std::vector<Group> old_group;
@@ -134,7 +133,7 @@ struct PairSearch {
   std::vector<std::int32_t> common_vertex;  ///< of a meeting
   std::vector<Box3> vertex_block;  ///< of several surface vertices in turn, at the reference
   SpatialHash hash;
-  std::vector<std::int32_t> candidate_place;
+  std::vector<std::int32_t> candidate_end;
 
   std::vector<Box3> travel;  ///< per body: of its vertices in a step, m
   /// Two bodies that a step can carry through each other; `travel` is 0 while there are none. With

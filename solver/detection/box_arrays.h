@@ -39,7 +39,7 @@ struct BoxLanes {
 /// Boxes in arrays, m.
 class BoxArrays {
  public:
-  /// Makes place for so many; those there are stay.
+  /// Makes place for so many, and a register more; those there are stay.
   void reserve(std::size_t count) {
     for (auto* side : {&low_, &high_}) {
       for (std::vector<Real>& numbers : *side) {
@@ -70,6 +70,9 @@ class BoxArrays {
       high_[axis][k] = other.high_[axis][of_other];
     }
   }
+  /// Their sides along an axis, m.
+  const Real* low(std::size_t axis) const { return low_[axis].data(); }
+  const Real* high(std::size_t axis) const { return high_[axis].data(); }
   /// Calls use(k) for those from `begin` to before `end` that have a point in common with `box`, in their
   /// order. They are asked for by words of bits: where a loop ends after a few, register by register, the
   /// processor guesses wrong.

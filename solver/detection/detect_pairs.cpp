@@ -36,20 +36,20 @@ std::int32_t deepest_candidate(const Scene& scene, const PairSearch& search,
                                const PairSearch::Group& group, int width) {
   const std::vector<Vec3>& x = search.predicted;
   const Vec3& point = x[static_cast<std::size_t>(first_of(group.key))];
-  const auto corners_of = [&](const PairSearch::Candidate& candidate) -> const auto& {
-    return scene.elements[static_cast<std::size_t>(candidate.element)].vertex;
+  const auto corners_of = [&](std::int32_t element) -> const auto& {
+    return scene.elements[static_cast<std::size_t>(element)].vertex;
   };
   // What the round-off of the weights lets in must not be beyond the outermost corner.
-  const auto in_box = [&](const PairSearch::Candidate& candidate) {
+  const auto in_box = [&](std::int32_t element) {
     Box3 box;
-    for (const std::int32_t v : corners_of(candidate)) box.extend(x[static_cast<std::size_t>(v)]);
+    for (const std::int32_t v : corners_of(element)) box.extend(x[static_cast<std::size_t>(v)]);
     return box.contains(point);
   };
   std::int32_t found = -1;
   Real deepest = kOnBoundary;
   for (std::int32_t k = group.candidate_begin, count; k < group.candidate_end; k += count) {
     count = std::min(group.candidate_end - k, lanes_of(width));
-    const PairSearch::Candidate* const candidate = &search.candidate[static_cast<std::size_t>(k)];
+    const std::int32_t* const candidate = &search.candidate[static_cast<std::size_t>(k)];
     const std::int32_t* corner[kMostLanes];
     Real weight[kMostLanes];
     for (int lane = 0; lane < count; ++lane) corner[lane] = corners_of(candidate[lane]);
@@ -57,7 +57,7 @@ std::int32_t deepest_candidate(const Scene& scene, const PairSearch& search,
     for (int lane = 0; lane < count; ++lane) {
       if (!(found < 0 ? weight[lane] >= deepest : weight[lane] > deepest)) continue;
       if (!in_box(candidate[lane])) continue;
-      found = candidate[lane].element;
+      found = candidate[lane];
       deepest = weight[lane];
     }
   }
@@ -99,7 +99,7 @@ Real lasts_within(const Scene& scene, const PairSearch& search, const PairSearch
   if (found >= 0) return found == last ? held_within(point, corners(found)) - rounding : 0;
   Real least = last >= 0 ? clearance(point, corners(last)) : std::numeric_limits<Real>::infinity();
   for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
-    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)].element;
+    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)];
     least = std::min(least, clearance(point, corners(element)));
   }
   return least - rounding;

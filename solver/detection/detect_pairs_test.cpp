@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <iterator>
 #include <set>
 
 #include "solver/depth/remember_pairs.h"
@@ -96,6 +97,29 @@ TEST(DetectPairs, FindsWhatBruteForceFindsInTumbledDeformedBodies) {
     contacts += expected.size();
   }
   EXPECT_GT(contacts, 100u) << "the configurations do touch";
+}
+
+// Three bodies in one place: a vertex may be in both others.
+TEST(DetectPairs, FindsAVertexInEachBodyThatItIsIn) {
+  std::size_t in_two = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SceneDescription description = test::stacked_cubes(0.3);
+    description.bodies.push_back(description.bodies[0]);
+    unsigned turn = 0;
+    for (BodyDescription& body : description.bodies) {
+      const Vec3 place = test::noise(1, 0.3, 10 * seed + turn++);
+      body.mesh.vertices.colwise() += place - body.mesh.vertices.rowwise().mean();
+      body.mesh.vertices += test::noise(body.mesh.vertices.cols(), 0.02, 500 + seed);
+    }
+    const Scene scene = build_scene(description);
+    const State state = at_rest_at(scene, scene.rest_position);
+    const std::set<ContactKey> expected = brute_force(scene, state);
+    EXPECT_EQ(found(scene, state), expected) << "seed " << seed;
+    for (auto key = expected.begin(); key != expected.end(); ++key) {
+      in_two += std::next(key) != expected.end() && first_of(*std::next(key)) == first_of(*key);
+    }
+  }
+  EXPECT_GT(in_two, 10u);
 }
 
 // One body passes through another while the lists of candidates go stale and are renewed; each time

@@ -15,7 +15,12 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
   constexpr unsigned kAll = (1U << kCount) - 1;
   const BoxLanes<Bytes> wanted(within);
   const int end = body.first_element + body.element_count;
-  std::size_t kept = 0;
+  constexpr std::size_t kBoxes = BoxBlock::kBoxes;
+  std::size_t count = 0, kept = 0;  // of all, and of those not yet in a block
+  const auto end_block = [&](std::size_t boxes) __attribute__((always_inline)) {
+    BoxBlock& block = block_.emplace_back();
+    around_.set(block_.size() - 1, block.take<Bytes>(box_, boxes));
+  };
   for (int first = body.first_element; first < end; first += kCount) {
     const auto corner = [&](int k) __attribute__((always_inline)) {
       return at_vertices<Number>(x, [&](int lane) {
@@ -37,34 +42,37 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
     // Where all are wanted, as in the midst of a pile, they are there already.
     box_.set_lanes(kept, boxes);
     if (bits == kAll) {
-      for (int lane = 0; lane < kCount; ++lane) element_[kept++] = first + lane;
-      continue;
+      for (int lane = 0; lane < kCount; ++lane) element_[count++] = first + lane;
+      kept += static_cast<std::size_t>(kCount);
+    } else {
+      const std::size_t from = kept;
+      for (; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits);
+        box_.set(kept++, box_, from + static_cast<std::size_t>(lane));
+        element_[count++] = first + lane;
+      }
     }
-    const std::size_t from = kept;
-    for (; bits != 0; bits &= bits - 1) {
-      const int lane = std::countr_zero(bits);
-      box_.set(kept, box_, from + static_cast<std::size_t>(lane));
-      element_[kept++] = first + lane;
-    }
+    if (kept < kBoxes) continue;
+    end_block(kBoxes);
+    kept -= kBoxes;
+    for (std::size_t k = 0; k < kept; ++k) box_.set(k, box_, kBoxes + k);
   }
-  element_.resize(kept);
+  if (kept > 0) end_block(kept);
+  element_.resize(count);
 }
 
 void ElementBoxes::bound(const Scene& scene, const Body& body, const std::vector<Vec3>& x,
                          Real margin, const Box3& within, int width) {
   const auto count = static_cast<std::size_t>(body.element_count);
-  box_.reserve(count);
+  box_.reserve(2 * BoxBlock::kBoxes);
+  around_.reserve(count / BoxBlock::kBoxes + 1);
+  block_.clear();
+  block_.reserve(count / BoxBlock::kBoxes + 1);
   element_.resize(count);
   in_lanes(
       body.element_count, width, [&](auto bytes) __attribute__((always_inline)) {
         bound_side_by_side<bytes>(scene, body, x, margin, within);
       });
-  block_.reserve(blocks());
-  for (std::size_t begin = 0; begin < size(); begin += kBlock) {
-    Box3 block;
-    for (std::size_t k = begin; k < std::min(begin + kBlock, size()); ++k) block.extend(box_[k]);
-    block_.set(begin / kBlock, block);
-  }
 }
 
 }  // namespace stiction

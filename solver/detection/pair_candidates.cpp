@@ -125,13 +125,9 @@ void find_meetings(const Scene& scene, PairSearch& search) {
   std::sort(search.meeting.begin(), search.meeting.end(), comes_before);
 }
 
-// A vertex of a meeting that is in an element's box.
-void note_vertex(const Scene& scene, const PairSearch::Meeting& meeting, std::int32_t vertex,
-                 std::int32_t element, PairSearch& search) {
+bool is_corner(const Scene& scene, std::int32_t vertex, std::int32_t element) {
   const auto& corner = scene.elements[static_cast<std::size_t>(element)].vertex;
-  const bool self = meeting.body == meeting.other;
-  if (self && std::count(corner, corner + 4, vertex) > 0) return;
-  search.found.push_back({contact_key(vertex, meeting.body), element});
+  return std::count(corner, corner + 4, vertex) > 0;
 }
 
 // Most rows and blocks have few: wider registers would be filled by half.
@@ -162,20 +158,23 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
     around.extend(at(common[k]));
   }
   if (search.hash.empty()) return;
+  const bool self = meeting.body == meeting.other;
   in_lanes(
       kSideBySide, lane_width(), [&](auto bytes) __attribute__((always_inline)) {
         search.element_boxes.for_each_holding<bytes>(
-            around, search.hash, search.reference,
+            around, search.hash,
             [&](std::int32_t vertex, std::int32_t element) __attribute__((always_inline)) {
-              note_vertex(scene, meeting, vertex, element, search);
+              if (self && is_corner(scene, vertex, element)) return;
+              search.found.push_back({vertex, element});
             });
       });
 }
 
-// Of all meetings; those of two bodies that have not moved are as they were.
-void find_candidates(const Scene& scene, PairSearch& search) {
+// Of all meetings; those of two bodies that have not moved are as they were. Returns whether there are such.
+bool find_candidates(const Scene& scene, PairSearch& search) {
   search.old_found.swap(search.found);
   search.found.clear();
+  bool keeps = false;
   std::int32_t bounded = -1;  // the body that `element_boxes` are of
   auto old = search.old_meeting.begin();
   for (PairSearch::Meeting& meeting : search.meeting) {
@@ -192,12 +191,14 @@ void find_candidates(const Scene& scene, PairSearch& search) {
     } else {
       demand(old != search.old_meeting.end() && !comes_before(meeting, *old),
              "bodies that have not moved meet as they did");
+      keeps = true;
       search.found.insert(search.found.end(),
                           search.old_found.begin() + static_cast<std::ptrdiff_t>(old->begin),
                           search.old_found.begin() + static_cast<std::ptrdiff_t>(old->end));
     }
     meeting.end = search.found.size();
   }
+  return keeps;
 }
 
 // Balls that hold the triangles as long as the lists do.
@@ -219,63 +220,74 @@ void renew_balls(const Topology& topology, PairSearch& search) {
   }
 }
 
-// By key, then element. They were found in the order of bodies and of their elements, so they are only
-// to be counted out to their vertices.
+// By vertex, then element. They were found in the order of bodies and of their elements, which is that of
+// all elements, so they are only to be counted out to their vertices.
 void sort_candidates(std::size_t vertices, PairSearch& search) {
-  std::vector<std::int32_t>& place = search.candidate_place;
-  place.assign(vertices + 1, 0);
+  std::vector<std::int32_t>& end = search.candidate_end;
+  end.assign(vertices + 1, 0);
   for (const PairSearch::Candidate& candidate : search.found) {
-    ++place[static_cast<std::size_t>(first_of(candidate.key)) + 1];
+    ++end[static_cast<std::size_t>(candidate.vertex) + 1];
   }
-  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::partial_sum(end.begin(), end.end(), end.begin());
   search.candidate.resize(search.found.size());
+  // Each vertex's begin moves to its end here.
   for (const PairSearch::Candidate& candidate : search.found) {
-    const auto next = place[static_cast<std::size_t>(first_of(candidate.key))]++;
-    search.candidate[static_cast<std::size_t>(next)] = candidate;
+    const auto next = end[static_cast<std::size_t>(candidate.vertex)]++;
+    search.candidate[static_cast<std::size_t>(next)] = candidate.element;
   }
 }
 
-// Groups of bodies that have not moved keep what is known of them, and the triangles that they have
-// listed.
-void group_candidates(const Topology& topology, PairSearch& search) {
+// Takes over what is known of a group, and the triangles that it has listed.
+void keep_known(const PairSearch::Group& old, PairSearch::Group& group, PairSearch& search) {
+  group.verdict = old.verdict;
+  group.held = old.held;
+  group.holds_until = old.holds_until;
+  if (old.near_element < 0) return;
+  group.near_begin = static_cast<std::int32_t>(search.near.size());
+  search.near.insert(search.near.end(), search.old_near.begin() + old.near_begin,
+                     search.old_near.begin() + old.near_end);
+  group.near_end = static_cast<std::int32_t>(search.near.size());
+  group.near_element = old.near_element;
+  group.near_reach = old.near_reach;
+  group.stays_until = old.stays_until;
+  group.stays_on = old.stays_on;
+  group.passes_over = old.passes_over;
+}
+
+// Groups of bodies that have not moved, where there are any, keep what is known of them.
+void group_candidates(const Topology& topology, bool any_keep, PairSearch& search) {
   search.old_group.swap(search.group);
   search.old_near.swap(search.near);
   search.group.clear();
   search.near.clear();
   auto old = search.old_group.begin();
-  const std::size_t count = search.candidate.size();
-  for (std::size_t begin = 0, end; begin < count; begin = end) {
-    const ContactKey key = search.candidate[begin].key;
-    end = begin + 1;
-    while (end < count && search.candidate[end].key == key) ++end;
-    PairSearch::Group group{.key = key,
-                            .candidate_begin = static_cast<std::int32_t>(begin),
-                            .candidate_end = static_cast<std::int32_t>(end),
-                            .near_begin = 0,
-                            .near_end = 0,
-                            .near_element = -1,
-                            .near_reach = 0.0};
+  const auto body_at = [&](std::int32_t k) {
+    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)];
+    return topology.element_body[static_cast<std::size_t>(element)];
+  };
+  const auto add = [&](std::int32_t vertex, std::int32_t begin, std::int32_t end) {
+    const std::int32_t body = body_at(begin);
+    const std::int32_t other = topology.vertex_body[static_cast<std::size_t>(vertex)];
+    const ContactKey key = contact_key(vertex, body);
+    search.group.push_back({.key = key, .candidate_begin = begin, .candidate_end = end});
+    if (!any_keep || is_renewed(search, other, body)) return;
     while (old != search.old_group.end() && old->key < key) ++old;
-    const std::int32_t other = topology.vertex_body[static_cast<std::size_t>(first_of(key))];
-    const bool lasts = old != search.old_group.end() && old->key == key &&
-                       !is_renewed(search, other, second_of(key));
-    if (lasts) {
-      group.verdict = old->verdict;
-      group.held = old->held;
-      group.holds_until = old->holds_until;
+    if (old != search.old_group.end() && old->key == key) {
+      keep_known(*old, search.group.back(), search);
     }
-    if (lasts && old->near_element >= 0) {
-      group.near_begin = static_cast<std::int32_t>(search.near.size());
-      search.near.insert(search.near.end(), search.old_near.begin() + old->near_begin,
-                         search.old_near.begin() + old->near_end);
-      group.near_end = static_cast<std::int32_t>(search.near.size());
-      group.near_element = old->near_element;
-      group.near_reach = old->near_reach;
-      group.stays_until = old->stays_until;
-      group.stays_on = old->stays_on;
-      group.passes_over = old->passes_over;
+  };
+  std::int32_t begin = 0;
+  for (std::size_t v = 0; v < topology.vertex_body.size(); ++v) {
+    for (const std::int32_t all = search.candidate_end[v]; begin < all;) {
+      std::int32_t end = all;
+      // Most vertices may be in one body alone.
+      if (body_at(all - 1) != body_at(begin)) {
+        end = begin + 1;
+        while (body_at(end) == body_at(begin)) ++end;
+      }
+      add(static_cast<std::int32_t>(v), begin, end);
+      begin = end;
     }
-    search.group.push_back(group);
   }
 }
 
@@ -289,9 +301,9 @@ bool update_candidates(const Scene& scene, Real dt, const State& state,
   bound_bodies(scene, search);
   find_meetings(scene, search);
   renew_balls(scene.topology, search);
-  find_candidates(scene, search);
+  const bool any_keep = find_candidates(scene, search);
   sort_candidates(scene.mass.size(), search);
-  group_candidates(scene.topology, search);
+  group_candidates(scene.topology, any_keep, search);
   return true;
 }
 

@@ -41,9 +41,6 @@ class SpatialHash {
 
   void add(std::int32_t point, const Vec3& x) { entries_.push_back({x, Cell::Zero(), point}); }
 
-  /// All of them, as they came.
-  std::span<const Point> points() const { return entries_; }
-
   /// To be called once, when all points are in.
   void build() {
     const std::size_t count = entries_.size();
@@ -51,7 +48,10 @@ class SpatialHash {
     inside_.resize(count);
     // What the last register reads beyond the last point is a number, and not looked at.
     for (std::vector<Real>& x : x_) x.resize(count + static_cast<std::size_t>(kMostLanes));
-    if (count == 0) return;
+    if (count <= kFew) {
+      for (std::size_t k = 0; k < count; ++k) put(k, entries_[k]);
+      return;
+    }
     number_cells();
     std::size_t size = cells_;
     if (!by_rows()) {
@@ -87,10 +87,10 @@ class SpatialHash {
     return {number(x[0]), number(x[1]), number(x[2])};
   }
 
-  /// The points in the box, each once, until the next call, by registers of `Bytes`. All are compared
-  /// where the box has far more cells than there are points.
+  /// The places of the points in the box, each once, until the next call, by registers of `Bytes`. All are
+  /// compared where they are few, and where the box has far more cells than there are points.
   template <int Bytes>
-  STICTION_LANES_INLINE std::span<const std::int32_t> points_in(const Box3& box) {
+  STICTION_LANES_INLINE std::span<const std::uint32_t> places_in(const Box3& box) {
     const InBox<Bytes> in_box(box, *this);
     std::size_t found = 0;
     const auto note = [&](std::size_t begin, std::size_t end, const auto& also)
@@ -98,16 +98,16 @@ class SpatialHash {
       for (std::size_t first = begin; first < end; first += InBox<Bytes>::kCount) {
         for (unsigned bits = in_box.bits(first, end); bits != 0; bits &= bits - 1) {
           const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(bits));
-          if (also(k)) inside_[found++] = point_[k];
+          if (also(k)) inside_[found++] = static_cast<std::uint32_t>(k);
         }
       }
     };
     const auto any = [](std::size_t) { return true; };
     const auto all = [&]() __attribute__((always_inline)) {
       note(0, point_.size(), any);
-      return std::span<const std::int32_t>(inside_.data(), found);
+      return std::span<const std::uint32_t>(inside_.data(), found);
     };
-    if (empty()) return {};
+    if (entries_.size() <= kFew) return all();
     const Cell low = cell(box.min()), high = cell(box.max());
     if (by_rows()) {
       const Cell from = low.cwiseMax(low_), to = high.cwiseMin(high_);
@@ -133,6 +133,10 @@ class SpatialHash {
     }
     return {inside_.data(), found};
   }
+
+  /// The point in a place, as it was added.
+  std::int32_t number(std::uint32_t place) const { return point_[place]; }
+  Vec3 at(std::uint32_t place) const { return {x_[0][place], x_[1][place], x_[2][place]}; }
 
   bool empty() const { return entries_.empty(); }
 
@@ -160,6 +164,9 @@ class SpatialHash {
       return first_bits(along(0) & along(1) & along(2), end - first);
     }
   };
+
+  // So few have no cells.
+  static constexpr std::size_t kFew = 24;
 
   void put(std::size_t place, const Point& entry) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -205,7 +212,7 @@ class SpatialHash {
   std::array<std::vector<Real>, 3> x_;
   std::vector<std::int32_t> point_;
   std::vector<Cell> cell_;  // where they are hashed
-  std::vector<std::int32_t> inside_;
+  std::vector<std::uint32_t> inside_;
 };
 
 }  // namespace stiction
