@@ -22,8 +22,8 @@ class alignas(sizeof(FourNumbers)) BoxBlock {
  public:
   static constexpr std::size_t kBoxes = 16;
 
-  /// Takes the first `count` ≥ 1 boxes, up to kBoxes; those beyond hold no point, and are overwritten.
-  /// Returns the box around them. At every size of register the same.
+  /// Takes the first `count` ≥ 1 boxes, up to kBoxes, for which `boxes` has place; those beyond `count` hold no
+  /// point, and are overwritten. Returns the box around them. At every size of register the same.
   template <int Bytes>
   STICTION_LANES_INLINE Box3 take(BoxArrays& boxes, std::size_t count) {
     for (std::size_t k = count; k < kBoxes; ++k) boxes.set(k, boxes, 0);

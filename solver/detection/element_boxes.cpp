@@ -13,9 +13,9 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
   using Number = Lanes<Bytes>;
   constexpr int kCount = Number::kCount;
   constexpr unsigned kAll = (1U << kCount) - 1;
+  constexpr std::size_t kBoxes = BoxBlock::kBoxes;
   const BoxLanes<Bytes> wanted(within);
   const int end = body.first_element + body.element_count;
-  constexpr std::size_t kBoxes = BoxBlock::kBoxes;
   std::size_t count = 0, kept = 0;  // of all, and of those not yet in a block
   const auto end_block = [&](std::size_t boxes) __attribute__((always_inline)) {
     BoxBlock& block = block_.emplace_back();
@@ -64,10 +64,11 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
 void ElementBoxes::bound(const Scene& scene, const Body& body, const std::vector<Vec3>& x,
                          Real margin, const Box3& within, int width) {
   const auto count = static_cast<std::size_t>(body.element_count);
-  box_.reserve(2 * BoxBlock::kBoxes);
-  around_.reserve(count / BoxBlock::kBoxes + 1);
+  const std::size_t blocks = count / BoxBlock::kBoxes + 1;  // at most
+  box_.reserve(2 * BoxBlock::kBoxes);  // a block, and what a register has beyond
+  around_.reserve(blocks);
   block_.clear();
-  block_.reserve(count / BoxBlock::kBoxes + 1);
+  block_.reserve(blocks);
   element_.resize(count);
   in_lanes(
       body.element_count, width, [&](auto bytes) __attribute__((always_inline)) {

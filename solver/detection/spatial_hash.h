@@ -27,11 +27,6 @@ namespace stiction {
 class SpatialHash {
  public:
   using Cell = Eigen::Matrix<std::int32_t, 3, 1>;
-  struct Point {
-    Vec3 x;     ///< m
-    Cell cell;  ///< once the table is built
-    std::int32_t number;
-  };
 
   /// Forgets all points; `cell_size` > 0, m.
   void clear(Real cell_size) {
@@ -141,6 +136,12 @@ class SpatialHash {
   bool empty() const { return entries_.empty(); }
 
  private:
+  struct Point {
+    Vec3 x;     // m
+    Cell cell;  // once the table is built, where points have cells
+    std::int32_t number;
+  };
+
   // Which of the points side by side are in a box.
   template <int Bytes>
   struct InBox {
