@@ -50,10 +50,10 @@ class BoxArrays {
   /// A register of them, from a place that there is on.
   template <int Bytes>
   STICTION_LANES_INLINE void set_lanes(std::size_t first, const BoxLanes<Bytes>& boxes) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    unrolled<3>([&](auto axis) __attribute__((always_inline)) {
       store_numbers(boxes.low[axis], &low_[axis][first]);
       store_numbers(boxes.high[axis], &high_[axis][first]);
-    }
+    });
   }
   Box3 operator[](std::size_t k) const {
     return {Vec3(low_[0][k], low_[1][k], low_[2][k]), Vec3(high_[0][k], high_[1][k], high_[2][k])};

@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "solver/detection/box_arrays.h"
 #include "solver/lanes/lanes.h"
+#include "solver/lanes/packed_vec3.h"
 
 namespace stiction {
 
@@ -22,12 +25,15 @@ class alignas(sizeof(FourNumbers)) BoxBlock {
  public:
   static constexpr std::size_t kBoxes = 16;
 
+  BoxBlock() {}  // of no boxes yet, and no zeros are written
+
   /// Takes the first `count` ≥ 1 boxes, up to kBoxes, for which `boxes` has place; those beyond `count` hold no
   /// point, and are overwritten. Returns the box around them. At every size of register the same.
   template <int Bytes>
   STICTION_LANES_INLINE Box3 take(BoxArrays& boxes, std::size_t count) {
     for (std::size_t k = count; k < kBoxes; ++k) boxes.set(k, boxes, 0);
     Box3 around;
+    FourNumbers from{}, all_parts{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Real *const low = boxes.low(axis), *const high = boxes.high(axis);
       const Real least = picked<Bytes>(
@@ -40,11 +46,14 @@ class alignas(sizeof(FourNumbers)) BoxBlock {
       around.max()[static_cast<Eigen::Index>(axis)] = most;
       // A box without end has no parts: all of these hold all.
       const bool parted = most > least && std::isfinite(most - least);
-      from_[axis] = parted ? least : 0;
-      parts_[axis] = parted ? kParts / (most - least) : 0;
-      low_[axis] = parted ? parts_of<Bytes>(low, least, parts_[axis]) : Sixteen{};
-      high_[axis] = parted ? parts_of<Bytes>(high, least, parts_[axis]) : ~Sixteen{};
+      const Real parts = parted ? kParts / (most - least) : 0;
+      from[axis] = parted ? least : 0;
+      all_parts[axis] = parts;
+      low_[axis] = parted ? parts_of<Bytes>(low, least, parts) : Sixteen{};
+      high_[axis] = parted ? parts_of<Bytes>(high, least, parts) : ~Sixteen{};
     }
+    from_ = from;
+    parts_ = all_parts;
     for (std::size_t k = count; k < kBoxes; ++k) {
       low_[0][k] = 1;
       high_[0][k] = 0;
@@ -53,26 +62,36 @@ class alignas(sizeof(FourNumbers)) BoxBlock {
   }
 
   /// Those that may hold a point that is within the box around all, a bit each.
-  STICTION_LANES_INLINE unsigned holding(const Vec3& x) const {
-    const FourNumbers point{x[0], x[1], x[2], 0}, most = FourNumbers{} + kParts;
-    const FourNumbers exact = (point - from_) * parts_;
-    const auto part = to_words(exact < most ? exact : most);
-    const auto along = [&](int axis) __attribute__((always_inline)) {
-      const auto all = Sixteen{} + static_cast<std::uint8_t>(part[axis]);
+  STICTION_LANES_INLINE unsigned holding(const PackedVec3& x) const {
+    const FourNumbers most = FourNumbers{} + kParts;
+    const FourNumbers exact = (x.value - from_) * parts_;
+    const auto part = reinterpret_cast<Sixteen>(to_words(exact < most ? exact : most));
+    const auto along = [&](auto axis) __attribute__((always_inline)) {
+      const Sixteen all = repeated<4 * axis>(part);
       return (low_[axis] <= all) & (all <= high_[axis]);
     };
-    return bits_of(along(0) & along(1) & along(2));
+    return bits_of(along(std::integral_constant<int, 0>()) &
+                   along(std::integral_constant<int, 1>()) &
+                   along(std::integral_constant<int, 2>()));
   }
 
  private:
   using Sixteen = std::uint8_t __attribute__((vector_size(kBoxes)));
-  using FourInts = std::int32_t __attribute__((vector_size(16)));
   using FourWords = std::uint32_t __attribute__((vector_size(16)));
   static constexpr Real kParts = std::numeric_limits<std::uint8_t>::max();
 
   // What is no number is in the last part: the conversion has no fault.
   STICTION_LANES_INLINE static FourWords to_words(const FourNumbers& part) {
     return reinterpret_cast<FourWords>(__builtin_convertvector(part, FourInts));
+  }
+
+  // One byte in all places.
+  template <int kByte>
+  STICTION_LANES_INLINE static Sixteen repeated(const Sixteen& bytes) {
+    return [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
+      return __builtin_shufflevector(bytes, bytes, (kByte + 0 * static_cast<int>(k))...);
+    }
+    (std::make_index_sequence<kBoxes>());
   }
 
   // Of kBoxes numbers, the one that is picked from each two.
@@ -130,7 +149,7 @@ class alignas(sizeof(FourNumbers)) BoxBlock {
 
   // Along each axis.
   Sixteen low_[3], high_[3];
-  FourNumbers from_{}, parts_{};  // m, 1/m
+  FourNumbers from_, parts_;  // m, 1/m
 };
 
 }  // namespace stiction

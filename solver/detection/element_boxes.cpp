@@ -22,17 +22,20 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
     around_.set(block_.size() - 1, block.take<Bytes>(box_, boxes));
   };
   for (int first = body.first_element; first < end; first += kCount) {
+    const Element* element[kCount];
+    for (int lane = 0; lane < kCount; ++lane) {
+      element[lane] = &scene.elements[static_cast<std::size_t>(std::min(first + lane, end - 1))];
+    }
     const auto corner = [&](int k) __attribute__((always_inline)) {
-      return at_vertices<Number>(x, [&](int lane) {
-        return scene.elements[static_cast<std::size_t>(std::min(first + lane, end - 1))].vertex[k];
-      });
+      return at_vertices<Number>(x, [&](int lane) { return element[lane]->vertex[k]; });
     };
     const LaneVector<Number> a = corner(0), b = corner(1), c = corner(2), d = corner(3);
     BoxLanes<Bytes> boxes;
     const auto bound_along = [&](int axis, const Number& p, const Number& q, const Number& r,
                                  const Number& s) __attribute__((always_inline)) {
       boxes.low[axis] = lesser(lesser(p, q), lesser(r, s)) - Number(margin);
-      boxes.high[axis] = greater(greater(p, q), greater(r, s)) + Number(margin);
+      // Of two the other way round: of the same comparison the compiler would make a mask, and choose by it.
+      boxes.high[axis] = greater(greater(q, p), greater(s, r)) + Number(margin);
     };
     bound_along(0, a.x, b.x, c.x, d.x);
     bound_along(1, a.y, b.y, c.y, d.y);

@@ -25,12 +25,11 @@ class ElementBoxes {
   std::size_t size() const { return element_.size(); }
 
   /// Calls use(point, element) for each point and each box that holds it, and maybe some that it is just
-  /// beside (box_block.h), those of a point in the order of the elements, by registers of `Bytes`. `points`, m,
-  /// are within `around`, and not looked up yet.
+  /// beside (box_block.h), those of a point in the order of the elements, by registers of `Bytes`. `points` are
+  /// all in, and not looked up yet.
   template <int Bytes, class Use>
-  STICTION_LANES_INLINE void for_each_holding(const Box3& around, SpatialHash& points,
-                                              const Use& use) {
-    points.build();
+  STICTION_LANES_INLINE void for_each_holding(SpatialHash& points, const Use& use) {
+    const Box3 around = points.build();
     const auto look_up = [&](std::size_t b) __attribute__((always_inline)) {
       const BoxBlock& block = block_[b];
       const std::int32_t* const element = &element_[b * BoxBlock::kBoxes];

@@ -42,26 +42,20 @@ struct Two {
 
 using Held = std::vector<std::pair<int, int>>;  // a point, and the element whose box holds it
 
-// Points are vertices of both bodies, `every`-th of them.
-struct Points {
-  std::vector<int> vertex;
-  Box3 around;
-
-  Points(const Two& two, std::size_t first, std::size_t every) {
-    for (std::size_t k = first; k < two.x.size(); k += every) {
-      vertex.push_back(static_cast<int>(k));
-      around.extend(two.x[k]);
-    }
-  }
-};
+// Every so many of the vertices of both bodies.
+std::vector<int> points_of(const Two& two, std::size_t first, std::size_t every) {
+  std::vector<int> points;
+  for (std::size_t k = first; k < two.x.size(); k += every) points.push_back(static_cast<int>(k));
+  return points;
+}
 
 template <int Bytes>
-Held held_at(const Two& two, ElementBoxes& boxes, const Points& points) {
+Held held_at(const Two& two, ElementBoxes& boxes, const std::vector<int>& points) {
   SpatialHash hash;
   hash.clear(0.4);
-  for (const int k : points.vertex) hash.add(k, two.x[static_cast<std::size_t>(k)]);
+  for (const int k : points) hash.add(k, two.x[static_cast<std::size_t>(k)]);
   Held held;
-  boxes.for_each_holding<Bytes>(points.around, hash, [&](int point, int element) {
+  boxes.for_each_holding<Bytes>(hash, [&](int point, int element) {
     held.push_back({point, element});
   });
   // Of one point they come in the order of the elements, points in any.
@@ -70,9 +64,10 @@ Held held_at(const Two& two, ElementBoxes& boxes, const Points& points) {
   return held;
 }
 
-Held expected_of(const Two& two, const Body& body, const Points& points, const Box3& within) {
+Held expected_of(const Two& two, const Body& body, const std::vector<int>& points,
+                 const Box3& within) {
   Held expected;
-  for (const int k : points.vertex) {
+  for (const int k : points) {
     for (int e = body.first_element; e < body.first_element + body.element_count; ++e) {
       const Box3 box = two.box(e);
       if (!box.intersects(within)) continue;
@@ -112,7 +107,7 @@ TEST(ElementBoxes, HoldWhatComparingWithEachFinds) {
                                   : Box3(Vec3(ends.col(0).cwiseMin(ends.col(1))),
                                          Vec3(ends.col(0).cwiseMax(ends.col(1))));
     for (const std::size_t every : {1, 5, 40}) {
-      const Points points(two, seed % every, every);
+      const std::vector<int> points = points_of(two, seed % every, every);
       for (const Body& body : two.scene.bodies) {
         const Held expected = expected_of(two, body, points, within);
         most = std::max(most, expected.size());
@@ -139,7 +134,7 @@ TEST(ElementBoxes, HoldWhatComparingWithEachFinds) {
 TEST(ElementBoxes, ForgetTheBodyBefore) {
   const Two two;
   const Box3 everywhere(Vec3::Constant(-9), Vec3::Constant(9));
-  const Points points(two, 0, 1);
+  const std::vector<int> points = points_of(two, 0, 1);
   ElementBoxes boxes;
   for (const std::size_t b : {1, 0}) {
     const Body& body = two.scene.bodies[b];

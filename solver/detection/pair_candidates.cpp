@@ -13,6 +13,7 @@
 #include "solver/detection/boxes.h"
 #include "solver/detection/follow.h"
 #include "solver/lanes/in_registers.h"
+#include "solver/lanes/packed_vec3.h"
 
 namespace stiction {
 
@@ -61,17 +62,32 @@ void widen(Box3& box, Real by) {
   box.max().array() += by;
 }
 
+// Around x(k) for k from `begin` to before `end`.
+template <class At>
+STICTION_LANES_INLINE Box3 box_around(std::size_t begin, std::size_t end, const At& x) {
+  const Box3 none;
+  PackedVec3 low = none.min(), high = none.max();
+  for (std::size_t k = begin; k < end; ++k) {
+    const PackedVec3 here = x(k);
+    low = low.cwiseMin(here);
+    high = high.cwiseMax(here);
+  }
+  return {vector_cast<Vec3>(low), vector_cast<Vec3>(high)};
+}
+
 // Takes the bodies that have moved where they are, and bounds them.
-void bound_bodies(const Scene& scene, PairSearch& search) {
+STICTION_LANES_INLINE void bound_in_registers(const Scene& scene, PairSearch& search) {
+  const Vec3* const predicted = search.predicted.data();
+  Vec3* const reference = search.reference.data();
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!search.renewed[b]) continue;
-    const Body& body = scene.bodies[b];
-    Box3 box;
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-      const auto k = static_cast<std::size_t>(v);
-      search.reference[k] = search.predicted[k];
-      box.extend(search.reference[k]);
-    }
+    const auto begin = static_cast<std::size_t>(scene.bodies[b].first_vertex);
+    const std::size_t end = begin + static_cast<std::size_t>(scene.bodies[b].vertex_count);
+    Box3 box = box_around(
+        begin, end, [&](std::size_t k) __attribute__((always_inline)) {
+          reference[k] = predicted[k];
+          return PackedVec3(predicted[k]);
+        });
     widen(box, 2 * search.skin);
     search.box[b] = box;
   }
@@ -82,13 +98,16 @@ void bound_bodies(const Scene& scene, PairSearch& search) {
     if (!search.renewed[b] || begin == end) continue;
     for (std::size_t block = begin / kBlock; block * kBlock < end; ++block) {
       const std::size_t last = std::min((block + 1) * kBlock, scene.surface_vertex.size());
-      Box3 box;
-      for (std::size_t k = block * kBlock; k < last; ++k) {
-        box.extend(search.reference[static_cast<std::size_t>(scene.surface_vertex[k])]);
-      }
-      search.vertex_block[block] = box;
+      search.vertex_block[block] = box_around(
+          block * kBlock, last, [&](std::size_t k) __attribute__((always_inline)) {
+            return PackedVec3(reference[static_cast<std::size_t>(scene.surface_vertex[k])]);
+          });
     }
   }
+}
+void bound_bodies(const Scene& scene, PairSearch& search) {
+  in_registers(
+      lane_width(), [&]() __attribute__((always_inline)) { bound_in_registers(scene, search); });
 }
 
 // What bodies can meet, and where: sweep and prune along x.
@@ -137,7 +156,6 @@ constexpr int kSideBySide = 4;
 void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, PairSearch& search) {
   const Body& other = scene.bodies[static_cast<std::size_t>(meeting.other)];
   search.hash.clear(scene.topology.mean_edge);
-  Box3 around;  // those vertices
   const auto at = [&](std::int32_t vertex) -> const Vec3& {
     return search.reference[static_cast<std::size_t>(vertex)];
   };
@@ -153,20 +171,17 @@ void find_candidates(const Scene& scene, const PairSearch::Meeting& meeting, Pai
       count += static_cast<std::size_t>(holds(meeting.common, at(common[count])));
     }
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    search.hash.add(common[k], at(common[k]));
-    around.extend(at(common[k]));
-  }
+  for (std::size_t k = 0; k < count; ++k) search.hash.add(common[k], at(common[k]));
   if (search.hash.empty()) return;
   const bool self = meeting.body == meeting.other;
   in_lanes(
       kSideBySide, lane_width(), [&](auto bytes) __attribute__((always_inline)) {
         search.element_boxes.for_each_holding<bytes>(
-            around, search.hash,
-            [&](std::int32_t vertex, std::int32_t element) __attribute__((always_inline)) {
-              if (self && is_corner(scene, vertex, element)) return;
-              search.found.push_back({vertex, element});
-            });
+            search.hash, [&](std::int32_t vertex, std::int32_t element)
+                             __attribute__((always_inline)) {
+                               if (self && is_corner(scene, vertex, element)) return;
+                               search.found.push_back({vertex, element});
+                             });
       });
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/lanes/lanes.h"
+#include "solver/lanes/packed_vec3.h"
 #include "solver/real.h"
 
 namespace stiction {
@@ -34,20 +35,29 @@ class SpatialHash {
     entries_.clear();
   }
 
-  void add(std::int32_t point, const Vec3& x) { entries_.push_back({x, Cell::Zero(), point}); }
+  void add(std::int32_t point, const Vec3& x) {
+    entries_.push_back({{x[0], x[1], x[2], 0}, Cell::Zero(), point});
+  }
 
-  /// To be called once, when all points are in.
-  void build() {
+  /// To be called once, when all points are in. Returns the box around them, m; what is no number is not in it.
+  STICTION_LANES_INLINE Box3 build() {
     const std::size_t count = entries_.size();
+    const Box3 none;
+    PackedVec3 low = none.min(), high = none.max();
+    for (const Point& entry : entries_) {
+      low = low.cwiseMin(PackedVec3::load(&entry.x));
+      high = high.cwiseMax(PackedVec3::load(&entry.x));
+    }
+    const Box3 around(vector_cast<Vec3>(low), vector_cast<Vec3>(high));
     point_.resize(count);
     inside_.resize(count);
     // What the last register reads beyond the last point is a number, and not looked at.
     for (std::vector<Real>& x : x_) x.resize(count + static_cast<std::size_t>(kMostLanes));
     if (count <= kFew) {
       for (std::size_t k = 0; k < count; ++k) put(k, entries_[k]);
-      return;
+      return around;
     }
-    number_cells();
+    number_cells(around.min());
     std::size_t size = cells_;
     if (!by_rows()) {
       size = 16;
@@ -66,21 +76,12 @@ class SpatialHash {
     }
     for (std::size_t k = size; k > 0; --k) begin_[k] = begin_[k - 1];
     begin_[0] = 0;
+    return around;
   }
 
   /// Places beyond the range of the cells' numbers, and what is no number, are in the outermost
   /// cells: an exploding body is slow to look up, not undefined.
-  Cell cell(const Vec3& x) const {
-    constexpr Real kFarthest = 1e9;
-    const auto number = [&](Real along) {
-      const Real place = along * inverse_cell_size_;
-      const Real near = place >= -kFarthest ? std::min(place, kFarthest) : -kFarthest;
-      // Rounded down: without SSE 4.1, `std::floor` is a call.
-      const auto towards_zero = static_cast<std::int32_t>(near);
-      return towards_zero - static_cast<std::int32_t>(near < static_cast<Real>(towards_zero));
-    };
-    return {number(x[0]), number(x[1]), number(x[2])};
-  }
+  Cell cell(const Vec3& x) const { return to_cell(cell_of(x)); }
 
   /// The places of the points in the box, each once, until the next call, by registers of `Bytes`. All are
   /// compared where they are few, and where the box has far more cells than there are points.
@@ -131,14 +132,16 @@ class SpatialHash {
 
   /// The point in a place, as it was added.
   std::int32_t number(std::uint32_t place) const { return point_[place]; }
-  Vec3 at(std::uint32_t place) const { return {x_[0][place], x_[1][place], x_[2][place]}; }
+  STICTION_LANES_INLINE PackedVec3 at(std::uint32_t place) const {
+    return PackedVec3(FourNumbers{x_[0][place], x_[1][place], x_[2][place], 0});
+  }
 
   bool empty() const { return entries_.empty(); }
 
  private:
   struct Point {
-    Vec3 x;     // m
-    Cell cell;  // once the table is built, where points have cells
+    std::array<Real, 4> x;  // m, and a zero
+    Cell cell;              // once the table is built, where points have cells
     std::int32_t number;
   };
 
@@ -176,17 +179,39 @@ class SpatialHash {
     point_[place] = entry.number;
   }
 
+  // The numbers of its cell, as Real.
+  STICTION_LANES_INLINE PackedVec3 cell_of(const PackedVec3& x) const {
+    const FourNumbers farthest = FourNumbers{} + Real(1e9), one = FourNumbers{} + Real(1);
+    const FourNumbers place = (x - PackedVec3::load(&origin_)).value * inverse_cell_size_;
+    const FourNumbers above = -farthest < place ? place : -farthest;
+    const FourNumbers near = above < farthest ? above : farthest;
+    // Rounded down: without SSE 4.1, `std::floor` is a call.
+    const FourNumbers whole =
+        __builtin_convertvector(__builtin_convertvector(near, FourInts), FourNumbers);
+    return PackedVec3(near < whole ? whole - one : whole);
+  }
+  STICTION_LANES_INLINE static Cell to_cell(const PackedVec3& of) {
+    const FourInts numbers = __builtin_convertvector(of.value, FourInts);
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+
   bool by_rows() const { return cells_ > 0; }
 
-  // The box of the points' cells, and how many it has where they are few enough to be numbered.
-  void number_cells() {
+  // The box of the points' cells, and how many it has where they are few enough to be numbered. They begin
+  // where points do: a sheet along axes is in one layer of them, wherever it is.
+  STICTION_LANES_INLINE void number_cells(const Vec3& first) {
     cells_ = 0;
-    low_ = high_ = cell(entries_[0].x);
+    origin_ = {};
+    if (first.allFinite()) origin_ = {first[0], first[1], first[2], 0};
+    PackedVec3 low = cell_of(PackedVec3::load(&entries_[0].x)), high = low;
     for (Point& entry : entries_) {
-      entry.cell = cell(entry.x);
-      low_ = low_.cwiseMin(entry.cell);
-      high_ = high_.cwiseMax(entry.cell);
+      const PackedVec3 at = cell_of(PackedVec3::load(&entry.x));
+      entry.cell = to_cell(at);
+      low = low.cwiseMin(at);
+      high = high.cwiseMax(at);
     }
+    low_ = to_cell(low);
+    high_ = to_cell(high);
     const Eigen::Array3d cells = high_.cast<double>().array() - low_.cast<double>().array() + 1.0;
     if (cells.prod() <= 8.0 * static_cast<double>(entries_.size()) + 64.0) {
       cells_ = static_cast<std::size_t>(cells.prod());
@@ -204,6 +229,7 @@ class SpatialHash {
   }
 
   Real inverse_cell_size_ = 1.0;
+  std::array<Real, 4> origin_{};  // of the cells, m, and a zero
   std::uint32_t mask_ = 0;
   Cell low_ = Cell::Zero(), high_ = Cell::Zero();  // of the points' cells
   std::size_t cells_ = 0;                          // between those; 0: they are hashed

@@ -16,7 +16,7 @@ template <int Bytes>
 std::vector<int> found_with(SpatialHash& hash, const Box3& box) {
   std::vector<int> sorted;
   for (const std::uint32_t place : hash.places_in<Bytes>(box)) {
-    EXPECT_TRUE(box.contains(hash.at(place)));
+    EXPECT_TRUE(box.contains(vector_cast<Vec3>(hash.at(place))));
     sorted.push_back(hash.number(place));
   }
   std::sort(sorted.begin(), sorted.end());
@@ -54,27 +54,35 @@ TEST(SpatialHash, FindsEachPointOfABoxOnce) {
   }
 }
 
-// Clouds of many densities, from 1 cell a point to 1e6, and boxes that reach beyond them; of so few points that
-// they have no cells, and of more.
+// Clouds of many densities, from 1 cell a point to 1e6, and boxes that reach beyond them, near the origin and
+// far away; of so few points that they have no cells, and of more.
 TEST(SpatialHash, FindsWhatComparingWithEachFinds) {
   SpatialHash hash;
-  for (const double cell : {1.0, 0.3, 0.1, 0.01, 0.003}) {
-    for (const int count : {200, 0, 1, 24, 25}) {
-      const Eigen::Matrix3Xd points = test::noise(count, 1.0, 7);
-      hash.clear(cell);
-      for (int k = 0; k < count; ++k) hash.add(k, points.col(k));
-      hash.build();
-      for (unsigned seed = 0; seed < 50; ++seed) {
-        const Eigen::Matrix3Xd ends = test::noise(2, 1.2, 100 + seed);
-        const Vec3 low = ends.col(0).cwiseMin(ends.col(1)),
-                   high = ends.col(0).cwiseMax(ends.col(1));
-        std::vector<int> expected;
-        for (int k = 0; k < count; ++k) {
-          if (Box3(low, high).contains(Vec3(points.col(k)))) expected.push_back(k);
-        }
-        EXPECT_EQ(found(hash, low, high), expected)
-            << count << " points, cell " << cell << ", seed " << seed;
+  const auto cloud = [&](double cell, int count, double away) {
+    const Eigen::Matrix3Xd points = test::noise(count, 1.0, 7).array() + away;
+    hash.clear(cell);
+    Box3 all;
+    for (int k = 0; k < count; ++k) {
+      hash.add(k, points.col(k));
+      all.extend(Vec3(points.col(k)));
+    }
+    const Box3 around = hash.build();
+    EXPECT_EQ(around.min(), all.min());
+    EXPECT_EQ(around.max(), all.max());
+    for (unsigned seed = 0; seed < 50; ++seed) {
+      const Eigen::Matrix3Xd ends = test::noise(2, 1.2, 100 + seed).array() + away;
+      const Vec3 low = ends.col(0).cwiseMin(ends.col(1)), high = ends.col(0).cwiseMax(ends.col(1));
+      std::vector<int> expected;
+      for (int k = 0; k < count; ++k) {
+        if (Box3(low, high).contains(Vec3(points.col(k)))) expected.push_back(k);
       }
+      EXPECT_EQ(found(hash, low, high), expected)
+          << count << " points, cell " << cell << ", seed " << seed << ", " << away << " m away";
+    }
+  };
+  for (const double away : {0.0, -1e6}) {
+    for (const double cell : {1.0, 0.3, 0.1, 0.01, 0.003}) {
+      for (const int count : {200, 0, 1, 24, 25}) cloud(cell, count, away);
     }
   }
 }

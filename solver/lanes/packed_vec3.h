@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 #include "solver/lanes/in_registers.h"
@@ -27,7 +28,12 @@ struct PackedVec3 {
     return *this;
   }
   STICTION_LANES_INLINE explicit PackedVec3(const FourNumbers& numbers) : value(numbers) {}
-  STICTION_LANES_INLINE PackedVec3(const Vec3& v) : value{v.x(), v.y(), v.z(), 0} {}
+  // By halves in registers: of four numbers the compiler may make a record in memory, written in parts.
+  STICTION_LANES_INLINE PackedVec3(const Vec3& v) {
+    TwoNumbers xy;
+    std::memcpy(&xy, v.data(), sizeof(xy));
+    value = __builtin_shufflevector(xy, TwoNumbers{v.z(), 0}, 0, 1, 2, 3);
+  }
   STICTION_LANES_INLINE static PackedVec3 Zero() { return PackedVec3(FourNumbers{}); }
 
   /// From and to a record of four, as one move: what is written in halves and read whole waits.
@@ -71,7 +77,10 @@ struct PackedVec3 {
   STICTION_LANES_INLINE PackedVec3 cwiseAbs() const {
     return PackedVec3(value < FourNumbers{} ? -value : value);
   }
-  /// Number by number as std::max: of what is no number, the first.
+  /// Number by number as std::min and std::max: of what is no number, the first.
+  STICTION_LANES_INLINE PackedVec3 cwiseMin(const PackedVec3& b) const {
+    return PackedVec3(b.value < value ? b.value : value);
+  }
   STICTION_LANES_INLINE PackedVec3 cwiseMax(const PackedVec3& b) const {
     return PackedVec3(value < b.value ? b.value : value);
   }

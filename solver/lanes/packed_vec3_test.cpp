@@ -14,7 +14,7 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
   for (const int width : lane_widths()) {
     for (int k = 0; k + 1 < 100; ++k) {
       const Vec3 a = numbers.col(k).cast<Real>(), b = numbers.col(k + 1).cast<Real>();
-      Vec3 sum, difference, product, scaled, size, larger;
+      Vec3 sum, difference, product, scaled, size, larger, lesser;
       Real dot = 0, norm = 0;
       in_registers(
           width, [&]() __attribute__((always_inline)) {
@@ -28,6 +28,7 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
             scaled = vector_cast<Vec3>(p.y() * q);
             size = vector_cast<Vec3>(p.cwiseAbs());
             larger = vector_cast<Vec3>(p.cwiseMax(q));
+            lesser = vector_cast<Vec3>(p.cwiseMin(q));
             dot = p.dot(q);
             norm = p.norm();
           });
@@ -37,6 +38,7 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
       EXPECT_EQ(scaled, a.y() * b);
       EXPECT_EQ(size, a.cwiseAbs());
       EXPECT_EQ(larger, a.cwiseMax(b));
+      EXPECT_EQ(lesser, a.cwiseMin(b));
       EXPECT_EQ(dot, a.dot(b));
       EXPECT_EQ(norm, a.norm());
     }
