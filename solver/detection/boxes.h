@@ -2,10 +2,25 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 
+#include "solver/lanes/packed_vec3.h"
 #include "solver/real.h"
 
 namespace stiction {
+
+/// The box around x(k), packed, for k from `begin` to before `end`; what is no number is not in it.
+template <class At>
+STICTION_LANES_INLINE Box3 box_around(std::size_t begin, std::size_t end, const At& x) {
+  const Box3 none;
+  PackedVec3 low = none.min(), high = none.max();
+  for (std::size_t k = begin; k < end; ++k) {
+    const PackedVec3 here = x(k);
+    low = low.cwiseMin(here);
+    high = high.cwiseMax(here);
+  }
+  return {vector_cast<Vec3>(low), vector_cast<Vec3>(high)};
+}
 
 // As Eigen's `contains` and `intersects`, borders included, but without branches, for what comes next is
 // anybody's guess: in piles, lists are made in two thirds of the time.

@@ -22,12 +22,10 @@ STICTION_LANES_INLINE void ElementBoxes::bound_side_by_side(const Scene& scene, 
     around_.set(block_.size() - 1, block.take<Bytes>(box_, boxes));
   };
   for (int first = body.first_element; first < end; first += kCount) {
-    const Element* element[kCount];
-    for (int lane = 0; lane < kCount; ++lane) {
-      element[lane] = &scene.elements[static_cast<std::size_t>(std::min(first + lane, end - 1))];
-    }
     const auto corner = [&](int k) __attribute__((always_inline)) {
-      return at_vertices<Number>(x, [&](int lane) { return element[lane]->vertex[k]; });
+      return at_vertices<Number>(x, [&](int lane) {
+        return scene.elements[static_cast<std::size_t>(std::min(first + lane, end - 1))].vertex[k];
+      });
     };
     const LaneVector<Number> a = corner(0), b = corner(1), c = corner(2), d = corner(3);
     BoxLanes<Bytes> boxes;

@@ -62,19 +62,6 @@ void widen(Box3& box, Real by) {
   box.max().array() += by;
 }
 
-// Around x(k) for k from `begin` to before `end`.
-template <class At>
-STICTION_LANES_INLINE Box3 box_around(std::size_t begin, std::size_t end, const At& x) {
-  const Box3 none;
-  PackedVec3 low = none.min(), high = none.max();
-  for (std::size_t k = begin; k < end; ++k) {
-    const PackedVec3 here = x(k);
-    low = low.cwiseMin(here);
-    high = high.cwiseMax(here);
-  }
-  return {vector_cast<Vec3>(low), vector_cast<Vec3>(high)};
-}
-
 // Takes the bodies that have moved where they are, and bounds them.
 STICTION_LANES_INLINE void bound_in_registers(const Scene& scene, PairSearch& search) {
   const Vec3* const predicted = search.predicted.data();

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/detection/boxes.h"
 #include "solver/lanes/lanes.h"
 #include "solver/lanes/packed_vec3.h"
 #include "solver/real.h"
@@ -22,9 +23,9 @@ namespace stiction {
 /// Deviations: n is a power of two (twice the number of points or more); the modulus is taken of
 /// the unsigned product, so negative cells need no guard; the table is built by counting, which
 /// allocates nothing once it is warm; each point carries its cell, so that two cells with one hash are
-/// told apart. Where the points fill the box of their cells, as those of a surface where it touches
-/// another do, the cells are numbered row by row instead, and a row is looked up at once. Points of a
-/// cell or row are compared side by side.
+/// told apart; cells begin where the points do. Where the points fill the box of their cells, as those of a
+/// surface where it touches another do, the cells are numbered row by row instead, and a row is looked up at
+/// once. Points of a cell or row are compared side by side.
 class SpatialHash {
  public:
   using Cell = Eigen::Matrix<std::int32_t, 3, 1>;
@@ -42,13 +43,10 @@ class SpatialHash {
   /// To be called once, when all points are in. Returns the box around them, m; what is no number is not in it.
   STICTION_LANES_INLINE Box3 build() {
     const std::size_t count = entries_.size();
-    const Box3 none;
-    PackedVec3 low = none.min(), high = none.max();
-    for (const Point& entry : entries_) {
-      low = low.cwiseMin(PackedVec3::load(&entry.x));
-      high = high.cwiseMax(PackedVec3::load(&entry.x));
-    }
-    const Box3 around(vector_cast<Vec3>(low), vector_cast<Vec3>(high));
+    const Box3 around = box_around(
+        0, count, [&](std::size_t k) __attribute__((always_inline)) {
+          return PackedVec3::load(&entries_[k].x);
+        });
     point_.resize(count);
     inside_.resize(count);
     // What the last register reads beyond the last point is a number, and not looked at.

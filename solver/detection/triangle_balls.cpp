@@ -18,12 +18,11 @@ STICTION_LANES_INLINE void bound_in_lanes(const Topology& topology, std::size_t 
   using Number = Lanes<Bytes>;
   constexpr std::size_t kCount = Number::kCount;
   for (std::size_t first = begin; first < end; first += kCount) {
-    const Topology::Triangle* triangle[kCount];
-    for (std::size_t lane = 0; lane < kCount; ++lane) {
-      triangle[lane] = &topology.triangle[std::min(first + lane, end - 1)];
-    }
     const auto corner = [&](int k) __attribute__((always_inline)) {
-      return at_vertices<Number>(x, [&](int lane) { return triangle[lane]->vertex[k]; });
+      return at_vertices<Number>(x, [&](int lane) {
+        return topology.triangle[std::min(first + static_cast<std::size_t>(lane), end - 1)]
+            .vertex[k];
+      });
     };
     const LaneVector<Number> p = corner(0), q = corner(1), r = corner(2);
     const LaneVector<Number> centre = (p + q + r) / Number(Real(3));

@@ -13,10 +13,9 @@ namespace stiction {
 template <class Number, class Record, class VertexOf>
 STICTION_LANES_INLINE LaneVector<Number> at_vertices(const std::vector<Record>& field,
                                                      const VertexOf& vertex_of) {
-  const Record* const records = field.data();
   const Real* record[Number::kCount];
   for (int lane = 0; lane < Number::kCount; ++lane) {
-    record[lane] = reinterpret_cast<const Real*>(records + vertex_of(lane));
+    record[lane] = reinterpret_cast<const Real*>(&field[static_cast<std::size_t>(vertex_of(lane))]);
   }
   Number columns[4];
   if constexpr (sizeof(Record) == 4 * sizeof(Real)) {
