@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/exact/exact_consistent_depth.h"
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -16,15 +13,14 @@
 #include <vector>
 
 #include "reference/exact/exact_detection.h"
+#include "reference/exact/kernels.h"
 
 namespace stiction::reference {
 
 namespace {
 
-using Exact = CGAL::Gmpq;
-using Kernel = CGAL::Simple_cartesian<Exact>;
-using Point = Kernel::Point_3;
-using Vector = Kernel::Vector_3;
+using RationalPoint = RationalKernel::Point_3;
+using RationalVector = RationalKernel::Vector_3;
 using Real = boost::multiprecision::mpf_float_50;
 using RealVector = std::array<Real, 3>;
 using Eigen::Index;
@@ -32,22 +28,21 @@ using Eigen::Vector3d;
 
 constexpr double kCancelled = 1e-12;
 
-Point exact(const Vector3d& p) { return {Exact(p.x()), Exact(p.y()), Exact(p.z())}; }
 Real real(const Exact& q) { return Real(q.mpq()); }
-RealVector real(const Vector& v) { return {real(v.x()), real(v.y()), real(v.z())}; }
+RealVector real(const RationalVector& v) { return {real(v.x()), real(v.y()), real(v.z())}; }
 
-Real dot(const RealVector& a, const RealVector& b) {
+Real real_dot(const RealVector& a, const RealVector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-Real length(const RealVector& a) { return sqrt(dot(a, a)); }
+Real length(const RealVector& a) { return sqrt(real_dot(a, a)); }
 
 void add(RealVector& sum, const Real& weight, const RealVector& v) {
   for (std::size_t k = 0; k < 3; ++k) sum[k] += weight * v[k];
 }
 
 struct Triangle {
-  std::array<Point, 3> corner;
-  Vector normal;  // not normalised
+  std::array<RationalPoint, 3> corner;
+  RationalVector normal;  // not normalised
   Eigen::AlignedBox3d box;
 };
 
@@ -66,13 +61,13 @@ Real angle_around(const Triangle& triangle, const std::array<bool, 3>& touched) 
   const std::size_t at = !touched[0] ? 2 : !touched[1] ? 0 : 1;
   const RealVector one = real(triangle.corner[(at + 1) % 3] - triangle.corner[at]);
   const RealVector other = real(triangle.corner[(at + 2) % 3] - triangle.corner[at]);
-  return acos(dot(one, other) / (length(one) * length(other)));
+  return acos(real_dot(one, other) / (length(one) * length(other)));
 }
 
 // Where the segment p → q first leaves through one of the triangles.
 std::optional<Crossing> first_crossing(const std::vector<Triangle>& triangles, const Vector3d& from,
                                        const Vector3d& to) {
-  const Point p = exact(from), q = exact(to);
+  const RationalPoint p = rational(from), q = rational(to);
   Eigen::AlignedBox3d box(from);
   box.extend(to);
   std::optional<Crossing> first;
@@ -143,7 +138,7 @@ std::optional<Known> mean(const std::vector<Sample>& samples, int level) {
   for (const Sample& sample : samples) {
     const double share = rounded(sample.weight / weight);
     RealVector across = sample.normal;
-    add(across, -dot(sample.normal, result.normal), result.normal);
+    add(across, -real_dot(sample.normal, result.normal), result.normal);
     result.moved += share * (sample.moved + rounded(abs(sample.depth - depth)) * sample.weight_off);
     result.turned += share * (sample.turned + rounded(length(across)) * sample.weight_off);
     result.agreement = std::min(result.agreement, sample.agreement);
@@ -172,7 +167,7 @@ std::vector<Triangle> triangles_of(const ExactBody& body, const TetMesh& mesh) {
     Triangle triangle;
     for (Index k = 0; k < 3; ++k) {
       const Vector3d x = mesh.vertices.col(corners[k]);
-      triangle.corner[static_cast<std::size_t>(k)] = exact(x);
+      triangle.corner[static_cast<std::size_t>(k)] = rational(x);
       triangle.box.extend(x);
     }
     triangle.normal = CGAL::cross_product(triangle.corner[1] - triangle.corner[0],
@@ -203,12 +198,12 @@ std::vector<ConsistentDepth> exact_consistent_depths(const TetMesh& body, const 
     for (const Index w : joined[static_cast<std::size_t>(v)]) {
       const std::optional<Crossing> crossing = first_crossing(triangles, at(v), at(w));
       if (!crossing) continue;
-      const Vector edge = exact(at(w)) - exact(at(v));
-      const Vector away = crossing->t * edge;
+      const RationalVector edge = rational(at(w)) - rational(at(v));
+      const RationalVector away = crossing->t * edge;
       const Real away2 = real(away * away + Exact(softening) * Exact(softening));
       const RealVector normal = normal_of(*crossing);
-      const double slope = rounded(dot(real(edge), normal) / length(real(edge)));
-      samples.push_back({1 / away2, dot(real(away), normal), normal, 1.0, 0.0,
+      const double slope = rounded(real_dot(real(edge), normal) / length(real(edge)));
+      samples.push_back({1 / away2, real_dot(real(away), normal), normal, 1.0, 0.0,
                          2.0 / (rounded(sqrt(away2)) * slope), 1.0});
     }
     if (const auto found = mean(samples, 1)) reached.emplace(v, *found);
@@ -222,9 +217,9 @@ std::vector<ConsistentDepth> exact_consistent_depths(const TetMesh& body, const 
         const auto from = reached.find(w);
         if (from == reached.end()) continue;
         const Known& k = from->second;
-        const Vector away = exact(at(w)) - exact(at(v));
+        const RationalVector away = rational(at(w)) - rational(at(v));
         const Real away2 = real(away * away);
-        samples.push_back({1 / away2, dot(real(away), k.normal) + k.depth, k.normal,
+        samples.push_back({1 / away2, real_dot(real(away), k.normal) + k.depth, k.normal,
                            k.moved + rounded(sqrt(away2)) * k.turned, k.turned, 0.0, k.agreement});
       }
       if (const auto found = mean(samples, level)) next.emplace(v, *found);

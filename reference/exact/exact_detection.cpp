@@ -4,9 +4,6 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -16,18 +13,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "reference/exact/kernels.h"
+
 namespace stiction::reference {
 
 namespace {
 
-using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Exact = CGAL::Gmpq;
-using Rational = CGAL::Simple_cartesian<Exact>;
-using Triangle = Rational::Triangle_3;
+using RationalTriangle = RationalKernel::Triangle_3;
 // A tree over doubles says about how far the surface is; rationals decide among what is near.
-using Iterator = std::vector<Filtered::Triangle_3>::const_iterator;
-using Primitive = CGAL::AABB_triangle_primitive<Filtered, Iterator>;
-using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Filtered, Primitive>>;
+using Iterator = std::vector<FilteredKernel::Triangle_3>::const_iterator;
+using FilteredPrimitive = CGAL::AABB_triangle_primitive<FilteredKernel, Iterator>;
+using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<FilteredKernel, FilteredPrimitive>>;
 using Corners = Eigen::Matrix<double, 3, 4>;
 using Eigen::Index;
 using Eigen::Vector3d;
@@ -35,10 +31,6 @@ using Eigen::Vector3d;
 void demand(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("exact detection: ") + what);
 }
-
-Filtered::Point_3 filtered(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-
-Rational::Point_3 rational(const Vector3d& p) { return {Exact(p.x()), Exact(p.y()), Exact(p.z())}; }
 
 /// The double nearest to q. CGAL::to_double truncates or worse; start there and walk.
 double nearest(const Exact& q) {
@@ -54,20 +46,20 @@ double nearest(const Exact& q) {
   return value;
 }
 
-Vector3d nearest(const Rational::Point_3& p) {
+Vector3d nearest(const RationalKernel::Point_3& p) {
   return {nearest(p.x()), nearest(p.y()), nearest(p.z())};
 }
 
 /// Signs of the volumes that the point makes with the four faces, relative to the tetrahedron's
 /// own.
 Side side_of(const Vector3d& point, const Corners& x) {
-  std::array<Filtered::Point_3, 4> corner;
+  std::array<FilteredKernel::Point_3, 4> corner;
   for (std::size_t k = 0; k < 4; ++k) corner[k] = filtered(x.col(static_cast<Index>(k)));
   const CGAL::Orientation own = CGAL::orientation(corner[0], corner[1], corner[2], corner[3]);
   demand(own != CGAL::COPLANAR, "a tetrahedron is flat");
   bool on_face = false;
   for (std::size_t k = 0; k < 4; ++k) {
-    std::array<Filtered::Point_3, 4> moved = corner;
+    std::array<FilteredKernel::Point_3, 4> moved = corner;
     moved[k] = filtered(point);
     const CGAL::Orientation sign = CGAL::orientation(moved[0], moved[1], moved[2], moved[3]);
     if (sign == CGAL::COPLANAR) {
@@ -86,7 +78,7 @@ Corners corners_of(const TetMesh& mesh, Index tetrahedron) {
 }
 
 /// Closest point of a triangle (Ericson's regions), exactly: weights, which say the point too.
-std::array<Exact, 3> closest_weights(const Rational::Point_3& p, const Triangle& t) {
+std::array<Exact, 3> closest_weights(const RationalKernel::Point_3& p, const RationalTriangle& t) {
   const auto ab = t[1] - t[0];
   const auto ac = t[2] - t[0];
   const auto ap = p - t[0];
@@ -120,7 +112,7 @@ std::array<Exact, 3> closest_weights(const Rational::Point_3& p, const Triangle&
   return {va / sum, vb / sum, vc / sum};
 }
 
-Rational::Point_3 combine(const Triangle& t, const std::array<Exact, 3>& w) {
+RationalKernel::Point_3 combine(const RationalTriangle& t, const std::array<Exact, 3>& w) {
   return {w[0] * t[0].x() + w[1] * t[1].x() + w[2] * t[2].x(),
           w[0] * t[0].y() + w[1] * t[1].y() + w[2] * t[2].y(),
           w[0] * t[0].z() + w[1] * t[1].z() + w[2] * t[2].z()};
@@ -129,9 +121,10 @@ Rational::Point_3 combine(const Triangle& t, const std::array<Exact, 3>& w) {
 }  // namespace
 
 struct ExactBody::Tree {
-  std::vector<Triangle> triangles;
-  std::vector<Filtered::Triangle_3> rounded;  ///< the same; what is reckoned from them is rounded
-  std::vector<Eigen::AlignedBox3d> boxes;     ///< of the triangles
+  std::vector<RationalTriangle> triangles;
+  std::vector<FilteredKernel::Triangle_3>
+      rounded;                             ///< the same; what is reckoned from them is rounded
+  std::vector<Eigen::AlignedBox3d> boxes;  ///< of the triangles
   AabbTree tree;
 };
 
@@ -142,13 +135,13 @@ Side side_of_tetrahedron(const Vector3d& point, const Corners& corners) {
 
 Eigen::Vector4d exact_weights(const Vector3d& point, const Corners& corners) {
   demand(point.allFinite() && corners.allFinite(), "a coordinate is not finite");
-  std::array<Rational::Point_3, 4> x;
+  std::array<RationalKernel::Point_3, 4> x;
   for (std::size_t k = 0; k < 4; ++k) x[k] = rational(corners.col(static_cast<Index>(k)));
   const Exact whole = CGAL::volume(x[0], x[1], x[2], x[3]);
   demand(whole != 0, "a tetrahedron is flat");
   Eigen::Vector4d weights;
   for (std::size_t k = 0; k < 4; ++k) {
-    std::array<Rational::Point_3, 4> moved = x;
+    std::array<RationalKernel::Point_3, 4> moved = x;
     moved[k] = rational(point);
     weights[static_cast<Index>(k)] =
         nearest(Exact(CGAL::volume(moved[0], moved[1], moved[2], moved[3]) / whole));
@@ -211,9 +204,9 @@ Side ExactBody::side(const Vector3d& point) const {
   // On a face of each of its holders: on the body's, too, only if on an outer triangle.
   for (Index f = 0; f < surface_.cols(); ++f) {
     if (!tree_->boxes[static_cast<std::size_t>(f)].contains(point)) continue;
-    const Filtered::Triangle_3 triangle(filtered(mesh_.vertices.col(surface_(0, f))),
-                                        filtered(mesh_.vertices.col(surface_(1, f))),
-                                        filtered(mesh_.vertices.col(surface_(2, f))));
+    const FilteredKernel::Triangle_3 triangle(filtered(mesh_.vertices.col(surface_(0, f))),
+                                              filtered(mesh_.vertices.col(surface_(1, f))),
+                                              filtered(mesh_.vertices.col(surface_(2, f))));
     if (triangle.has_on(filtered(point))) return Side::boundary;
   }
   return Side::inside;
@@ -221,7 +214,7 @@ Side ExactBody::side(const Vector3d& point) const {
 
 ClosestPoint ExactBody::closest_point(const Vector3d& point) const {
   demand(point.allFinite(), "a coordinate is not finite");
-  const Rational::Point_3 p = rational(point);
+  const RationalKernel::Point_3 p = rational(point);
   // Far above the rounding of a distance that doubles say. Boxes within it leave a few triangles to
   // compare exactly.
   const double about =
@@ -230,7 +223,7 @@ ClosestPoint ExactBody::closest_point(const Vector3d& point) const {
   struct Near {
     Index triangle;
     std::array<Exact, 3> weights;
-    Rational::Point_3 foot;
+    RationalKernel::Point_3 foot;
     Exact squared_distance;
   };
   std::vector<Near> near;
@@ -238,7 +231,7 @@ ClosestPoint ExactBody::closest_point(const Vector3d& point) const {
     const auto k = static_cast<std::size_t>(f);
     if (tree_->boxes[k].squaredExteriorDistance(point) > about * about) continue;
     const std::array<Exact, 3> weights = closest_weights(p, tree_->triangles[k]);
-    const Rational::Point_3 foot = combine(tree_->triangles[k], weights);
+    const RationalKernel::Point_3 foot = combine(tree_->triangles[k], weights);
     near.push_back({f, weights, foot, CGAL::squared_distance(p, foot)});
   }
   const auto by_distance = [](const Near& a, const Near& b) {

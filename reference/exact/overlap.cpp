@@ -4,7 +4,6 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,6 +12,8 @@
 #include <limits>
 #include <numeric>
 
+#include "reference/exact/kernels.h"
+
 namespace stiction::reference {
 
 namespace {
@@ -20,21 +21,20 @@ namespace {
 // Depths up to this part of what is allowed are less than that, whatever the rounding.
 constexpr double kNearly = 0.999;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Triangles = std::vector<FilteredKernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<FilteredKernel, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<FilteredKernel, Primitive>>;
 using Eigen::Vector3d;
 
-Point point(const Vector3d& x) { return {x.x(), x.y(), x.z()}; }
-Vector3d vector(const Point& p) { return {p.x(), p.y(), p.z()}; }
+Vector3d vector(const FilteredKernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
 Triangles triangles_of(const Skin& skin) {
   Triangles all;
   for (Eigen::Index t = 0; t < skin.triangles().cols(); ++t) {
-    const auto corner = [&](int k) { return point(skin.vertices().col(skin.triangles()(k, t))); };
-    const Kernel::Triangle_3 triangle(corner(0), corner(1), corner(2));
+    const auto corner = [&](int k) {
+      return filtered(skin.vertices().col(skin.triangles()(k, t)));
+    };
+    const FilteredKernel::Triangle_3 triangle(corner(0), corner(1), corner(2));
     if (!triangle.is_degenerate()) all.push_back(triangle);
   }
   return all;
@@ -42,32 +42,37 @@ Triangles triangles_of(const Skin& skin) {
 
 }  // namespace
 
-class Solid {
+class ClosedSolid {
  public:
-  explicit Solid(const Skin& skin)
+  explicit ClosedSolid(const Skin& skin)
       : triangles_(triangles_of(skin)), tree_(triangles_.begin(), triangles_.end()) {}
 
   // A ray leaves a closed surface once more often than it enters, if it starts inside. One that
   // meets an edge counts it twice; of three in directions that no mesh has, two agree.
   bool holds(const Vector3d& x) const {
-    static const Kernel::Vector_3 ways[3] = {{0.5432917, 0.3917351, 0.7424113},
-                                             {-0.6113971, 0.7712345, -0.1771929},
-                                             {0.2911743, -0.8341197, 0.4685231}};
+    static const FilteredKernel::Vector_3 ways[3] = {{0.5432917, 0.3917351, 0.7424113},
+                                                     {-0.6113971, 0.7712345, -0.1771929},
+                                                     {0.2911743, -0.8341197, 0.4685231}};
     const auto says_inside = [&](int k) {
-      return tree_.number_of_intersected_primitives(Kernel::Ray_3(point(x), ways[k])) % 2 == 1;
+      return tree_.number_of_intersected_primitives(FilteredKernel::Ray_3(filtered(x), ways[k])) %
+                 2 ==
+             1;
     };
     const bool first = says_inside(0);
     return says_inside(1) == first ? first : says_inside(2);
   }
 
-  double distance(const Vector3d& x) const { return std::sqrt(tree_.squared_distance(point(x))); }
+  double distance(const Vector3d& x) const {
+    return std::sqrt(tree_.squared_distance(filtered(x)));
+  }
 
   // Where the way from a to b meets the surface: shares of it, ascending, with 0 and 1. Which
   // triangles it meets is decided exactly; CGAL's own construction of the points stops the program
   // where rounding contradicts that.
   std::vector<double> crossings(const Vector3d& a, const Vector3d& b) const {
     std::vector<double> shares = {0.0, 1.0};
-    for (const Kernel::Triangle_3& triangle : met(Kernel::Segment_3(point(a), point(b)))) {
+    for (const FilteredKernel::Triangle_3& triangle :
+         met(FilteredKernel::Segment_3(filtered(a), filtered(b)))) {
       shares.push_back(std::clamp(share(triangle, a, b - a), 0.0, 1.0));
     }
     std::sort(shares.begin(), shares.end());
@@ -77,8 +82,9 @@ class Solid {
   // From a point of the surface straight in to where the way out is; `none` when it isn't.
   double way_through(const Vector3d& from, const Vector3d& into, double none) const {
     double nearest = none;
-    const Kernel::Vector_3 way(into.x(), into.y(), into.z());
-    for (const Kernel::Triangle_3& triangle : met(Kernel::Ray_3(point(from), way))) {
+    const FilteredKernel::Vector_3 way(into.x(), into.y(), into.z());
+    for (const FilteredKernel::Triangle_3& triangle :
+         met(FilteredKernel::Ray_3(filtered(from), way))) {
       const double length = share(triangle, from, into) * into.norm();
       if (length > 1e-9 * none) nearest = std::min(nearest, length);
     }
@@ -96,7 +102,8 @@ class Solid {
   }
 
   // Where a + s way meets the triangle's plane; 0 when it lies in it, and so on the surface.
-  static double share(const Kernel::Triangle_3& triangle, const Vector3d& a, const Vector3d& way) {
+  static double share(const FilteredKernel::Triangle_3& triangle, const Vector3d& a,
+                      const Vector3d& way) {
     const Vector3d corner = vector(triangle[0]);
     const Vector3d normal =
         (vector(triangle[1]) - corner).cross(vector(triangle[2]) - corner).normalized();
@@ -195,8 +202,8 @@ void Skin::move(Eigen::Matrix3Xd vertices) {
   }
 }
 
-const Solid& Skin::solid() const {
-  if (!solid_) solid_ = std::make_shared<const Solid>(*this);
+const ClosedSolid& Skin::solid() const {
+  if (!solid_) solid_ = std::make_shared<const ClosedSolid>(*this);
   return *solid_;
 }
 

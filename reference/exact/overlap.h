@@ -13,7 +13,7 @@
 namespace stiction::reference {
 
 /// What it takes to ask where points, edges and rays are about a surface.
-class Solid;
+class ClosedSolid;
 
 /// A body by its closed surface. To be asked by one thread at a time, also where nothing changes.
 class Skin {
@@ -31,7 +31,7 @@ class Skin {
   const std::vector<int>& used() const { return used_; }  ///< vertices that a triangle names
   const Eigen::Vector3d& low() const { return low_; }     ///< corners of the bounding box, m
   const Eigen::Vector3d& high() const { return high_; }
-  const Solid& solid() const;  ///< made when it is first asked for, and kept until vertices move
+  const ClosedSolid& solid() const;  ///< made when first asked for, and kept until vertices move
 
   /// How thick the body is where it is thin: straight in from the middle of a triangle to where one
   /// comes out again; a tenth of the surface's area has less, m. So neither a wedge's tip nor the
@@ -45,7 +45,7 @@ class Skin {
   std::vector<std::pair<int, int>> edges_;
   std::vector<int> used_;
   Eigen::Vector3d low_, high_;
-  mutable std::shared_ptr<const Solid> solid_;
+  mutable std::shared_ptr<const ClosedSolid> solid_;
 };
 
 /// A point of one body inside another.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/exact/shared_space.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <Eigen/Geometry>
@@ -9,21 +8,18 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/exact/kernels.h"
+
 namespace stiction::reference {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Tetrahedron = Kernel::Tetrahedron_3;
 using Eigen::Vector3d;
 
 struct Piece {
-  Tetrahedron tetrahedron;
+  FilteredKernel::Tetrahedron_3 tetrahedron;
   bool held = false;
 };
-
-Point point(const Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
 // Each tetrahedron with its faces moved inwards by `inset`, towards the centre of its inscribed ball;
 // those that have no more inside are left out.
@@ -51,7 +47,7 @@ std::vector<Piece> pieces_of(const SolidMesh& solid, double inset) {
     if (!(inradius > inset)) continue;
     for (int k = 0; k < 4; ++k) centre += area[k] / whole * x[k];
     for (Vector3d& corner : x) corner += inset / inradius * (centre - corner);
-    pieces.push_back({{point(x[0]), point(x[1]), point(x[2]), point(x[3])}, held});
+    pieces.push_back({{filtered(x[0]), filtered(x[1]), filtered(x[2]), filtered(x[3])}, held});
   }
   return pieces;
 }
@@ -82,14 +78,14 @@ bool share(const SolidMesh& a, const SolidBall& b, double inset) {
   if (!(reach > 0.0)) return false;
   const std::vector<Piece> pieces = pieces_of(a, inset);
   return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
-    return CGAL::squared_distance(point(b.centre), piece.tetrahedron) < reach * reach;
+    return CGAL::squared_distance(filtered(b.centre), piece.tetrahedron) < reach * reach;
   });
 }
 
 bool share(const SolidMesh& a, const SolidPoint& b, double inset) {
   const std::vector<Piece> pieces = pieces_of(a, inset);
   return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
-    return piece.tetrahedron.has_on_bounded_side(point(b.position));
+    return piece.tetrahedron.has_on_bounded_side(filtered(b.position));
   });
 }
 

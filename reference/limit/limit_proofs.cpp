@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/limit/limit_proofs.h"
 
-#include <CGAL/Gmpq.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include "reference/exact/fractions.h"
 
 namespace stiction::reference {
 
@@ -15,15 +15,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Index = Eigen::Index;
-
-using Exact = CGAL::Gmpq;
-using ExactVector = std::array<Exact, 3>;
-
-ExactVector exact(const Vector3d& v) { return {Exact(v.x()), Exact(v.y()), Exact(v.z())}; }
-
-Exact dot(const ExactVector& a, const ExactVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// v − n (n · v)/(n · n): the normal is taken as it is, not as if its length were 1.
 ExactVector tangential(const ExactVector& v, const ExactVector& n) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/meshes/ball_mesh.h"
 
-#include <CGAL/Gmpq.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -15,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/exact/fractions.h"
 #include "reference/meshes/box_mesh.h"
 #include "reference/meshes/rotation_onto.h"
 
@@ -182,13 +181,6 @@ std::vector<Tetrahedron> fill(const Icosahedron& solid, const Vertices& vertices
     }
   }
   return tetrahedra;
-}
-
-using Exact = CGAL::Gmpq;
-using ExactVector = std::array<Exact, 3>;
-
-Exact dot(const ExactVector& a, const ExactVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 ExactVector minus(const ExactVector& a, const ExactVector& b) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kRelative = 1e-12;
 
-void demand(bool holds, const std::string& what) {
+void demand_of_membrane(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument("membrane: " + what);
 }
 
@@ -190,17 +190,18 @@ double membrane_stop(const MembraneProblem& p) {
 }
 
 double membrane_acceleration(const MembraneProblem& problem, MembraneLaw law, double position) {
-  if (const std::string wrong = problem.check(); !wrong.empty()) demand(false, wrong);
-  demand(position > 0.0 && position < problem.length, "the position lies off the span");
+  if (const std::string wrong = problem.check(); !wrong.empty()) demand_of_membrane(false, wrong);
+  demand_of_membrane(position > 0.0 && position < problem.length, "the position lies off the span");
   quiet_gsl();
   return acceleration(problem, law, position);
 }
 
 MembraneMotion membrane_motion(const MembraneProblem& problem, MembraneLaw law, double duration,
                                int intervals) {
-  if (const std::string wrong = problem.check(); !wrong.empty()) demand(false, wrong);
-  demand(duration > 0.0 && std::isfinite(duration), "the duration must be positive and finite");
-  demand(intervals >= 1, "there must be an interval at least");
+  if (const std::string wrong = problem.check(); !wrong.empty()) demand_of_membrane(false, wrong);
+  demand_of_membrane(duration > 0.0 && std::isfinite(duration),
+                     "the duration must be positive and finite");
+  demand_of_membrane(intervals >= 1, "there must be an interval at least");
 
   quiet_gsl();
   Integrator integrator(problem, law);

@@ -37,7 +37,7 @@ std::string line(const Triple& triple) {
 }
 
 // Thousands of them may be written, which can be made again from the recording.
-void write(const std::filesystem::path& file, const std::string& text) {
+void write_file(const std::filesystem::path& file, const std::string& text) {
   write_whole(file, text, Wait::kNo);
 }
 
@@ -109,17 +109,17 @@ void write_vtk(const std::filesystem::path& folder, const std::string& name,
     const Frame& frame = recording.frames[i];
     const std::string bodies_file = fmt::format("{}/bodies_{:04}.vtp", name, i);
     const std::string contacts_file = fmt::format("{}/contacts_{:04}.vtp", name, i);
-    write(folder / bodies_file, vtp_bodies(recording, frame));
-    write(folder / contacts_file, vtp_contacts(frame));
+    write_file(folder / bodies_file, vtp_bodies(recording, frame));
+    write_file(folder / contacts_file, vtp_contacts(frame));
     frames += fmt::format(
         "<DataSet timestep=\"{0:.9g}\" part=\"0\" file=\"{1}\"/>\n"
         "<DataSet timestep=\"{0:.9g}\" part=\"1\" file=\"{2}\"/>\n",
         frame.time, bodies_file, contacts_file);
   }
-  write(folder / (name + ".pvd"),
-        fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
-                    "<Collection>\n{}</Collection>\n</VTKFile>\n",
-                    frames));
+  write_file(folder / (name + ".pvd"),
+             fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                         "<Collection>\n{}</Collection>\n</VTKFile>\n",
+                         frames));
 }
 
 }  // namespace stiction

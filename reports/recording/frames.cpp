@@ -14,7 +14,7 @@
 namespace stiction {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "STFR";
 constexpr std::uint32_t kVersion = 1;
@@ -121,9 +121,15 @@ void put(std::string& bytes, Integer value) {
 }
 
 std::string header_of(const Recording& recording, const Scales& scales) {
-  Json header{{"title", recording.title}, {"bodies", Json::array()},  {"planes", Json::array()},
-              {"low", scales.low},        {"high", scales.high},      {"force", scales.force},
-              {"times", Json::array()},   {"gravity", Json::array()}, {"contacts", Json::array()}};
+  OrderedJson header{{"title", recording.title},
+                     {"bodies", OrderedJson::array()},
+                     {"planes", OrderedJson::array()},
+                     {"low", scales.low},
+                     {"high", scales.high},
+                     {"force", scales.force},
+                     {"times", OrderedJson::array()},
+                     {"gravity", OrderedJson::array()},
+                     {"contacts", OrderedJson::array()}};
   for (const FrameBody& body : recording.bodies) {
     header["bodies"].push_back(
         {{"name", body.name}, {"vertices", body.vertices}, {"triangles", body.triangles.size()}});
@@ -137,7 +143,7 @@ std::string header_of(const Recording& recording, const Scales& scales) {
     header["gravity"].push_back(frame.gravity);
     header["contacts"].push_back(frame.contacts.size());
   }
-  std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = header.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   text.append((4 - text.size() % 4) % 4, ' ');
   return text;
 }
@@ -182,7 +188,7 @@ class Reader {
 };
 
 // nlohmann's own conversion takes -1 and 1e300 as well.
-std::size_t count_of(const Json& value) {
+std::size_t count_of(const OrderedJson& value) {
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMost) {
     throw std::runtime_error("the header of the frames file has a count that is none");
   }
@@ -242,17 +248,17 @@ Recording decode_frames(std::string_view bytes) {
   std::vector<std::size_t> triangles;
   std::vector<std::size_t> contacts;
   try {
-    const Json header = Json::parse(reader.take(reader.integer<std::uint32_t>()));
+    const OrderedJson header = OrderedJson::parse(reader.take(reader.integer<std::uint32_t>()));
     recording.title = header.at("title").get<std::string>();
     scales.low = header.at("low").get<Triple>();
     scales.high = header.at("high").get<Triple>();
     scales.force = header.at("force").get<double>();
-    for (const Json& body : header.at("bodies")) {
+    for (const OrderedJson& body : header.at("bodies")) {
       recording.bodies.push_back(
           {body.at("name").get<std::string>(), count_of(body.at("vertices")), {}});
       triangles.push_back(count_of(body.at("triangles")));
     }
-    for (const Json& plane : header.at("planes")) {
+    for (const OrderedJson& plane : header.at("planes")) {
       recording.planes.push_back({plane.at("name").get<std::string>(),
                                   plane.at("point").get<Triple>(),
                                   plane.at("normal").get<Triple>()});
@@ -263,8 +269,8 @@ Recording decode_frames(std::string_view bytes) {
     for (std::size_t i = 0; i < times.size(); ++i) {
       recording.frames.push_back({times[i], gravity[i], {}, {}});
     }
-    for (const Json& count : header.at("contacts")) contacts.push_back(count_of(count));
-  } catch (const Json::exception& error) {
+    for (const OrderedJson& count : header.at("contacts")) contacts.push_back(count_of(count));
+  } catch (const OrderedJson::exception& error) {
     throw std::runtime_error(
         fmt::format("the header of the frames file is broken: {}", error.what()));
   }

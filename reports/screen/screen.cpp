@@ -14,7 +14,7 @@ namespace stiction {
 
 namespace {
 
-constexpr long kLeast = 20, kMost = 10000;  // columns that are believed
+constexpr long kLeastColumns = 20, kMostColumns = 10000;  // columns that are believed
 
 winsize size_of(int descriptor) {
   winsize size{};
@@ -26,11 +26,11 @@ std::size_t width_of(const winsize& size) {
   if (const char* const told = std::getenv("COLUMNS")) {
     char* end = nullptr;
     const long columns = std::strtol(told, &end, 10);
-    if (end != told && *end == '\0' && columns >= kLeast && columns <= kMost) {
+    if (end != told && *end == '\0' && columns >= kLeastColumns && columns <= kMostColumns) {
       return static_cast<std::size_t>(columns);
     }
   }
-  if (size.ws_col >= kLeast) return size.ws_col;
+  if (size.ws_col >= kLeastColumns) return size.ws_col;
   return Screen{}.width;
 }
 

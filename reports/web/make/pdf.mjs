@@ -7,7 +7,13 @@ import { delimiter, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { write_whole } from "./files.mjs";
 
-const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+const NAMES = [
+  "chromium",
+  "chromium-browser",
+  "google-chrome",
+  "google-chrome-stable",
+  "chromium-headless-shell",
+];
 const MOST_TIME = 300_000; // ms
 
 function browser() {
