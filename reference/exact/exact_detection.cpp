@@ -122,9 +122,8 @@ RationalKernel::Point_3 combine(const RationalTriangle& t, const std::array<Exac
 
 struct ExactBody::Tree {
   std::vector<RationalTriangle> triangles;
-  std::vector<FilteredKernel::Triangle_3>
-      rounded;                             ///< the same; what is reckoned from them is rounded
-  std::vector<Eigen::AlignedBox3d> boxes;  ///< of the triangles
+  std::vector<FilteredKernel::Triangle_3> rounded;  ///< the same, to reckon with in doubles
+  std::vector<Eigen::AlignedBox3d> boxes;           ///< of the triangles
   AabbTree tree;
 };
 

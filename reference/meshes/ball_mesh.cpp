@@ -192,7 +192,7 @@ ExactVector minus(const ExactVector& a, const ExactVector& b) {
 Exact squared_distance_from_origin(const std::array<Vector3d, 3>& triangle) {
   std::array<ExactVector, 3> x;
   for (std::size_t k = 0; k < 3; ++k) {
-    x[k] = {Exact(triangle[k].x()), Exact(triangle[k].y()), Exact(triangle[k].z())};
+    x[k] = exact(triangle[k]);
   }
   const ExactVector u = minus(x[1], x[0]);
   const ExactVector v = minus(x[2], x[0]);
