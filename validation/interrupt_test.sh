@@ -70,7 +70,8 @@ kept() {
   printf 'ok    %s: %s\n' "$what" "$(cut -c1-60 err)"
 }
 
-many=(--no-page --jobs 2)
+# A record now and then while another case goes on for long.
+many=(--no-page --jobs 2 --case slab/rest/many/20 --case 'incline/threshold/*')
 for one in 'INT 2' 'TERM 15' 'HUP 1'; do
   read -r name number <<<"$one"
   interrupted "$name" "$number" "validate, SIG$name" has_records "v$number" 2 -- \
@@ -92,12 +93,12 @@ interrupted INT 2 "before anything is finished" has_run -- \
 grep -q 'interrupted before anything was finished$' err || failed "it does not say so"
 [ -z "$(ls nothing)" ] || failed "an empty run was left: $(ls nothing)"
 printf 'ok    %s\n' "$what"
-interrupted TERM 15 "compare" has_records compared 2 -- "$build/compare" --no-page --jobs 2 --out compared
+interrupted TERM 15 "compare" has_records compared 2 -- "$build/compare" --no-page --jobs 2 --scene rules/slab --out compared
 kept compared
 for one in 'INT 2' 'TERM 15'; do
   read -r name number <<<"$one"
   interrupted "$name" "$number" "bench, SIG$name" has_records "bench$number" 1 -- \
-    "$build/bench" --benchmark_filter=/plane/ --benchmark_min_time=0.05 --out "bench$number"
+    "$build/bench" --benchmark_filter=/plane/ --benchmark_min_time=0.01 --out "bench$number"
   kept "bench$number"
 done
 what="a signal that the caller ignores"

@@ -26,6 +26,21 @@ run_group() {
   return "$code"
 }
 
+# runs PROCESS: whether it does, or any of its group. What has ended but waits to be asked after, as orphans may for
+# seconds in a container, does not run.
+runs() {
+  local stat line words
+  kill -0 "$1" 2>/dev/null && return 0 # a bare `return` in a trap has an earlier status
+  kill -0 -- "-$1" 2>/dev/null || return 1
+  [ -e /proc/self/stat ] || return 0
+  for stat in /proc/[0-9]*/stat; do
+    { read -r line <"$stat"; } 2>/dev/null || continue
+    read -r -a words <<<"${line##*) }" # its state, its parent, its group
+    [ "${words[2]-}" != "$1" ] || [ "${words[0]}" = Z ] || return 0
+  done
+  return 1
+}
+
 # interrupted SIGNAL NUMBER: ends what runs, waits for it, and says what there is.
 interrupted() {
   local process tick
@@ -34,7 +49,7 @@ interrupted() {
     # Of a group some may be deaf to Ctrl-C, as what stands in a shell's background is.
     kill -TERM -- "-$process" 2>/dev/null || kill -s "$1" "$process" 2>/dev/null || continue
     for ((tick = 0; tick < 100; ++tick)); do
-      kill -0 -- "-$process" 2>/dev/null || kill -0 "$process" 2>/dev/null || break
+      runs "$process" || break
       sleep 0.1
     done
     kill -KILL -- "-$process" 2>/dev/null || kill -KILL "$process" 2>/dev/null || true

@@ -155,6 +155,21 @@ for one in 'INT 2' 'TERM 15' 'HUP 1'; do
 done
 exits 1 "what is not interrupted" validate
 called 'node .*report.mjs .*/run of mine$' || failed "it makes no page"
+# Whose parent is gone may wait for as long as one likes until somebody asks after it: here nobody does.
+stand_in "$work/bin/cmake" <<<"$busy"
+rm -f "$calls".*
+what="a build, of which something waits to be asked after"
+python3 - "$calls.ready" <<'PYTHON' || failed "it waits for what has ended"
+import ctypes, os, subprocess, sys, time
+ctypes.CDLL(None).prctl(36, 1)  # PR_SET_CHILD_SUBREAPER: orphans are this process's
+script = subprocess.Popen(["./stiction", "validate"], stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+while not os.path.exists(sys.argv[1]):
+    time.sleep(0.02)
+began = time.monotonic()
+script.terminate()
+sys.exit(script.wait() != 143 or time.monotonic() - began > 5)
+PYTHON
+stand_in "$work/bin/cmake" </dev/null
 # ---- two at once --------------------------------------------------------------------------------
 exec 9>>build/release/stiction.lock && flock 9
 stand_in build/release/validate <<<'exit 1'

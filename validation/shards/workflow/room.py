@@ -16,7 +16,7 @@ from box_study import problem, same, study  # noqa: E402
 COUNT = 2 * 20 * 20
 BROKEN = 2 * 20  # of a study whose first friction is negative
 PARTS = 4
-PART_SECONDS = 4  # CPU time of a part that is killed in its middle
+PART_SECONDS = 2  # CPU time of a part that is killed in its middle
 
 
 def same_row(row):

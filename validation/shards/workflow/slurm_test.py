@@ -169,7 +169,7 @@ def retried(room):
 def other_commands(room):
     where = room.folder / "validate"
     where.mkdir()
-    words = ["--case", "half-space/*", "--case", "incline/*"]
+    words = ["--case", "half-space/*", "--case", "incline/below/*"]
     room.run(where, room.build / "validate", *words, "--no-page", "--out", "whole")
     ran = room.run(where, "snakemake", "-s", HERE / "Snakefile", "--profile", HERE / "local", "--config", f"command=validate {' '.join(words)}",
                    "out=out", f"build={room.build}", "most_jobs=3", "minutes_per_job=0.00001", "page=false")
