@@ -2,11 +2,14 @@
 #include "benchmarks/bench/batch.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 #include <limits>
 
 #include "solver/friction/catalog.h"
 #include "solver/hash.h"
 #include "solver/step.h"
+#include "validation/engine/cpu_time.h"
 
 namespace stiction::bench {
 
@@ -19,6 +22,19 @@ std::string without_spaces(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '-');
   return name;
 }
+
+// Both clocks, from when it was made.
+class Clocks {
+ public:
+  Batch::Seconds passed() const {
+    const double cpu = thread_cpu_seconds() - cpu_;
+    return {cpu, std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count()};
+  }
+
+ private:
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  double cpu_ = thread_cpu_seconds();
+};
 
 template <class Value>
 void add(const std::vector<Value>& values, Fnv1a& hash) {
@@ -62,7 +78,8 @@ std::string benchmark_name(const Timed& timed, const std::string& family, int si
   return timed.name + "/" + family + "/contacts:" + std::to_string(size);
 }
 
-Batch::Batch(const Workload& settled, const Timed& timed) : work_(settled), timed_(timed) {
+Batch::Batch(const Workload& settled, const Timed& timed)
+    : settled_(settled), work_(settled), timed_(timed) {
   if (timed.rule != work_.options.rule) {
     work_.options.rule = timed.rule;
     go_on(work_, kRuleSteps);
@@ -121,6 +138,31 @@ void Batch::run(const Team* team) {
   } else {
     run_phase(timed_.phase, *work_.scene, work_.options, work_.state, work_.workspace);
   }
+}
+
+Batch::Seconds Batch::time(const Team* team) {
+  if (timed_.goes_on()) return time_going_on(team);
+  restore();
+  const Clocks start;
+  run(team);
+  return start.passed();
+}
+
+Batch::Seconds Batch::time_going_on(const Team* team) {
+  work_.state = settled_.state;
+  work_.workspace = settled_.workspace;
+  Workspace& workspace = work_.workspace;
+  workspace.team = team;
+  PhaseSeconds of_phases{};
+  if (!timed_.whole_step) workspace.phase_seconds = &of_phases;
+  const Clocks start;
+  for (int k = 0; k < kStepsInARow; ++k) {
+    step(*work_.scene, work_.options, work_.state, workspace);
+  }
+  if (timed_.whole_step) return start.passed();
+  workspace.phase_seconds = nullptr;
+  const double seconds = of_phases[static_cast<std::size_t>(timed_.phase)];
+  return {seconds, seconds};
 }
 
 std::uint64_t Batch::hash() const {

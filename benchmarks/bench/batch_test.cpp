@@ -8,6 +8,7 @@
 #include "benchmarks/bench/cost_model.h"
 #include "benchmarks/bench/measure.h"
 #include "solver/demand.h"
+#include "solver/step.h"
 
 namespace stiction::bench {
 namespace {
@@ -80,6 +81,33 @@ TEST_P(EveryFamily, EachBatchOfEachPartDoesTheSameWork) {
       batch.restore();
       batch.run();
       EXPECT_EQ(batch.hash(), first) << timed.name << ", batch " << k;
+    }
+  }
+}
+
+// What goes on ends where as many steps end that are taken without a clock, batch for batch, with the same
+// memory of how far all has moved.
+TEST_P(EveryFamily, WhatGoesOnTakesTheStepsThatFollow) {
+  const Workload work = settled(GetParam());
+  Workload after = work;
+  for (int k = 0; k < kStepsInARow; ++k) {
+    step(*after.scene, after.options, after.state, after.workspace);
+  }
+  for (const Timed& timed : timed_parts()) {
+    if (timed.phase == Phase::kDepth && !work.scene->pairs_possible) continue;  // no step has it
+    Batch batch(work, timed);
+    if (!timed.goes_on()) {
+      EXPECT_EQ(batch.steps(), 1) << timed.name;
+      continue;
+    }
+    EXPECT_EQ(batch.steps(), kStepsInARow) << timed.name;
+    for (int k = 0; k < 2; ++k) {
+      const Batch::Seconds seconds = batch.time();
+      EXPECT_GT(seconds.cpu, 0.0) << timed.name;
+      EXPECT_GT(seconds.wall, 0.0) << timed.name;
+      const Workload& now = batch.work();
+      EXPECT_EQ(hash_of(now.state), hash_of(after.state)) << timed.name << ", batch " << k;
+      EXPECT_EQ(now.workspace.search.path, after.workspace.search.path) << timed.name;
     }
   }
 }

@@ -50,7 +50,8 @@ std::string run_fixed(const std::string& name, int batches) {
   if (timed == parts.end()) {
     throw InputError("there is no fixed benchmark '" + name + "'; --list-fixed shows them all");
   }
-  Batch batch(settled(), *timed);
+  const Workload workload = settled();
+  Batch batch(workload, *timed);
   // Twice before, once for each of the buffers that friction exchanges: what the first batches
   // allocate is no part of the cost of one.
   for (int k = 0; k < 2; ++k) {

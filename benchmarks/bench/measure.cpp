@@ -2,7 +2,6 @@
 #include "benchmarks/bench/measure.h"
 
 #include <algorithm>
-#include <chrono>
 #include <regex>
 
 #include "benchmarks/bench/in_turn.h"
@@ -39,28 +38,17 @@ std::vector<Chosen> choose(const std::string& filter, bool full) {
 
 namespace {
 
-// Steps in a row, as people take them. After what is done between two of them, one thread's copying of the
-// state, the others have nothing of it in their caches and may be asleep.
-constexpr int kStepsInARow = 32;
-
-SpeedUp speed_up_of(Batch& batch, bool whole_step, const Team& team) {
-  const int runs = whole_step ? kStepsInARow : 1;  // a phase can't be repeated where it has been
-  const auto seconds_with = [&](const Team* with) {
-    batch.restore();
-    const auto start = std::chrono::steady_clock::now();
-    for (int k = 0; k < runs; ++k) batch.run(with);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+SpeedUp speed_up_of(Batch& batch, const Team& team) {
   SpeedUp found{.threads = team.size()};
-  seconds_with(&team);  // wakes the threads, and allocates
+  batch.time(&team);  // wakes the threads, and allocates
   std::uint64_t hash = 0;
   const auto alone = [&] {
-    const double seconds = seconds_with(nullptr);
+    const double seconds = batch.time().wall;
     hash = batch.hash();
     return seconds;
   };
   const auto together = [&] {
-    const double seconds = seconds_with(&team);
+    const double seconds = batch.time(&team).wall;
     found.same_hash = found.same_hash && batch.hash() == hash;
     return seconds;
   };
@@ -74,12 +62,10 @@ void Measure::run(benchmark::State& state, const Chosen& chosen) {
   Batch& batch = batch_of(chosen);
   std::vector<double> seconds;
   seconds.reserve(static_cast<std::size_t>(state.max_iterations));
-  for (auto _ : state) {
-    batch.restore();
-    const double start = thread_cpu_seconds();
-    batch.run();
-    seconds.push_back(std::max(1e-9, thread_cpu_seconds() - start - overhead_));
-    state.SetIterationTime(seconds.back());
+  while (state.KeepRunningBatch(batch.steps())) {
+    const double of_batch = std::max(1e-9, batch.time().cpu - overhead_);
+    seconds.push_back(of_batch / batch.steps());
+    state.SetIterationTime(of_batch);
   }
   Result result{chosen,
                 static_cast<double>(batch.work().contacts()),
@@ -88,7 +74,7 @@ void Measure::run(benchmark::State& state, const Chosen& chosen) {
                 batch.hash(),
                 batch.work().error(),
                 {}};
-  if (team_ != nullptr) result.speed_up = speed_up_of(batch, chosen.timed.whole_step, *team_);
+  if (team_ != nullptr) result.speed_up = speed_up_of(batch, *team_);
   state.counters["contacts"] = result.contacts;
   state.counters["time_per_contact"] = result.seconds / result.contacts;
   // 32 bits of it, which a double holds exactly.
@@ -114,8 +100,7 @@ Batch& Measure::batch_of(const Chosen& chosen) {
                         thread_cpu_seconds() - start});
   }
   batch_ = std::make_unique<Batch>(*workload_, chosen.timed);
-  batch_->restore();
-  batch_->run();  // allocates what later runs have
+  batch_->time();  // allocates what later ones have
   batch_name_ = chosen.name;
   return *batch_;
 }

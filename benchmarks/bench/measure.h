@@ -38,8 +38,8 @@ struct SpeedUp {
 struct Result {
   Chosen chosen;
   double contacts = 0.0;
-  double seconds = 0.0;  ///< CPU time of a batch, median over batches
-  ModelledCost cost;     ///< of a batch, by the model
+  double seconds = 0.0;  ///< CPU time of the part in a step, median over batches
+  ModelledCost cost;     ///< of it, by the model
   std::uint64_t hash = 0;
   double error = 0.0;  ///< of the workload with the part's friction rule, dimensionless
   std::optional<SpeedUp> speed_up;  ///< with --threads

@@ -256,7 +256,7 @@ class RangesOfDepths {
   bool put_in_batch(PairContact& contact, PairSite& site, PairSearch::Group& group) {
     const PairSearch& search = workspace_.search;
     const bool stays = stays_on_face(scene_.topology, options_, search, site, group);
-    if (!stays && !may_stay_on_face(search, site, group)) return false;
+    if (!stays && !may_stay_on_face(site, group)) return false;
     if (stays) {
       batch_.stays |= 1U << batch_.count;
       if (site.triangle != group.stays_on) site.triangle = group.stays_on;
@@ -294,9 +294,13 @@ class RangesOfDepths {
       }
       if (options_.face == PairFace::kOpposed) found_.note_depth(scene_.topology, contact);
       if (contact.inverse_mass == 0.0) found_.immovable = true;
+      if ((batch_.compared >> k & 1U) != 0) {
+        note_staying(scene_.topology, options_, workspace_.search, *batch_.site[k],
+                     *batch_.group[k]);
+      }
     }
     batch_.count = 0;
-    batch_.stays = 0;
+    batch_.stays = batch_.compared = 0;
   }
 
   const Measure& measure_;

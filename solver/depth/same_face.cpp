@@ -24,18 +24,6 @@ struct Step {
   const OpenLimits& limits;
 };
 
-// Whether no triangle of the list but its own can be as near as `reach`, m; `moved` is what vertex and
-// triangles have moved since the list was made (project_by_list in nearest_face.cpp).
-bool is_nearest(const PairSearch& search, const PairSearch::Group& group, std::int32_t own,
-                Real reach, Real moved) {
-  for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
-    const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
-    if (near.distance - moved > reach) return true;
-    if (near.triangle != own) return false;
-  }
-  return true;
-}
-
 // Of the vertices of a batch, or of their partner of a number, 1/kg.
 template <int Bytes>
 STICTION_LANES_INLINE Lanes<Bytes> inverse_masses(const Scene& scene, const FaceBatch& batch,
@@ -63,8 +51,9 @@ class Measured {
   using Number = Lanes<Bytes>;
   using Mask = typename Number::Mask;
   static constexpr int kCount = Number::kCount;
+  static constexpr int kMostOthers = 8 * kCount;  // compared with the triangles of a batch
 
-  STICTION_LANES_INLINE Measured(const Step& step, const FaceBatch& batch)
+  STICTION_LANES_INLINE Measured(const Step& step, FaceBatch& batch)
       : step_(step),
         batch_(batch),
         count_(std::min(batch.count, kCount)),
@@ -98,8 +87,17 @@ class Measured {
     unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
     to_foot_ = sunk_ = Mask::of(0);
     if ((left & batch_.stays) != 0) left &= ~beside(near.bits() & ~on_itself & left);
-    const unsigned asked = all_of_batch() & ~(left | batch_.stays);
-    return asked == 0 ? left : left | outdone(asked);
+    // Those that may be on another triangle now, and of these the ones beside their own.
+    const unsigned off =
+        (near & ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2)).bits() & left &
+        ~(on_itself | batch_.stays);
+    const unsigned asked = (all_of_batch() & ~(left | batch_.stays)) | off;
+    if (asked == 0) return left;
+    const Compared found = compare(asked);
+    const unsigned stay = off & ~found.outdone;
+    to_foot_ = to_foot_ | Mask::of(stay & ~found.passes_over);
+    sunk_ = sunk_ | Mask::of(stay & found.passes_over);
+    return (left & ~off) | found.outdone;
   }
 
   STICTION_LANES_INLINE void write(unsigned left) {
@@ -139,8 +137,18 @@ class Measured {
   }
 
  private:
-  // Those of the asked to which another triangle may be as near as their own.
-  STICTION_LANES_INLINE unsigned outdone(unsigned asked) const {
+  // Another triangle that may be as near to the vertex of a lane as its own.
+  struct Other {
+    int lane;
+    std::int32_t triangle;
+  };
+  // Lanes in which `choose_face` may choose another triangle, and those in which it passes over one.
+  struct Compared {
+    unsigned outdone = 0, passes_over = 0;
+  };
+
+  // Compares the own triangles of those asked with others that may be as near.
+  STICTION_LANES_INLINE Compared compare(unsigned asked) {
     const PairSearch& search = step_.workspace.search;
     const LaneVector<Number> way = point_ - at_vertices<Number>(search.reference, [&](int lane) {
                                      return batch_.contact[lane]->vertex;
@@ -149,17 +157,78 @@ class Measured {
     store_numbers(distance_, distance);
     store_numbers(sqrt(dot_as_eigen(way, way)), moved);
     store_numbers(sqrt(dot_as_eigen(point_, point_)), far);
-    unsigned outdone = 0;
+    Other other[kMostOthers];
+    int count = 0;
+    unsigned unnamed = 0;  // lanes in which the list need not name all that are nearer
+    Compared found;
     for (int lane = 0; lane < count_; ++lane) {
       if ((asked >> lane & 1U) == 0) continue;
-      const PairContact& contact = *batch_.contact[lane];
-      const Real by_body = search.moved[static_cast<std::size_t>(contact.other)];
-      if (!is_nearest(search, *batch_.group[lane], batch_.site[lane]->triangle, distance[lane],
-                      moved[lane] + by_body + list_rounding(search, far[lane]))) {
-        outdone |= 1U << lane;
+      const PairSearch::Group& group = *batch_.group[lane];
+      const std::int32_t own = batch_.site[lane]->triangle;
+      // What vertex and triangles have moved since the list was made (project_by_list in nearest_face.cpp).
+      moved[lane] += search.moved[static_cast<std::size_t>(batch_.contact[lane]->other)] +
+                     list_rounding(search, far[lane]);
+      unnamed |= unsigned{distance[lane] + moved[lane] > group.near_reach} << lane;
+      const int before = count;
+      for (std::int32_t k = group.near_begin; k < group.near_end; ++k) {
+        const PairSearch::Near& near = search.near[static_cast<std::size_t>(k)];
+        if (near.distance - moved[lane] > distance[lane]) break;
+        if (near.triangle == own) continue;
+        if (count == kMostOthers) {
+          found.outdone |= 1U << lane;
+          break;
+        }
+        other[count++] = {lane, near.triangle};
+      }
+      if (count > before) batch_.compared |= 1U << lane;
+    }
+    if (count > 0) compare_with(other, count, found);
+    found.outdone |= found.passes_over & unnamed;
+    for (int lane = 0; lane < count_; ++lane) {
+      if ((found.passes_over & ~found.outdone) >> lane & 1U) {
+        found.outdone |= unsigned{!can_rest(lane, batch_.site[lane]->triangle)} << lane;
       }
     }
-    return outdone;
+    return found;
+  }
+
+  // Over its own, a vertex is kept there while that is as near but for the margin of a tie.
+  STICTION_LANES_INLINE void compare_with(const Other* other, int count, Compared& found) const {
+    const Real margin = step_.options.tie_margin;
+    const Real farthest2 = (1 + margin) * (1 + margin);
+    const unsigned over = (nearest_.inside | is_straight(distance_, -height_)).bits();
+    Real own2[kCount];
+    store_numbers(nearest_.distance2, own2);
+    for (int begin = 0; begin < count; begin += kCount) {
+      const int end = std::min(begin + kCount, count);
+      const auto of = [&](int k) -> const Other& { return other[std::min(begin + k, end - 1)]; };
+      const auto corner = [&](int v) __attribute__((always_inline)) {
+        return at_vertices<Number>(x(), [&](int k) {
+          return topology().triangle[static_cast<std::size_t>(of(k).triangle)].vertex[v];
+        });
+      };
+      const LaneVector<Number> point =
+          at_vertices<Number>(x(), [&](int k) { return batch_.contact[of(k).lane]->vertex; });
+      const LaneNearest<Number> nearest(point, {corner(0), corner(1), corner(2)});
+      Real others2[kCount];
+      store_numbers(nearest.distance2, others2);
+      for (int k = 0; begin + k < end; ++k) {
+        const auto [lane, triangle] = of(k);
+        const bool ties = (over >> lane & 1U) != 0;
+        const bool keeps = margin > 0.0 ? own2[lane] <= (ties ? farthest2 * others2[k] : others2[k])
+                                        : own2[lane] < others2[k];
+        if (keeps) continue;
+        const bool passes = margin > 0.0 && step_.options.face == PairFace::kOpposed &&
+                            !(found.outdone >> lane & 1U) && others2[k] < own2[lane] &&
+                            !can_rest(lane, triangle);
+        (passes ? found.passes_over : found.outdone) |= 1U << lane;
+      }
+    }
+  }
+  bool can_rest(int lane, std::int32_t triangle) const {
+    return can_rest_on(
+        topology(), x(), batch_.contact[lane]->vertex,
+        outward_normal(topology().triangle[static_cast<std::size_t>(triangle)], x()));
   }
 
   // Of those asked the ones beside their face of which it is known whether a nearer one is passed over.
@@ -229,7 +298,7 @@ class Measured {
   }
 
   const Step& step_;
-  const FaceBatch& batch_;
+  FaceBatch& batch_;
   int count_;
   LaneVector<Number> point_;
   LaneTriangle<Number> face_;
@@ -243,7 +312,7 @@ class Measured {
 };
 
 template <int Bytes>
-STICTION_LANES_INLINE unsigned measure(const Step& step, const FaceBatch& batch) {
+STICTION_LANES_INLINE unsigned measure(const Step& step, FaceBatch& batch) {
   Measured<Bytes> measured(step, batch);
   const unsigned left = measured.left();
   if (left != measured.all_of_batch()) measured.write(left);

@@ -19,6 +19,7 @@ struct FaceBatch {
   PairSite* site[kMostLanes];            ///< of the contact
   PairSearch::Group* group[kMostLanes];  ///< of the contact's key
   unsigned stays = 0;                    ///< those whose triangle is known, a bit each
+  unsigned compared = 0;                 ///< those that others were compared for, once measured
 };
 
 /// Whether it is known which triangle `choose_face` chooses, of those near the contact's element: that
@@ -32,23 +33,16 @@ inline bool stays_on_face(const Topology& topology, const PairOptions& options,
          paths(topology, search, group.key) < group.stays_until;
 }
 
-/// Whether no other triangle was as near as that of the last step when those near the contact's element
-/// were listed. (Of a vertex over a corner or an edge others were.)
-inline bool may_stay_on_face(const PairSearch& search, const PairSite& site,
-                             const PairSearch::Group& group) {
-  if (site.triangle < 0 || group.near_element != site.element) return false;
-  const std::int32_t listed = group.near_end - group.near_begin;
-  if (listed == 0) return false;
-  const PairSearch::Near* const near = &search.near[static_cast<std::size_t>(group.near_begin)];
-  const auto body = static_cast<std::size_t>(second_of(group.key));
-  return near[0].triangle == site.triangle &&
-         (listed == 1 || near[1].distance - near[0].distance > 2 * search.moved[body]);
+/// Whether a contact had a triangle in the last step, and those near its element are listed.
+inline bool may_stay_on_face(const PairSite& site, const PairSearch::Group& group) {
+  return site.triangle >= 0 && group.near_element == site.element &&
+         group.near_begin < group.near_end;
 }
 
-/// Measures those of a batch, one at least, whose triangle is known (`stays`) or to which no other is as
-/// near as that of the last step: depth, normal, weights and inverse mass, as `depths` does one at a
-/// time, to the bit. Returns the rest, a bit each, which it leaves as they were: those too deep to be
-/// sure, those that have left, and those beside their triangle, where it matters what else is near.
+/// Measures those of a batch, one at least, whose triangle is known (`stays`) or to which no other is
+/// nearer than that of the last step by more than the margin of a tie: depth, normal, weights and inverse
+/// mass, as `depths` does one at a time, to the bit. Returns the rest, a bit each, which it leaves as
+/// they were: those too deep to be sure and those that have left.
 /// `width`: of registers, in doubles (lane_width.h), at least the number in the batch.
 unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, const State& state,
                               const Workspace& workspace, const OpenLimits& limits, int width,

@@ -106,7 +106,7 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
           std::find_if(groups.begin(), groups.end(),
                        [&](const PairSearch::Group& one) { return one.key == contact.key(); });
       PairSite& site = pairs.site_of(contact);
-      if (group == groups.end() || !may_stay_on_face(sliding.workspace.search, site, *group)) {
+      if (group == groups.end() || !may_stay_on_face(site, *group)) {
         continue;
       }
       batch.contact[batch.count] = &contact;
@@ -133,7 +133,7 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
         std::find_if(search.group.begin(), search.group.end(),
                      [&](const PairSearch::Group& one) { return one.key == contact.key(); });
     PairSite& site = pairs.site_of(contact);
-    if (group == search.group.end() || !may_stay_on_face(search, site, *group)) continue;
+    if (group == search.group.end() || !may_stay_on_face(site, *group)) continue;
     ++tried;
     const auto before = test::numbers_of(pairs, contact);
     Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];
@@ -156,6 +156,73 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
     point = was;
   }
   EXPECT_GT(tried, 20u);
+}
+
+// Two cubes, one flush on the other, of which every vertex is moved a little in each of a few steps: over corners
+// and edges others are as near or nearer than the own triangle, side walls among them, on which none can rest.
+TEST(FaceBatch, OfFlushFacesHasTheBitsOfOneAtATime) {
+  std::size_t contacts = 0, compared = 0, left = 0;
+  for (int seed = 0; seed < 40; ++seed) {
+    const double size = std::pow(10.0, -4 - seed % 5);
+    SceneDescription description;
+    description.bodies = {test::elastic_body(test::grid_mesh({2, 2, 2}, 0.05)),
+                          test::elastic_body(test::grid_mesh({2, 2, 2}, 0.05))};
+    description.bodies[1].mesh.vertices.colwise() += Vec3(0, 0, 0.1 - 1e-5);
+    const Scene scene = build_scene(description);
+    Options options;
+    options.time_step = 0.1 * scene.stable_time_step;
+    ASSERT_EQ(options.pairs.face, PairFace::kOpposed);
+    ASSERT_GT(options.pairs.tie_margin, 0.0);
+    State state = initial_state(scene);
+    Workspace workspace;
+    workspace.velocity = state.velocity;
+    for (int k = 0; k < 4; ++k) {
+      const auto moved =
+          test::noise(static_cast<Eigen::Index>(state.position.size()), size, 4 * seed + k);
+      for (std::size_t v = 0; v < state.position.size(); ++v) {
+        state.position[v].x += moved.col(static_cast<Eigen::Index>(v));
+      }
+      detect_pairs(scene, options, state, workspace);
+      const auto measured = [&](bool one_at_a_time) {
+        Workspace of_this = workspace;
+        State at = state;
+        at.pair_geometry.excess.clear();
+        if (one_at_a_time) at.pair_geometry.excess.push_back({contact_key(1 << 20, 1 << 20), 0.0});
+        depths(scene, options, at, of_this);
+        return of_this.pairs;
+      };
+      const PairContacts alone = measured(true), together = measured(false);
+      ASSERT_EQ(alone.size(), together.size());
+      contacts += alone.size();
+      for (std::size_t c = 0; c < alone.size(); ++c) {
+        EXPECT_EQ(test::numbers_of(alone, alone[c]), test::numbers_of(together, together[c]))
+            << "seed " << seed << ", step " << k << ", contact " << c;
+      }
+      const OpenLimits limits(scene, options, state);
+      for (PairContact& contact : workspace.pairs) {
+        PairSite& site = workspace.pairs.site_of(contact);
+        std::vector<PairSearch::Group>& groups = workspace.search.group;
+        const auto group = std::find_if(groups.begin(), groups.end(),
+                                        [&](const auto& one) { return one.key == contact.key(); });
+        if (group == groups.end() || !may_stay_on_face(site, *group)) continue;
+        PairContact copy = contact;
+        PairSite copied = site;
+        FaceBatch batch;
+        batch.count = 1;
+        batch.contact[0] = &copy;
+        batch.site[0] = &copied;
+        batch.group[0] = &*group;
+        left += measure_on_same_face(scene, options.pairs, state, workspace, limits, lane_width(),
+                                     batch) != 0;
+        compared += batch.compared != 0;
+      }
+      depths(scene, options, state, workspace);
+      remember_pairs(workspace.pairs, scene.topology, state.pair_geometry);
+    }
+  }
+  EXPECT_GT(contacts, 1000u);
+  EXPECT_GT(compared, contacts / 2);
+  EXPECT_LT(left, compared / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Weights, SameFace,

@@ -60,8 +60,7 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
                        [&](const PairSearch::Group& one) { return one.key == contact.key(); });
       if (group == kept.search.group.end()) continue;
       const PairSite& site = kept.pairs.site_of(contact);
-      known += stays_on_face(scene.topology, options.pairs, kept.search, site, *group) &&
-               !may_stay_on_face(kept.search, site, *group);
+      known += stays_on_face(scene.topology, options.pairs, kept.search, site, *group);
     }
     Workspace asked = kept;
     // A depth that is not answered yet, of a contact that there is not, has it ask for each.

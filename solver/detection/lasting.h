@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -19,18 +20,24 @@ inline double paths(const Topology& topology, const PairSearch& search, ContactK
 /// So many steps in a row something is as it was before it is asked for how long it will be, which takes
 /// longer than to find it once more: where bodies move on before that helps, it is asked in vain.
 inline constexpr int kStepsToAsk = 4;
+/// … and so many more where an answer would have held for less than half of the steps since the last one: as
+/// bodies move now, to ask takes longer than what it saves.
+inline constexpr int kStepsToPause = 28;
 
 /// Something was found at paths of so much, m, as it was in the last step or not (`same`). Counts the
 /// steps in a row, and after a few of them asks `within` by how much paths may grow, m, while it is
-/// still so: known until then.
+/// still so: known until then, unless that is too little to be of use.
 template <class Within>
 void note_lasting(bool same, double path, std::int8_t& steps, double& until, const Within& within) {
   if (!same) {
     steps = 0;
     until = -std::numeric_limits<double>::infinity();
   } else if (++steps == kStepsToAsk) {
-    steps = 0;
-    until = path + within();
+    const double more = within();
+    const double since = path - until;  // infinite where there was no answer
+    const bool in_vain = std::isfinite(since) && more < since;
+    steps = in_vain ? -kStepsToPause : 0;
+    until = in_vain ? -std::numeric_limits<double>::infinity() : path + more;
   }
 }
 
