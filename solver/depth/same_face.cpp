@@ -147,7 +147,7 @@ class Measured {
     unsigned outdone = 0, passes_over = 0;
   };
 
-  // Compares the own triangles of those asked with others that may be as near.
+  // Compares the own triangles of those asked with others that may be as near, several side by side.
   STICTION_LANES_INLINE Compared compare(unsigned asked) {
     const PairSearch& search = step_.workspace.search;
     const LaneVector<Number> way = point_ - at_vertices<Number>(search.reference, [&](int lane) {
@@ -192,7 +192,9 @@ class Measured {
     return found;
   }
 
-  // Over its own, a vertex is kept there while that is as near but for the margin of a tie.
+  // As `choose_face` does (face_choice.h): a vertex over its own triangle is kept there while that is as near but
+  // for the margin of a tie, one beside it while none is nearer, and either while it can rest on none of those that
+  // are. Without a margin equals go by their numbers, which are not looked at here.
   STICTION_LANES_INLINE void compare_with(const Other* other, int count, Compared& found) const {
     const Real margin = step_.options.tie_margin;
     const Real farthest2 = (1 + margin) * (1 + margin);
