@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/depth/remember_pairs.h"
 #include "solver/lanes/lane_width.h"
@@ -11,6 +12,16 @@
 
 namespace stiction {
 namespace {
+
+// With the batch or one at a time: a depth that is not answered yet, of a contact that there is not, has it
+// look each up.
+PairContacts measured_by_depths(const Scene& scene, const Options& options, State state,
+                                Workspace workspace, bool one_at_a_time) {
+  state.pair_geometry.excess.clear();
+  if (one_at_a_time) state.pair_geometry.excess.push_back({contact_key(1 << 20, 1 << 20), 0.0});
+  depths(scene, options, state, workspace);
+  return workspace.pairs;
+}
 
 // A jittered block that slides over another, some steps on; their contacts as detection leaves them.
 struct Sliding {
@@ -47,15 +58,8 @@ struct Sliding {
     }
   }
 
-  // By `depths`, with the batch or one at a time: a depth that is not answered yet, of a contact
-  // that there is not, has it look each up.
   PairContacts measured(bool one_at_a_time) const {
-    Workspace of_this = workspace;
-    State at = state;
-    at.pair_geometry.excess.clear();
-    if (one_at_a_time) at.pair_geometry.excess.push_back({contact_key(1 << 20, 1 << 20), 0.0});
-    depths(scene, options, at, of_this);
-    return of_this.pairs;
+    return measured_by_depths(scene, options, state, workspace, one_at_a_time);
   }
 };
 
@@ -184,12 +188,7 @@ TEST(FaceBatch, OfFlushFacesHasTheBitsOfOneAtATime) {
       }
       detect_pairs(scene, options, state, workspace);
       const auto measured = [&](bool one_at_a_time) {
-        Workspace of_this = workspace;
-        State at = state;
-        at.pair_geometry.excess.clear();
-        if (one_at_a_time) at.pair_geometry.excess.push_back({contact_key(1 << 20, 1 << 20), 0.0});
-        depths(scene, options, at, of_this);
-        return of_this.pairs;
+        return measured_by_depths(scene, options, state, workspace, one_at_a_time);
       };
       const PairContacts alone = measured(true), together = measured(false);
       ASSERT_EQ(alone.size(), together.size());
