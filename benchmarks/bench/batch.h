@@ -18,8 +18,7 @@ struct Timed {
   bool afresh = false;  ///< the search for pairs makes its lists anew
 
   /// Whether what it does depends on how far all has moved since the last step: taken once more from where
-  /// it has just been, nothing has, and it finds all that it asks for known. Of steps that go on a whole one
-  /// of `flush` takes up to 2.3 times as long.
+  /// it has just been, nothing has, and it finds all that it asks for known.
   bool goes_on() const {
     return whole_step || (phase == Phase::kDetect && !afresh) || phase == Phase::kDepth;
   }

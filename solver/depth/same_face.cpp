@@ -198,6 +198,7 @@ class Measured {
   STICTION_LANES_INLINE void compare_with(const Other* other, int count, Compared& found) const {
     const Real margin = step_.options.tie_margin;
     const Real farthest2 = (1 + margin) * (1 + margin);
+    const bool may_pass = margin > 0.0 && step_.options.face == PairFace::kOpposed;
     const unsigned over = (nearest_.inside | is_straight(distance_, -height_)).bits();
     Real own2[kCount];
     store_numbers(nearest_.distance2, own2);
@@ -220,9 +221,7 @@ class Measured {
         const bool keeps = margin > 0.0 ? own2[lane] <= (ties ? farthest2 * others2[k] : others2[k])
                                         : own2[lane] < others2[k];
         if (keeps) continue;
-        const bool passes = margin > 0.0 && step_.options.face == PairFace::kOpposed &&
-                            !(found.outdone >> lane & 1U) && others2[k] < own2[lane] &&
-                            !can_rest(lane, triangle);
+        const bool passes = may_pass && !(found.outdone >> lane & 1U) && !can_rest(lane, triangle);
         (passes ? found.passes_over : found.outdone) |= 1U << lane;
       }
     }

@@ -13,16 +13,6 @@
 namespace stiction {
 namespace {
 
-// With the batch or one at a time: a depth that is not answered yet, of a contact that there is not, has it
-// look each up.
-PairContacts measured_by_depths(const Scene& scene, const Options& options, State state,
-                                Workspace workspace, bool one_at_a_time) {
-  state.pair_geometry.excess.clear();
-  if (one_at_a_time) state.pair_geometry.excess.push_back({contact_key(1 << 20, 1 << 20), 0.0});
-  depths(scene, options, state, workspace);
-  return workspace.pairs;
-}
-
 // A jittered block that slides over another, some steps on; their contacts as detection leaves them.
 struct Sliding {
   Scene scene;
@@ -59,7 +49,7 @@ struct Sliding {
   }
 
   PairContacts measured(bool one_at_a_time) const {
-    return measured_by_depths(scene, options, state, workspace, one_at_a_time);
+    return test::measured_by_depths(scene, options, state, workspace, one_at_a_time);
   }
 };
 
@@ -81,7 +71,6 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
   Sliding sliding(weights, reaction);
   const PairContacts alone = sliding.measured(true);
   const OpenLimits limits(sliding.scene, sliding.options, sliding.state);
-  std::vector<PairSearch::Group>& groups = sliding.workspace.search.group;
   for (const int width : lane_widths()) {
     PairContacts pairs = sliding.workspace.pairs;
     std::size_t measured = 0, asked = 0;
@@ -106,16 +95,12 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
     // Batches of all sizes, the last one of a few too.
     std::size_t most = 1;
     for (PairContact& contact : pairs) {
-      const auto group =
-          std::find_if(groups.begin(), groups.end(),
-                       [&](const PairSearch::Group& one) { return one.key == contact.key(); });
+      PairSearch::Group* const group = test::group_of(sliding.workspace.search, contact.key());
       PairSite& site = pairs.site_of(contact);
-      if (group == groups.end() || !may_stay_on_face(site, *group)) {
-        continue;
-      }
+      if (group == nullptr || !may_stay_on_face(site, *group)) continue;
       batch.contact[batch.count] = &contact;
       batch.site[batch.count] = &site;
-      batch.group[batch.count] = &*group;
+      batch.group[batch.count] = group;
       if (static_cast<std::size_t>(++batch.count) < most) continue;
       measure();
       most = most % static_cast<std::size_t>(lanes_of(width)) + 1;
@@ -133,11 +118,9 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
   const OpenLimits limits(sliding.scene, sliding.options, sliding.state);
   std::size_t tried = 0;
   for (PairContact& contact : pairs) {
-    const auto group =
-        std::find_if(search.group.begin(), search.group.end(),
-                     [&](const PairSearch::Group& one) { return one.key == contact.key(); });
+    PairSearch::Group* const group = test::group_of(search, contact.key());
     PairSite& site = pairs.site_of(contact);
-    if (group == search.group.end() || !may_stay_on_face(site, *group)) continue;
+    if (group == nullptr || !may_stay_on_face(site, *group)) continue;
     ++tried;
     const auto before = test::numbers_of(pairs, contact);
     Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];
@@ -146,7 +129,7 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
     batch.count = 1;
     batch.contact[0] = &contact;
     batch.site[0] = &site;
-    batch.group[0] = &*group;
+    batch.group[0] = group;
     for (const Vec3& elsewhere : {Vec3(was + Vec3(0.2, 0.0, 0.0)), Vec3(was - Vec3(0, 0, 0.09)),
                                   Vec3(test::kNaN, 0.0, 0.0)}) {
       point = elsewhere;
@@ -188,7 +171,7 @@ TEST(FaceBatch, OfFlushFacesHasTheBitsOfOneAtATime) {
       }
       detect_pairs(scene, options, state, workspace);
       const auto measured = [&](bool one_at_a_time) {
-        return measured_by_depths(scene, options, state, workspace, one_at_a_time);
+        return test::measured_by_depths(scene, options, state, workspace, one_at_a_time);
       };
       const PairContacts alone = measured(true), together = measured(false);
       ASSERT_EQ(alone.size(), together.size());
@@ -200,17 +183,15 @@ TEST(FaceBatch, OfFlushFacesHasTheBitsOfOneAtATime) {
       const OpenLimits limits(scene, options, state);
       for (PairContact& contact : workspace.pairs) {
         PairSite& site = workspace.pairs.site_of(contact);
-        std::vector<PairSearch::Group>& groups = workspace.search.group;
-        const auto group = std::find_if(groups.begin(), groups.end(),
-                                        [&](const auto& one) { return one.key == contact.key(); });
-        if (group == groups.end() || !may_stay_on_face(site, *group)) continue;
+        PairSearch::Group* const group = test::group_of(workspace.search, contact.key());
+        if (group == nullptr || !may_stay_on_face(site, *group)) continue;
         PairContact copy = contact;
         PairSite copied = site;
         FaceBatch batch;
         batch.count = 1;
         batch.contact[0] = &copy;
         batch.site[0] = &copied;
-        batch.group[0] = &*group;
+        batch.group[0] = group;
         left += measure_on_same_face(scene, options.pairs, state, workspace, limits, lane_width(),
                                      batch) != 0;
         compared += batch.compared != 0;

@@ -55,24 +55,18 @@ std::size_t expect_what_asking_finds(const Options& base, const Motion& motion) 
     state.position = test::on_its_way(scene, k, motion.each_step, motion.tremble).position;
     detect_pairs(scene, options, state, kept);
     for (const PairContact& contact : kept.pairs) {
-      const auto group =
-          std::find_if(kept.search.group.begin(), kept.search.group.end(),
-                       [&](const PairSearch::Group& one) { return one.key == contact.key(); });
-      if (group == kept.search.group.end()) continue;
+      const PairSearch::Group* const group = test::group_of(kept.search, contact.key());
+      if (group == nullptr) continue;
       const PairSite& site = kept.pairs.site_of(contact);
       known += stays_on_face(scene.topology, options.pairs, kept.search, site, *group);
     }
-    Workspace asked = kept;
-    // A depth that is not answered yet, of a contact that there is not, has it ask for each.
-    State one_at_a_time = state;
-    one_at_a_time.pair_geometry.excess.assign(1, {contact_key(1 << 20, 1 << 20), 0.0});
-    depths(scene, options, one_at_a_time, asked);
+    const PairContacts asked = test::measured_by_depths(scene, options, state, kept, true);
     depths(scene, options, state, kept);
-    const bool same = std::equal(
-        asked.pairs.begin(), asked.pairs.end(), kept.pairs.begin(), kept.pairs.end(),
-        [&](const PairContact& one, const PairContact& other) {
-          return test::numbers_of(asked.pairs, one) == test::numbers_of(kept.pairs, other);
-        });
+    const bool same =
+        std::equal(asked.begin(), asked.end(), kept.pairs.begin(), kept.pairs.end(),
+                   [&](const PairContact& one, const PairContact& other) {
+                     return test::numbers_of(asked, one) == test::numbers_of(kept.pairs, other);
+                   });
     EXPECT_TRUE(same) << "step " << k;
     if (!same) break;
     remember_pairs(kept.pairs, scene.topology, state.pair_geometry);
@@ -204,15 +198,11 @@ TEST(Staying, IsABoundOnWhatMayMove) {
       PairSearch& search = workspace.search;
       for (PairContact& contact : workspace.pairs) {
         PairSite& site = workspace.pairs.site_of(contact);
-        const auto group =
-            std::find_if(search.group.begin(), search.group.end(),
-                         [&](const PairSearch::Group& one) { return one.key == contact.key(); });
+        const PairSearch::Group* const group = test::group_of(search, contact.key());
         const auto was = std::find_if(found.begin(), found.end(), [&](const PairContact& one) {
           return one.key() == contact.key();
         });
-        if (was == found.end() || group == search.group.end() ||
-            group->near_element != site.element)
-          continue;
+        if (was == found.end() || group == nullptr || group->near_element != site.element) continue;
         if (site.triangle < 0) site.triangle = found.site_of(*was).triangle;
         const Staying staying = stays_within(scene.topology, options.pairs, search, *group, site);
         const Real within = std::min(staying.within, search.skin);

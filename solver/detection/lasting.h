@@ -20,7 +20,7 @@ inline double paths(const Topology& topology, const PairSearch& search, ContactK
 /// So many steps in a row something is as it was before it is asked for how long it will be, which takes
 /// longer than to find it once more: where bodies move on before that helps, it is asked in vain.
 inline constexpr int kStepsToAsk = 4;
-/// … and so many more where an answer would have held for less than half of the steps since the last one: as
+/// … and so many more where an answer would hold for less than paths have grown since the last one ended: as
 /// bodies move now, to ask takes longer than what it saves.
 inline constexpr int kStepsToPause = 28;
 

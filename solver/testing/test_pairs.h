@@ -4,7 +4,9 @@
 // Two-sided contacts for the unit tests of the solver.
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "solver/depth/depth.h"
 #include "solver/detection/detect_pairs.h"
@@ -37,6 +39,23 @@ struct Found {
     depths(scene, options, state, workspace);
   }
 };
+
+/// The contacts by `depths`, measured side by side or one at a time: a depth that is not answered yet, of a
+/// contact that there is not, has it look each up.
+inline PairContacts measured_by_depths(const Scene& scene, const Options& options, State state,
+                                       Workspace workspace, bool one_at_a_time) {
+  state.pair_geometry.excess.clear();
+  if (one_at_a_time) state.pair_geometry.excess.push_back({contact_key(1 << 20, 1 << 20), 0.0});
+  depths(scene, options, state, workspace);
+  return workspace.pairs;
+}
+
+/// What the search knows of a key; null if it has no candidates.
+inline PairSearch::Group* group_of(PairSearch& search, ContactKey key) {
+  const auto found = std::find_if(search.group.begin(), search.group.end(),
+                                  [key](const PairSearch::Group& one) { return one.key == key; });
+  return found == search.group.end() ? nullptr : &*found;
+}
 
 /// Σ m v of the velocities in a workspace, and the same about the origin at the state's positions.
 inline Vec3 momentum(const Scene& scene, const std::vector<Velocity>& velocity) {
