@@ -5,7 +5,7 @@ import { defaultLocale, parse, View, Warn } from "vega";
 import { expressionInterpreter } from "vega-interpreter";
 import { compile } from "vega-lite";
 import { late_tips } from "./late_tips.js";
-import { is_of_panels, parts_of, sized_panels } from "./panel_size.js";
+import { is_of_panels, parts_of, sized_panels, with_parts } from "./panel_size.js";
 import { painted, PALETTES } from "./palette.js";
 
 const FONT = "system-ui, -apple-system, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif";
@@ -82,6 +82,14 @@ function config_of(colours, width, columns) {
   };
 }
 
+// Marks are drawn as the data have them: Vega-Lite would sort what is coloured by name, last colour of the domain first.
+const in_order = (spec) =>
+  with_parts(spec, (part) => {
+    const { type, scale } = part.encoding?.fill ?? part.encoding?.color ?? {};
+    if (type !== "nominal" || !scale?.domain) return part;
+    return { ...part, encoding: { order: { value: null }, ...part.encoding } };
+  });
+
 // Nothing is fetched, whatever a specification says.
 const no_loader = {
   load: () => Promise.reject(new Error("plots load nothing")),
@@ -104,7 +112,7 @@ const quiet = {
  */
 export function view_of(spec, theme, width, { on_tip, ...options } = {}) {
   const colours = PALETTES[theme];
-  const { spec: late, tip_of } = late_tips(spec, defaultLocale().format(""));
+  const { spec: late, tip_of } = late_tips(in_order(spec), defaultLocale().format(""));
   const plain = painted(late, colours);
   const sized = is_of_panels(spec)
     ? sized_panels(plain, width)

@@ -3,7 +3,7 @@
 // and never coloured.
 import { format_count } from "../model/number.js";
 import { tip } from "./names.js";
-import { drawn_of, mark_size, over_words, sweep_place } from "./sweep_layout.js";
+import { drawn_of, mark_size, over_words, sweep_place, SWEEP_MARK } from "./sweep_layout.js";
 import { axis_tips, cells_of, sweep_spec } from "./sweep_panels.js";
 
 /** Why a point has no colour: words, colour, shape. */
@@ -23,13 +23,14 @@ function missing_words(rows) {
     .join(", ");
 }
 
-// Lines in the cells' own colours close the seams between them. An expression: a second channel of colour would turn
-// the legend into symbols.
+const OVERLAP = 0.6; // px: closes the seams between cells
 const CELL = {
   type: "rect",
-  stroke: { expr: "scale('color', datum.colour)" },
-  strokeWidth: 1.2,
-  cursor: "pointer",
+  xOffset: -OVERLAP,
+  x2Offset: OVERLAP,
+  yOffset: OVERLAP,
+  y2Offset: -OVERLAP,
+  ...SWEEP_MARK,
 };
 const OUTLINED = 40; // px²: on smaller dots an outline would be all that is seen
 
@@ -39,18 +40,24 @@ const dot = (size) => ({
   opacity: 1,
   stroke: "$muted",
   strokeWidth: size < OUTLINED ? 0 : 0.4,
-  cursor: "pointer",
+  ...SWEEP_MARK,
 });
 
 function layers({ scale, cells, size, tooltip }, channels, cell, lacking) {
   const measured = {
-    transform: [{ filter: "datum.value !== null" }],
     mark: cells ? CELL : dot(size),
     encoding: { ...(cells ? cell : channels), color: scale.channel, tooltip },
   };
+  if (lacking.length === 0) return measured;
   const marked = {
     transform: [{ filter: "datum.value === null" }],
-    mark: { type: "point", filled: true, opacity: 1, size: Math.max(10, Math.min(60, size)) },
+    mark: {
+      type: "point",
+      filled: true,
+      opacity: 1,
+      size: Math.max(10, Math.min(60, size)),
+      ...SWEEP_MARK,
+    },
     encoding: {
       ...channels,
       fill: missing_channel(1, lacking),
@@ -58,7 +65,7 @@ function layers({ scale, cells, size, tooltip }, channels, cell, lacking) {
       tooltip,
     },
   };
-  return { layer: lacking.length > 0 ? [measured, marked] : [measured] };
+  return { layer: [{ transform: [{ filter: "datum.value !== null" }], ...measured }, marked] };
 }
 
 const missing_channel = (i, lacking) => ({
@@ -76,8 +83,9 @@ export function heat_map({ kind = "heat-map", title, points, layout, scale, note
   const { shown, words } = drawn_of(layout, points);
   const { cells } = layout;
   const edges = cells ? cells_of(layout) : null;
-  const values = shown.map(({ record, value, text, missing }) => {
+  const values = shown.flatMap(({ record, value, text, missing }) => {
     const place = sweep_place(layout, record);
+    if (!place) return [];
     return {
       ...place,
       ...edges?.of(place),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a mark tells is worked out when it is pointed at: for each of ten thousand marks, of which hardly any is, it
 // would take a fifth of the time that their picture does.
+import { with_parts } from "./panel_size.js";
 
 const told = (value, type, format) =>
   type === "quantitative" ? format(value) : Array.isArray(value) ? value.join("\n") : String(value);
@@ -11,20 +12,12 @@ const told = (value, type, format) =>
  */
 export function late_tips(spec, format) {
   const lists = [];
-  const without = (part) => {
-    const { encoding, layer, concat, spec: inner } = part;
-    const late = Array.isArray(encoding?.tooltip);
-    return {
-      ...part,
-      ...(late && {
-        encoding: { ...encoding, tooltip: { value: String(lists.push(encoding.tooltip) - 1) } },
-      }),
-      ...(layer && { layer: layer.map(without) }),
-      ...(concat && { concat: concat.map(without) }),
-      ...(inner && { spec: without(inner) }),
-    };
-  };
-  const late = without(spec);
+  const late = with_parts(spec, (part) => {
+    const { encoding } = part;
+    if (!Array.isArray(encoding?.tooltip)) return part;
+    const tooltip = { value: String(lists.push(encoding.tooltip) - 1) };
+    return { ...part, encoding: { ...encoding, tooltip } };
+  });
   const tip_of = (place, datum) =>
     Object.fromEntries(
       lists[place].map(({ field, title, type }) => [title, told(datum[field], type, format)]),

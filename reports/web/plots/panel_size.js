@@ -18,6 +18,18 @@ export const parts_of = (spec) =>
     .filter(Boolean)
     .flatMap((part) => [part, ...(part.layer ?? [])]);
 
+/** The specification with each of its parts, itself among them, as `change(part)` gives it. */
+export function with_parts(spec, change) {
+  const all = (parts) => parts.map((part) => with_parts(part, change));
+  const { layer, concat, spec: inner } = spec;
+  return {
+    ...change(spec),
+    ...(layer && { layer: all(layer) }),
+    ...(concat && { concat: all(concat) }),
+    ...(inner && { spec: with_parts(inner, change) }),
+  };
+}
+
 /** About how many marks a specification draws. */
 export const mark_count = (spec) =>
   (spec.concat?.length ?? 1) *

@@ -6,7 +6,7 @@ import { counted, rank } from "../model/verdict.js";
 import { rounded } from "./axes.js";
 import { tip, tip_number } from "./names.js";
 import { VERDICT_LABELS, verdict_encoding } from "./palette.js";
-import { drawn_of, mark_size, over_words, sweep_place } from "./sweep_layout.js";
+import { drawn_of, mark_size, over_words, sweep_place, SWEEP_MARK } from "./sweep_layout.js";
 import { axis_tips, sweep_spec } from "./sweep_panels.js";
 
 /** "2 fail, 4 hold" */
@@ -25,11 +25,15 @@ const worst_last = (records) => [...records].sort((a, b) => rank(b.verdict) - ra
 export function phase_diagram(name, records, layout) {
   const { shown, words } = drawn_of(layout, records);
   const overlaid = layout.pairs.length > 1;
-  const values = (overlaid ? worst_last(shown) : shown).map((record) => ({
-    ...sweep_place(layout, record),
-    verdict: record.verdict,
-    ...(record.checks.length > 0 && { value: rounded(to_number(record.checks[0].value)) }),
-  }));
+  const values = (overlaid ? worst_last(shown) : shown).flatMap((record) => {
+    const place = sweep_place(layout, record);
+    if (!place) return [];
+    return {
+      ...place,
+      verdict: record.verdict,
+      ...(record.checks.length > 0 && { value: rounded(to_number(record.checks[0].value)) }),
+    };
+  });
   const measured = records.find(({ checks }) => checks.length > 0)?.checks[0].quantity;
   const present = [...new Set(values.map(({ verdict }) => verdict))];
   const told = tally(records);
@@ -43,9 +47,9 @@ export function phase_diagram(name, records, layout) {
       mark: {
         type: "point",
         filled: true,
-        cursor: "pointer",
         opacity: overlaid ? 0.75 : 1,
         size: mark_size(layout, values.length),
+        ...SWEEP_MARK,
       },
       encoding: {
         x,

@@ -4,10 +4,11 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { PALETTES } from "../plots/palette.js";
 import { draw_plots, start_browser, turn_to } from "./browser.mjs";
 import { HOSTILE, lines_of, make_run } from "./records.mjs";
 import { make_page, report } from "./report.mjs";
-import { grid, measured, point, runs } from "./sweep_records.mjs";
+import { grid, measured, point, runs, steps } from "./sweep_records.mjs";
 import { temporary_folder } from "./temporary.mjs";
 
 let browser;
@@ -87,6 +88,28 @@ test("names from records stay names in pictures of sweeps", async () => {
   assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
   assert.equal(await page.getByText("cannot be drawn").count(), 0);
   assert.deepEqual(page.faults, []);
+});
+
+test("where marks lie on each other, what failed is drawn last", () => {
+  const cube = grid({ a: steps(1, 3, 3), b: steps(1, 3, 3), c: steps(1, 3, 3), d: steps(1, 3, 3) });
+  const verdict_of = ({ a, b, c, d }) => (a + b + c + d === 8 ? "fail" : "pass");
+  const folder = make_run(lines_of(cube.map((axes) => point(axes, { verdict: verdict_of(axes) }))));
+  const pictures = join(temporary_folder(), "svg");
+  const { status, err } = report(folder, "--out", join(folder, "page.html"), "--svg", pictures);
+  assert.equal(status, 0, err);
+  const name = readdirSync(pictures).find((file) => file.includes("phase-diagram"));
+  const groups = readFileSync(join(pictures, name), "utf8").split('class="mark-symbol').slice(1);
+  const panels = groups
+    .map((text) =>
+      [...text.split("</g>")[0].matchAll(/fill="(#\w+)"/g)].map(([, colour]) => colour),
+    )
+    .filter((colours) => colours.length === cube.length);
+  assert.equal(panels.length, 6, "a panel for each pair of axes");
+  for (const colours of panels) {
+    const failed = cube.filter((axes) => verdict_of(axes) === "fail").length;
+    assert.deepEqual(new Set(colours.slice(-failed)), new Set([PALETTES.light.$fail]));
+    assert.ok(!colours.slice(0, -failed).includes(PALETTES.light.$fail));
+  }
 });
 
 test("they are written as SVG files too", () => {
