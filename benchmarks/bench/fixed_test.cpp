@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "benchmarks/bench/allocations.h"
+#include "benchmarks/bench/batch.h"
 #include "solver/demand.h"
+#include "solver/hash.h"
+#include "solver/step.h"
 
 namespace stiction::bench {
 namespace {
@@ -25,6 +28,23 @@ TEST(Fixed, DoesExactlySoManyBatchesOfTheSameWork) {
   EXPECT_LT(one["error"], 0.05) << "the tolerance of the workload's checks";
 }
 
+TEST(Fixed, StepsGoOn) {
+  for (const WorkloadFamily& family : family_catalog()) {
+    const std::string name =
+        "steps:32/" + family.name + "/contacts:" + std::to_string(family.sizes.front());
+    const auto two = nlohmann::json::parse(run_fixed(name, 2));
+    Workload work = settle(family, family.sizes.front());
+    std::size_t updates = 0;
+    for (int k = 0; k < 2 * kStepsInARow; ++k) {
+      step(*work.scene, work.options, work.state, work.workspace);
+      updates += work.contacts();
+    }
+    EXPECT_EQ(two["hash"], hash_of(work.state) & 0xffffffffu) << name;
+    EXPECT_EQ(two["contact_updates"], updates) << name;
+    EXPECT_GT(updates, 0u) << name;
+  }
+}
+
 TEST(Fixed, RefusesAnUnknownName) {
   EXPECT_THROW(run_fixed("friction:none/slab/contacts:7", 1), InputError);
 }
@@ -32,7 +52,7 @@ TEST(Fixed, RefusesAnUnknownName) {
 TEST(Fixed, EachRuleAndPhaseHasAName) {
   const std::vector<std::string> names = fixed_names();
   for (const char* name : {"detect/slab/contacts:1000", "friction:secant/slab/contacts:1000",
-                           "step/slab/contacts:1000"}) {
+                           "step/slab/contacts:1000", "steps:32/flush/contacts:100"}) {
     EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
   }
 }

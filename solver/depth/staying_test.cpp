@@ -183,6 +183,7 @@ TEST(Staying, IsABoundOnWhatMayMove) {
   for (unsigned seed = 0; seed < 60; ++seed) scenes.push_back(flush(seed));
   for (const Scene& scene : scenes) {
     const auto seed = &scene - scenes.data();
+    if (static_cast<std::size_t>(seed) % test::kOneIn != 0) continue;
     for (Options options : {quiet(), nearest()}) {
       options.time_step = 0.1 * scene.stable_time_step;
       State state = initial_state(scene);
@@ -238,9 +239,9 @@ TEST(Staying, IsABoundOnWhatMayMove) {
       }
     }
   }
-  EXPECT_GT(moved, 10000u);
-  EXPECT_GT(told[0], 10000u);
-  EXPECT_GT(told[1], 1000u);
+  EXPECT_GT(moved, 10000 / test::kOneIn);
+  EXPECT_GT(told[0], 10000 / test::kOneIn);
+  EXPECT_GT(told[1], 1000 / test::kOneIn);
 }
 
 }  // namespace

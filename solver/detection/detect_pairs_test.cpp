@@ -182,9 +182,10 @@ TEST(DetectPairs, LooksAtNoVertexThatIsKnownToBeClearAndMissesNoneThatComesIn) {
 // A cube stands on another, goes its way, steadily or of a sudden, and trembles. Where it is known that the same
 // element goes on holding a vertex, or that none does, no test is made, and what is found is what fresh lists find.
 TEST(DetectPairs, KnowsForHowLongAVertexIsHeldOrOpen) {
-  std::size_t held = 0, open = 0, asleep = 0;
+  std::size_t held = 0, open = 0, asleep = 0, tried = 0;
   const auto go = [&](double depth, double tie_margin, const Vec3& way, double tremble,
                       bool suddenly, double hysteresis = 1e3) {
+    if (++tried % test::kOneIn != 0) return;
     SceneDescription description = test::stacked_cubes(depth, Vec3(0.15, 0.0, 0.0));
     description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
     const Scene scene = build_scene(description);
@@ -239,9 +240,9 @@ TEST(DetectPairs, KnowsForHowLongAVertexIsHeldOrOpen) {
     go(1e-6, 1e-3, Vec3(0, 0, 0), 3e-6, false, 0.0);
     if (HasFailure()) return;
   }
-  EXPECT_GT(held, 10000u);
-  EXPECT_GT(open, 1000u);
-  EXPECT_GT(asleep, 10000u);
+  EXPECT_GT(held, 10000 / test::kOneIn);
+  EXPECT_GT(open, 1000 / test::kOneIn);
+  EXPECT_GT(asleep, 10000 / test::kOneIn);
 }
 
 // Of four cubes on each other one after the other moves: lists of the others stay, and each time what

@@ -43,6 +43,7 @@ TEST(EdgePair, StaysApartWhileNothingMovesAsFarAsItsBound) {
   // Of 6000 those in which the most comes of it when a bound is drawn wider.
   seeds.insert(seeds.end(), {533, 654, 671, 815, 998, 1451, 1758, 2708, 2756, 4779, 5261});
   for (const unsigned seed : seeds) {
+    if (seed % test::kOneIn != 0) continue;
     const Scene scene = test::rough_blocks(seed);
     const Topology& topology = scene.topology;
     const EndMargins ends{-1e-4, -1e-4};

@@ -20,6 +20,14 @@ inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
+/// Of what a test tries again and again with other numbers it takes one in so many: a sanitizer, which watches the code
+/// and not the numbers, takes ten times as long for each.
+#ifdef STICTION_SANITIZES_MEMORY
+inline constexpr std::size_t kOneIn = 7;  // no divisor of how often numbers come again
+#else
+inline constexpr std::size_t kOneIn = 1;
+#endif
+
 /// The corner tetrahedron (0, e₁, e₂, e₃) × edge.
 inline TetMesh corner_tetrahedron(double edge = 1.0) {
   TetMesh mesh;

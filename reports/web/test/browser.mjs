@@ -105,7 +105,7 @@ export async function open_within(browser, file, budget_ms, options = {}) {
 }
 
 /**
- * {open(file, {hash, width, height, dark, wait}), close()}; each page has `faults`, a list of sentences. Without WebGL,
+ * {open(file, {hash, width, height, dark, wait, late_ms}), close()}; each page has `faults`, a list of sentences. Without WebGL,
  * which only recordings need, pictures of thousands of marks are there in a third of the time.
  */
 export async function start_browser({ webgl = true } = {}) {
@@ -115,13 +115,16 @@ export async function start_browser({ webgl = true } = {}) {
     args: [...FLAGS, ...(webgl ? WITH_WEBGL : WITHOUT_WEBGL)],
   });
   return {
-    async open(file, { hash = "", width = 1400, height = 900, dark = false, wait = true } = {}) {
+    async open(
+      file,
+      { hash = "", width = 1400, height = 900, dark = false, wait = true, late_ms = LATE_MS } = {},
+    ) {
       const context = await browser.newContext({
         viewport: { width, height },
         colorScheme: dark ? "dark" : "light",
       });
       const page = await context.newPage();
-      await page.addInitScript(turn_late, LATE_MS);
+      await page.addInitScript(turn_late, late_ms);
       page.faults = [];
       const own = pathToFileURL(file).href;
       await context.route("**/*", (route) => {

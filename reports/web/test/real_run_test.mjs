@@ -55,7 +55,7 @@ test(
 test("each case of a real run is shown in words and numbers", { skip }, async () => {
   const flat = await start_browser({ webgl: false });
   try {
-    const page = await flat.open(file);
+    const page = await flat.open(file, { late_ms: 0 }); // each view is waited for by its heading
     const names = [...new Set(records.map((record) => record.case))];
     for (const name of names) {
       await turn_to(page, `#case=${encodeURIComponent(name)}`);

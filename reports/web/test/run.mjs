@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// npm test: builds with the test packages, then runs every *_test.mjs, or those named, two at a time.
+// npm test: builds with the test packages, then runs every *_test.mjs, or those named: one more at a time than there
+// are processors, for each waits for its browser now and then.
 import { spawn } from "node:child_process";
 import { readdirSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -36,5 +38,5 @@ async function work() {
     worst = Math.max(worst, code);
   }
 }
-await Promise.all([work(), work()]);
+await Promise.all(Array.from({ length: availableParallelism() + 1 }, work));
 process.exit(worst);
