@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// npm test: builds with the test packages, then runs every *_test.mjs, or those named: one more at a time than there
-// are processors, for each waits for its browser now and then.
+// npm test: builds with the test packages, then runs every *_test.mjs, or those named: as many at a time as there are
+// processors where one holds a page to a time, else one more, for each waits for its browser now and then.
 import { spawn } from "node:child_process";
-import { readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -31,12 +31,25 @@ const files = readdirSync(here).filter(
 );
 
 let worst = 0;
-async function work() {
-  for (let file = files.shift(); file; file = files.shift()) {
-    // Awaited before `worst` is read: the other worker may have changed it meanwhile.
-    const code = await run("--test", join(here, file));
-    worst = Math.max(worst, code);
-  }
+async function run_all(list, at_a_time) {
+  const left = [...list];
+  const work = async () => {
+    for (let file = left.shift(); file; file = left.shift()) {
+      // Awaited before `worst` is read: another worker may have changed it meanwhile.
+      const code = await run("--test", join(here, file));
+      worst = Math.max(worst, code);
+    }
+  };
+  await Promise.all(Array.from({ length: at_a_time }, work));
 }
-await Promise.all(Array.from({ length: availableParallelism() + 1 }, work));
+
+const holds_to_a_time = (file) =>
+  /\b(time_of|open_within)\(/.test(readFileSync(join(here, file), "utf8"));
+const timed = files.filter(holds_to_a_time);
+const processors = availableParallelism();
+await run_all(timed, processors);
+await run_all(
+  files.filter((file) => !timed.includes(file)),
+  processors + 1,
+);
 process.exit(worst);
