@@ -13,9 +13,9 @@ namespace stiction::bench {
 std::vector<std::string> fixed_names();
 
 /// Does that work exactly `batches` times, without a clock, and describes it as one line of JSON:
-/// name, batches, contacts, contact_updates, sweeps, allocations, hash, error. Of two runs that
-/// differ in `batches` the difference is the batches' alone; the hash of steps is that of the state. Throws InputError for an unknown name,
-/// and std::runtime_error when the workload, with the usual rule, is not at rest.
+/// name, batches, contacts, contact_updates, sweeps, allocations, hash, error; the hash of steps is that of
+/// the state. Of two runs that differ in `batches` the difference is the batches' alone. Throws InputError
+/// for an unknown name, and std::runtime_error when the workload, with the usual rule, is not at rest.
 std::string run_fixed(const std::string& name, int batches);
 
 }  // namespace stiction::bench

@@ -87,11 +87,10 @@ class Measured {
     unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
     to_foot_ = sunk_ = Mask::of(0);
     if ((left & batch_.stays) != 0) left &= ~beside(near.bits() & ~on_itself & left);
-    batch_.stays &= ~left;  // the others beside their face are compared
-    // Those that may be on another triangle now, and of these the ones beside their own.
+    // Those that may be on another triangle now, or have one passed over, and of these the ones beside their own.
     const unsigned off =
         (near & ~(open_ | nearest_.inside) & (Number(Real(0)) < nearest_.distance2)).bits() & left &
-        ~(on_itself | batch_.stays);
+        ~on_itself;
     const unsigned asked = (all_of_batch() & ~(left | batch_.stays)) | off;
     if (asked == 0) return left;
     const Compared found = compare(asked);

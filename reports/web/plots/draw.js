@@ -82,7 +82,7 @@ function config_of(colours, width, columns) {
   };
 }
 
-// Marks are drawn as the data have them: Vega-Lite would sort what is coloured by name, last colour of the domain first.
+// Marks are drawn as the data have them: Vega-Lite would sort what is coloured by name, the domain's last colour first.
 const in_order = (spec) =>
   with_parts(spec, (part) => {
     const { type, scale } = part.encoding?.fill ?? part.encoding?.color ?? {};

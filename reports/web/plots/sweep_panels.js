@@ -27,7 +27,7 @@ export function cells_of({ axes }) {
     of: (place) =>
       Object.fromEntries(
         axes.flatMap(({ field }, i) => {
-          const [low, high] = edges[i].get(place[field]) ?? [null, null];
+          const [low, high] = edges[i].get(place[field]);
           return [
             [`edge_${field}_low`, low],
             [`edge_${field}_high`, high],

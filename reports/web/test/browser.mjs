@@ -106,8 +106,8 @@ export async function open_within(browser, file, budget_ms, options = {}) {
 }
 
 /**
- * {open(file, {hash, width, height, dark, wait, late_ms}), close()}; each page has `faults`, a list of sentences. Without WebGL,
- * which only recordings need, pictures of thousands of marks are there in a third of the time.
+ * {open(file, {hash, width, height, dark, wait, late_ms}), close()}; each page has `faults`, a list of sentences.
+ * Without WebGL, which only recordings need, pictures of thousands of marks are there in a third of the time.
  */
 export async function start_browser({ webgl = true } = {}) {
   const browser = await chromium.launch({

@@ -168,6 +168,18 @@ test("what broke off or is no number is marked, and has no colour of a value", (
   assert.ok(layers.every(is_of_measured), "no layer draws both");
 });
 
+test("a point whose place is no number is told, and not drawn", () => {
+  const points = grid({ a: [1, 2], b: [1, 2], c: [1, 2] }).map((axes) => point(axes));
+  for (const name of ["a", "c"]) {
+    const lost = point({ a: 1, b: 1, c: 1, [name]: "nan" });
+    for (const kind of ["phase-diagram", "heat-map"]) {
+      const [plot] = plots_of([...points, lost], kind);
+      assert.equal(rows(plot).length, points.length, `${kind}, ${name}`);
+    }
+    assert.match(plots_of([...points, lost])[0].caption, /9 hold/);
+  }
+});
+
 test("values of both signs over decades are coloured by their size", () => {
   const points = grid({ a: [1, 2, 3], b: [1, 2, 3] }).map((axes) =>
     measured(axes, {
