@@ -199,6 +199,35 @@ void define_commands(CLI::App& app, Arguments& arguments,
         "which one broke a case"}});
 }
 
+void define_sizes(CLI::App& app, Arguments& arguments,
+                  std::function<int(const Arguments&)>& chosen) {
+  CLI::App& sizes =
+      command(app, "sizes", "Whole steps of another revision and the present one, of all sizes",
+              track_sizes, chosen);
+  sizes
+      .add_option("--threads", arguments.threads, "Threads inside a step, to be compared with one")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  sizes.add_flag("--full", arguments.full, "Workloads of up to a million contacts too");
+  sizes
+      .add_option("--out", arguments.out,
+                  "Where the records and their page go; without it sizes-report")
+      ->type_name("DIR");
+  help_of(sizes, "--against REF [--benchmark GLOB] [OPTIONS]",
+          "Has steps that go on taken in turn by another revision, by the present one, by that in "
+          "narrower "
+          "registers and on more threads, for all sizes of bench's workloads; "
+          "tells what whole steps and their phases cost, beside what the machine's bandwidth and "
+          "arithmetic allow. Both are measured by the present tree's yardstick "
+          "(benchmarks/yardstick/), "
+          "whatever the other's bench timed. The history is left as it is.",
+          {{"./stiction track sizes --against HEAD~20", "all default sizes, ten minutes or more"},
+           {"./stiction track sizes --against main --benchmark 'step/slab/*'", "one family"},
+           {"./stiction track sizes --against main --benchmark '*/contacts:1000000' --full",
+            "a million contacts"}});
+}
+
 std::string last_words() {
   stiction::end_writing();
   return History::added() == 0 ? "; nothing of it is in the history"
@@ -240,6 +269,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   set_help(app, help_page());
   define_commands(app, arguments, chosen);
+  define_sizes(app, arguments, chosen);
   const auto parse = [&] {
     app.parse(argc, argv);
     if (chosen) return;

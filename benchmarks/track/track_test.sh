@@ -300,3 +300,63 @@ printf 'no json' >bad.json
 refuses "a file of something else" "is not Google Benchmark's JSON" import bad.json --history h.sqlite
 refuses "a missing file" "cannot read missing.json" import missing.json --history h.sqlite
 refuses "a file that is no history" "bad.json" history --history bad.json
+
+# ---- sizes --------------------------------------------------------------------------------------
+# solver NANOSECONDS AT_REST HASH: what the stand-in of a yardstick is built with.
+solver() {
+  printf 'constexpr double kNanoseconds = %s;\nconst char kAtRest[] = "%s", kHash[] = "%s";\n' "$@" >solver/solver.h
+}
+# line WORDS: the output has this line, however far apart its cells are.
+line() { tr -s ' ' <"$work/out" | grep -q "^$1" || failed "$last" "the output lacks: $1"; }
+build() { cmake --build build/release --target yardstick >/dev/null || exit 1; }
+mkdir -p "$work/sizes/solver" "$work/sizes/benchmarks/yardstick" "$work/sizes/benchmarks/workloads" && cd "$work/sizes" || exit 1
+cp "$data/sizes/CMakeLists.txt" .
+cp "$data/sizes/yardstick.cpp" "$data/../../yardstick/beside.cmake" benchmarks/yardstick
+printf 'build/\nsizes-report/\n' >.gitignore
+git init -q . && solver 100 true 1 && commit one && git tag before
+cmake -G Ninja -B build/release >/dev/null && solver 40 true 1 && build
+STICTION_TEST_CALLS=$work/turns holds 0 "whole steps of all sizes, before and now" sizes --against before --threads 2
+there="100/8/1 40/8/1 40/2/1 40/4/1 40/8/2" back="40/8/2 40/4/1 40/2/1 40/8/1 100/8/1"
+[[ $(<"$work/turns") == "$there $there $back $there $back $there "* ]] ||
+  failed "$last" "it takes turns so: $(cut -c -200 "$work/turns")"
+says "a step takes 0.40 of what it took" "Records: $PWD/sizes-report/"
+line " slab whole step 100 → 40 100 → 40 *$" && line " slab … now ÷ before 0.40 0.40" && line " wall whole step 100 → 40 –"
+line " slab elastic forces 50 → 20 50 → 20" && line " slab detection and depth 25 → 10 25 → 10"
+line " slab step, registers of 2 160 160" && line " slab step, registers of 4 80 80" && line " slab 2 threads, × faster 2.00 2.00"
+line " slab least by bandwidth 10 10" && line " slab least by arithmetic 20 20" && says "lie at most 0 % apart"
+says "the same state, to the bit, of 3 of 3 workloads"
+grep -qF '1 000 000' "$work/out" && failed "$last" "a long workload was measured unasked"
+grep -qF '"name":"step, before per contact","unit":"s","x_name":"contacts","x_unit":"1","x":[100.0,1000.0],"y":[1.0' \
+  sizes-report/latest/records.jsonl || failed "$last" "no record of it"
+holds 0 "one of them" sizes --against before --benchmark 'step/wall/*' --full --out "$work/one"
+says "Records: $work/one/" && line " wall whole step 100 → 40 100 → 40"
+grep -qF slab "$work/out" && failed "$last" "another was measured"
+solver 40 false 1 && build
+holds 1 "what is not at rest fails" sizes --against before
+says "FAILS: all that is timed is at rest" "3 workloads that are not at rest, for one step/wall/contacts:100 now"
+solver 40 true 2 && build
+holds 1 "registers that leave another state fail" sizes --against before
+says "FAILS: the width of registers and threads inside a step don't change a bit" "registers of 4"
+solver 40 '?' 1 && build
+refuses "a yardstick that answers nonsense" "its yardstick answers '{" sizes --against before
+refuses "no such workload" "no workload of this name" sizes --against before --benchmark nonsense
+refuses "sizes of nothing" "compared with --against REF" sizes
+holds 2 "no threads" sizes --against before --threads 0
+printf 'project(stiction CXX)\n' >CMakeLists.txt && commit "without workloads" && git tag without
+refuses "a revision without workloads" "without cannot be" sizes --against without
+
+# The real one takes the steps that bench counts.
+bits() { sed 's/.*"hash":"*\([0-9a-f]*\).*/\1/'; }
+counted=$("$build/bench" --fixed steps:32/flush/contacts:100 --batches 1 | bits)
+for threads in 1 2; do
+  taken=$(printf 'settle\nsteps\n' | "$build/yardstick" flush 100 "$threads" | tail -n 1 | bits)
+  [ "${#taken}" -eq 16 ] && [ $((16#$taken & 0xffffffff)) -eq "$counted" ] ||
+    failed "the yardstick takes the steps that bench counts" "by $threads threads: $taken is not $counted"
+done
+printf 'ok    the yardstick takes the steps that bench counts\n'
+for words in "nonsense 100" "slab 1e3" "slab 100 0" "slab"; do
+  # shellcheck disable=SC2086 # one word each
+  "$build/yardstick" $words </dev/null 2>"$work/err"
+  [ $? -eq 2 ] && grep -q '^yardstick: .' "$work/err" || failed "the yardstick refuses: $words" "it doesn't"
+done
+printf 'ok    the yardstick refuses what it cannot measure\n'

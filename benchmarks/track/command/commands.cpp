@@ -12,11 +12,13 @@
 #include "benchmarks/track/measure/child.h"
 #include "benchmarks/track/measure/google_json.h"
 #include "benchmarks/track/measure/work_lock.h"
+#include "benchmarks/track/sizes/sizes_output.h"
 #include "benchmarks/track/store/trend_records.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
 #include "reports/record/whole_file.h"
 #include "reports/screen/program.h"
+#include "reports/screen/progress_line.h"
 #include "reports/screen/screen.h"
 
 namespace stiction::track {
@@ -219,6 +221,38 @@ int track_export(const Arguments& arguments) {
   }
   write_whole(arguments.file, text);
   return kHolds;
+}
+
+int track_sizes(const Arguments& arguments) {
+  if (arguments.against.empty()) throw TrackError("sizes are compared with --against REF");
+  const Project project = project_of(arguments);
+  const Tree now = present_tree(project, {"yardstick"});
+  const WorkLock lock(project.work);
+  RecordStore store = RecordStore::create(arguments.out.empty() ? "sizes-report" : arguments.out);
+  const Tree before = build_tree(project, arguments.against, {"present_yardstick"});
+  const std::vector<Way> ways = ways_of(before, now, arguments.threads);
+  const std::vector<Workload> workloads =
+      workloads_of(now, arguments.scope.benchmarks, arguments.full);
+  std::vector<SizeResult> results, of_family;
+  ProgressLine progress(workloads.size());
+  bool holds = true;
+  for (const Workload& workload : workloads) {
+    progress.show(results.size(), workload.name());
+    of_family.push_back(measure_size(workload, ways));
+    results.push_back(of_family.back());
+    const bool last = results.size() == workloads.size();
+    if (!last && workloads[results.size()].family == workload.family) continue;
+    const Record record = family_record(of_family, before, current_environment());
+    store.append(record);
+    holds = holds && record.verdict == Verdict::kPass;
+    of_family.clear();
+  }
+  progress.clear();
+  store.finish();
+  show(size_summary(results, before, now, screen_of(STDOUT_FILENO)));
+  show_line(fmt::format("Records: {}", store.folder().string()));
+  store.tell_caller();
+  return holds ? kHolds : kDoesNotHold;
 }
 
 int track_bisect(const Arguments& arguments) {

@@ -19,6 +19,7 @@ struct Arguments {
   std::string good, bad = "HEAD";
   std::string file;        ///< to import or export; "-" is stdin or stdout
   std::string out;         ///< folder of runs for the report page
+  int threads = 2;         ///< inside a step, to be compared with one
   std::int64_t run = 0;    ///< id in the history; 0: the last
   std::int64_t other = 0;  ///< the run to compare with it
   bool quick = false;
@@ -40,5 +41,6 @@ int track_compare(const Arguments& arguments);
 int track_import(const Arguments& arguments);
 int track_export(const Arguments& arguments);
 int track_bisect(const Arguments& arguments);
+int track_sizes(const Arguments& arguments);
 
 }  // namespace stiction::track

@@ -121,9 +121,9 @@ std::string subject_of(const Project& project, const std::string& commit) {
                        {"log", "-1", "--format=%h %s", "--abbrev=12", commit}));
 }
 
-Tree present_tree(const Project& project) {
+Tree present_tree(const Project& project, const std::vector<std::string>& programs) {
   Tree tree{.label = "present", .revision = "", .build = project.build};
-  for (const char* program : {"bench", "validate"}) {
+  for (const std::string& program : programs) {
     if (!fs::exists(tree.program(program))) {
       throw TrackError(fmt::format("{} is not built", tree.program(program).string()));
     }
@@ -135,7 +135,8 @@ Tree present_tree(const Project& project) {
   return tree;
 }
 
-Tree build_tree(const Project& project, const std::string& reference) {
+Tree build_tree(const Project& project, const std::string& reference,
+                const std::vector<std::string>& programs) {
   const std::string commit = commit_of(project, reference);
   const std::string revision = commit.substr(0, kShortLength);
   const fs::path source = project.work / revision;
@@ -157,9 +158,14 @@ Tree build_tree(const Project& project, const std::string& reference) {
                                     tree.build.string(),
                                     "-DSTICTION_BUILD_TESTS=OFF"};
   for (const std::string& option : same_options(project.build)) words.push_back(option);
+  const fs::path beside = project.root / "benchmarks/yardstick/beside.cmake";
+  words.push_back("-DCMAKE_PROJECT_stiction_INCLUDE=" + beside.string());
+  words.push_back("-DSTICTION_PRESENT_CATALOG=" +
+                  (project.build / "generated/family_catalog.cpp").string());
   demand_run(fmt::format("{} cannot be configured", tree.label), words);
-  demand_run(fmt::format("{} cannot be built", tree.label),
-             {"cmake", "--build", tree.build.string(), "--target", "bench", "validate"});
+  words = {"cmake", "--build", tree.build.string(), "--target"};
+  words.insert(words.end(), programs.begin(), programs.end());
+  demand_run(fmt::format("{} cannot be built", tree.label), words);
   return tree;
 }
 

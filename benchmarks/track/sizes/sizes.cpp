@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "benchmarks/track/sizes/sizes.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <memory>
+
+#include "benchmarks/track/measure/child.h"
+
+namespace stiction::track {
+
+namespace {
+
+// Quartiles of five are three of their values; of more, where steps are short, as many as fit.
+constexpr std::size_t kFewestTurns = 5, kMostTurns = 15;
+constexpr double kTurnsSeconds = 20.0;
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void add(const Yardstick::Steps& steps, StepTimes& times) {
+  times.cpu.push_back(steps.cpu);
+  times.wall.push_back(steps.wall);
+  for (const auto& [phase, seconds] : steps.phases) times.phases[phase].push_back(seconds);
+  times.hash = steps.hash;
+}
+
+double per_contact(const std::vector<double>& seconds, const StepTimes& times) {
+  return 1e9 * reference::median(seconds) / std::max(1.0, times.settled.contacts);
+}
+
+bool wanted(const Workload& workload, const std::vector<std::string>& globs) {
+  return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+           return fnmatch(glob.c_str(), workload.name().c_str(), 0) == 0;
+         });
+}
+
+}  // namespace
+
+const StepTimes* SizeResult::of(const std::string& way) const {
+  const auto at =
+      std::find_if(ways.begin(), ways.end(), [&](const Way& one) { return one.name == way; });
+  return at == ways.end() ? nullptr : &times[static_cast<std::size_t>(at - ways.begin())];
+}
+
+double step_nanoseconds(const StepTimes& times) { return per_contact(times.cpu, times); }
+
+double phase_nanoseconds(const StepTimes& times, const std::vector<std::string>& phases) {
+  double sum = 0.0;
+  for (const std::string& phase : phases) {
+    const auto at = times.phases.find(phase);
+    if (at != times.phases.end()) sum += per_contact(at->second, times);
+  }
+  return sum;
+}
+
+reference::Quartiles ratio(const StepTimes& one, const StepTimes& other, bool by_wall) {
+  const std::vector<double>& a = by_wall ? one.wall : one.cpu;
+  const std::vector<double>& b = by_wall ? other.wall : other.cpu;
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ratios.push_back(a[k] / b[k] * (other.settled.contacts / one.settled.contacts));
+  }
+  return reference::quartiles(std::move(ratios));
+}
+
+std::vector<Way> ways_of(const Tree& before, const Tree& now, int threads) {
+  const std::string yardstick = now.program("yardstick").string();
+  std::vector<Way> ways = {{"before", before.program("present_yardstick").string()},
+                           {"now", yardstick}};
+  std::vector<int> widths = widths_of(yardstick);
+  if (!widths.empty()) widths.pop_back();  // which it takes by itself
+  for (const int width : widths) {
+    ways.push_back({fmt::format("registers of {}", width), yardstick, width});
+  }
+  if (threads > 1) ways.push_back({fmt::format("{} threads", threads), yardstick, 0, threads});
+  return ways;
+}
+
+std::vector<Workload> workloads_of(const Tree& now, const std::vector<std::string>& globs,
+                                   bool full) {
+  std::vector<Workload> chosen;
+  for (const Workload& one : workloads_of(now.program("yardstick").string())) {
+    if (wanted(one, globs) && (full || !one.is_long)) chosen.push_back(one);
+  }
+  if (chosen.empty()) throw TrackError("there is no workload of this name");
+  return chosen;
+}
+
+SizeResult measure_size(const Workload& workload, const std::vector<Way>& ways) {
+  SizeResult result{.workload = workload, .ways = ways, .times = {}, .limits = {}};
+  result.times.resize(ways.size());
+  std::vector<std::unique_ptr<Yardstick>> yardsticks;
+  for (const Way& way : ways) yardsticks.push_back(std::make_unique<Yardstick>(way, workload));
+  std::vector<std::future<Yardstick::Settled>> settled;
+  for (const std::unique_ptr<Yardstick>& one : yardsticks) {
+    settled.push_back(std::async(std::launch::async, [&one] { return one->settle(); }));
+  }
+  for (std::size_t k = 0; k < ways.size(); ++k) result.times[k].settled = settled[k].get();
+  result.limits = yardsticks[1]->limits();
+  for (const std::unique_ptr<Yardstick>& one : yardsticks) one->steps();  // allocates
+  const double start = seconds_now();
+  for (std::size_t turn = 0; turn < kMostTurns; ++turn) {
+    if (turn >= kFewestTurns && seconds_now() - start > kTurnsSeconds) break;
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      const std::size_t at = turn % 2 == 0 ? k : ways.size() - 1 - k;
+      add(yardsticks[at]->steps(), result.times[at]);
+    }
+  }
+  return result;
+}
+
+}  // namespace stiction::track

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "benchmarks/track/sizes/yardstick.h"
+#include "reference/statistics/two_samples.h"
+
+namespace stiction::track {
+
+/// What was measured of one workload in one way: of each turn a sample, s a step.
+struct StepTimes {
+  Yardstick::Settled settled;
+  std::vector<double> cpu, wall;
+  std::map<std::string, std::vector<double>> phases;
+  std::string hash;
+};
+
+/// One workload in all ways, which took turns.
+struct SizeResult {
+  Workload workload;
+  std::vector<Way> ways;         ///< the first is before, the second now
+  std::vector<StepTimes> times;  ///< as many
+  Yardstick::Limits limits;      ///< of the second
+
+  /// Null where it was not measured in that way.
+  const StepTimes* of(const std::string& way) const;
+};
+
+/// ns per contact and step of one way: medians over the turns.
+double step_nanoseconds(const StepTimes& times);
+/// The sum of some phases; those that a revision hasn't got count nothing.
+double phase_nanoseconds(const StepTimes& times, const std::vector<std::string>& phases);
+
+/// Time of one over time of another, turn by turn: by their clocks of CPU time, or by that on the wall where
+/// threads are compared. Each per contact.
+reference::Quartiles ratio(const StepTimes& one, const StepTimes& other, bool by_wall = false);
+
+/// The ways of a comparison: another revision, the present one, that in each narrower register, and on so
+/// many threads if that is more than one.
+std::vector<Way> ways_of(const Tree& before, const Tree& now, int threads);
+
+/// The present yardstick's workloads of whose names one of the globs matches one (none: all); long ones if
+/// they are asked for. Throws TrackError when there is none.
+std::vector<Workload> workloads_of(const Tree& now, const std::vector<std::string>& globs,
+                                   bool full);
+
+/// Settles a workload in each way, side by side, then has all take turns, there and back: A B C C B A …
+SizeResult measure_size(const Workload& workload, const std::vector<Way>& ways);
+
+}  // namespace stiction::track
