@@ -17,8 +17,13 @@ struct StepTimes {
   Yardstick::Settled settled;
   std::vector<double> cpu, wall;
   std::map<std::string, std::vector<double>> phases;
-  std::string hash;
+  std::string hash;  ///< of the state that they end in; empty where that is not always the same
 };
+
+/// Whether both end in the same state, always.
+inline bool same_state(const StepTimes& one, const StepTimes& other) {
+  return !one.hash.empty() && one.hash == other.hash;
+}
 
 /// One workload in all ways, which took turns.
 struct SizeResult {
@@ -49,7 +54,8 @@ std::vector<Way> ways_of(const Tree& before, const Tree& now, int threads);
 std::vector<Workload> workloads_of(const Tree& now, const std::vector<std::string>& globs,
                                    bool full);
 
-/// Settles a workload in each way, side by side, then has all take turns, there and back: A B C C B A …
+/// Settles a workload in each way, side by side, then has all take turns, there and back: A B C C B A …; and
+/// starts all anew a few times where that is soon done.
 SizeResult measure_size(const Workload& workload, const std::vector<Way>& ways);
 
 }  // namespace stiction::track

@@ -100,7 +100,7 @@ std::vector<Judgement> rest_and_states(const std::vector<SizeResult>& results) {
         ++restless;
         worst_rest = what;
       }
-      if (k > 1 && result.times[k].hash != result.of(kNow)->hash) {
+      if (k > 0 && !same_state(result.times[k], *result.of(kNow))) {
         ++other_states;
         worst_state = what;
       }
@@ -206,7 +206,7 @@ Cells table_of(const std::vector<SizeResult>& results) {
 // Whether both revisions leave the same state to the bit, as they do unless a change was meant.
 std::string states_text(const std::vector<SizeResult>& results) {
   const auto same = std::count_if(results.begin(), results.end(), [](const SizeResult& result) {
-    return result.of(kBefore)->hash == result.of(kNow)->hash;
+    return same_state(*result.of(kBefore), *result.of(kNow));
   });
   return fmt::format("Both leave the same state, to the bit, of {} of {} workloads.", same,
                      results.size());

@@ -79,6 +79,14 @@ TEST(Sizes, AnotherStateOfThreadsFails) {
   EXPECT_EQ(worst_check(record.checks)->worst, "step/slab/contacts:10 2 threads");
 }
 
+TEST(Sizes, AStateThatIsNotAlwaysTheSameFails) {
+  SizeResult result = result_of();
+  for (StepTimes& times : result.times) times.hash.clear();
+  const Record record = family_record({result}, {.label = {}, .revision = {}, .build = {}}, {});
+  EXPECT_EQ(record.verdict, Verdict::kFail);
+  EXPECT_NE(record.notes.at(0).find("of 0 of 1"), std::string::npos) << record.notes.at(0);
+}
+
 TEST(Sizes, AnotherStateOfTheOldRevisionIsNoFault) {
   SizeResult result = result_of();
   result.times[0].hash = "fedcba9876543210";
