@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/detection/detect_pairs.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "solver/detection/crossing_edges.h"
 #include "solver/detection/edge_candidates.h"
-#include "solver/detection/holding.h"
-#include "solver/detection/lasting.h"
+#include "solver/detection/find_holders.h"
 #include "solver/detection/outrun.h"
 #include "solver/detection/pair_candidates.h"
-#include "solver/lanes/lane_width.h"
-#include "solver/lanes/lanes.h"
 #include "solver/prefetch.h"
 
 namespace stiction {
@@ -30,177 +23,6 @@ PairContact contact_at(const Scene& scene, ContactKey key, std::int32_t element)
   set_corners(scene.elements, element, contact);
   return contact;
 }
-
-// The candidate of one key that the vertex is deepest in, the lower number winning a tie; −1 for none.
-std::int32_t deepest_candidate(const Scene& scene, const PairSearch& search,
-                               const PairSearch::Group& group, int width) {
-  const std::vector<Vec3>& x = search.predicted;
-  const Vec3& point = x[static_cast<std::size_t>(first_of(group.key))];
-  const auto corners_of = [&](std::int32_t element) -> const auto& {
-    return scene.elements[static_cast<std::size_t>(element)].vertex;
-  };
-  // What the round-off of the weights lets in must not be beyond the outermost corner.
-  const auto in_box = [&](std::int32_t element) {
-    Box3 box;
-    for (const std::int32_t v : corners_of(element)) box.extend(x[static_cast<std::size_t>(v)]);
-    return box.contains(point);
-  };
-  std::int32_t found = -1;
-  Real deepest = kOnBoundary;
-  for (std::int32_t k = group.candidate_begin, count; k < group.candidate_end; k += count) {
-    count = std::min(group.candidate_end - k, lanes_of(width));
-    const std::int32_t* const candidate = &search.candidate[static_cast<std::size_t>(k)];
-    const std::int32_t* corner[kMostLanes];
-    Real weight[kMostLanes];
-    for (int lane = 0; lane < count; ++lane) corner[lane] = corners_of(candidate[lane]);
-    least_weights(point, x, corner, count, width, weight);
-    for (int lane = 0; lane < count; ++lane) {
-      if (!(found < 0 ? weight[lane] >= deepest : weight[lane] > deepest)) continue;
-      if (!in_box(candidate[lane])) continue;
-      found = candidate[lane];
-      deepest = weight[lane];
-    }
-  }
-  return found;
-}
-
-// What of the candidates of one key holds the vertex, −1 for none. `last`, where it was in the last step
-// or −1, is tried first, and stays while the vertex is in the body and no weight in `last` is below
-// −`margin`.
-std::int32_t find_element(const Scene& scene, const PairSearch& search,
-                          const PairSearch::Group& group, std::int32_t last, Real margin,
-                          int width) {
-  Real in_last = -std::numeric_limits<Real>::infinity();
-  if (last >= 0) {
-    const auto x = [&](std::int32_t v) -> const Vec3& {
-      return search.predicted[static_cast<std::size_t>(v)];
-    };
-    const auto& v = scene.elements[static_cast<std::size_t>(last)].vertex;
-    in_last = barycentric(x(first_of(group.key)), x(v[0]), x(v[1]), x(v[2]), x(v[3])).minCoeff();
-  }
-  if (in_last > kInside) return last;
-  const std::int32_t found = deepest_candidate(scene, search, group, width);
-  return found >= 0 && margin > 0.0 && in_last >= -margin ? last : found;
-}
-
-// For how long what the candidates say of the group's vertex lasts, m, `last` being where it was in the
-// last step or −1, and `found` what holds it.
-Real lasts_within(const Scene& scene, const PairSearch& search, const PairSearch::Group& group,
-                  std::int32_t last, std::int32_t found) {
-  const auto x = [&](std::int32_t v) -> const Vec3& {
-    return search.predicted[static_cast<std::size_t>(v)];
-  };
-  const Vec3& point = x(first_of(group.key));
-  const auto corners = [&](std::int32_t e) -> std::array<Vec3, 4> {
-    const auto& v = scene.elements[static_cast<std::size_t>(e)].vertex;
-    return {x(v[0]), x(v[1]), x(v[2]), x(v[3])};
-  };
-  const Real rounding = list_rounding(search, point.norm());
-  if (found >= 0) return found == last ? held_within(point, corners(found)) - rounding : 0;
-  Real least = last >= 0 ? clearance(point, corners(last)) : std::numeric_limits<Real>::infinity();
-  for (std::int32_t k = group.candidate_begin; k < group.candidate_end; ++k) {
-    const std::int32_t element = search.candidate[static_cast<std::size_t>(k)];
-    least = std::min(least, clearance(point, corners(element)));
-  }
-  return least - rounding;
-}
-
-// What was found of a vertex that was with `last`, or with none (−1), as PairSearch::Group says it.
-std::int32_t verdict_of(std::int32_t last, std::int32_t found) {
-  return found >= 0 ? found : -2 - last;
-}
-
-// Tests the candidates of groups.
-class Find {
- public:
-  Find(const Scene& scene, const PairGeometry& last, Real margin, PairSearch& search)
-      : scene_(scene), last_(last), margin_(margin), search_(search), width_(lane_width()) {
-    search.holds.resize(search.group.size());
-  }
-
-  // Of those from `begin` to before `end`.
-  void operator()(std::size_t begin, std::size_t end) const {
-    if (begin == end) return;
-    const auto first =
-        std::lower_bound(last_.body_key.begin(), last_.body_key.end(), search_.group[begin].key);
-    auto old = static_cast<std::size_t>(first - last_.body_key.begin());
-    for (std::size_t g = begin; g < end; ++g) {
-      PairSearch::Group& group = search_.group[g];
-      while (old < last_.body_key.size() && last_.body_key[old] < group.key) ++old;
-      const bool persists = old < last_.body_key.size() && last_.body_key[old] == group.key;
-      const std::int32_t in = persists ? last_.element[old] : -1;
-      search_.holds[g] = held_by(group, in, [&] { ask_ahead(old); });
-    }
-  }
-
-  // Of all, where `holds` is of the last step, whose contacts are all remembered. Returns whether anything
-  // else holds any vertex now.
-  bool any_changes(const Team* team) const {
-    const auto sleeps = [&](std::size_t g, double more) {
-      const PairSearch::Group& group = search_.group[g];
-      return group.verdict == search_.holds[g] &&
-             paths(scene_.topology, search_, group.key) + more < group.holds_until;
-    };
-    wake(search_, search_.group.size(), sleeps, search_.group_awake);
-    const std::vector<std::uint32_t>& awake = search_.group_awake.place;
-    std::atomic<bool> any = false;
-    for_ranges(team, awake.size(), kContactsToShare, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const std::uint32_t g = awake[k];
-        PairSearch::Group& group = search_.group[g];
-        const std::int32_t last = search_.holds[g];
-        search_.holds[g] = held_by(group, last >= 0 ? last : open_in(group), [] {});
-        if (search_.holds[g] != last) any = true;
-      }
-    });
-    return any;
-  }
-
- private:
-  // The element that holds the group's vertex now, or −1, `in` being what did in the last step.
-  template <class BeforeTest>
-  std::int32_t held_by(PairSearch::Group& group, std::int32_t in, const BeforeTest& before) const {
-    const double path = paths(scene_.topology, search_, group.key);
-    if (path < group.holds_until && (group.verdict == in || group.verdict == verdict_of(in, -1))) {
-      return group.verdict >= 0 ? in : -1;
-    }
-    before();
-    const std::int32_t found = find_element(scene_, search_, group, in, margin_, width_);
-    const std::int32_t verdict = verdict_of(in, found);
-    const bool same = verdict == group.verdict;
-    group.verdict = verdict;
-    note_lasting(same, path, group.held, group.holds_until,
-                 [&] { return lasts_within(scene_, search_, group, in, found); });
-    return found;
-  }
-
-  // Where the contact of a group of which nothing holds the vertex was in the last step; −1 where there is none.
-  std::int32_t open_in(const PairSearch::Group& group) const {
-    if (group.verdict == verdict_of(-1, -1)) return -1;
-    const auto at = std::lower_bound(last_.body_key.begin(), last_.body_key.end(), group.key);
-    if (at == last_.body_key.end() || *at != group.key) return -1;
-    return last_.element[static_cast<std::size_t>(at - last_.body_key.begin())];
-  }
-
-  // For what the test of contacts after one of the last step will read. Twice as far ahead as elsewhere:
-  // less is done between.
-  void ask_ahead(std::size_t old) const {
-    if (old + 2 * kAskedAhead >= last_.element.size()) return;
-    ask_for(&scene_.elements[static_cast<std::size_t>(last_.element[old + 2 * kAskedAhead])]);
-    const std::size_t sooner = old + kAskedAhead;
-    const std::int32_t next = last_.element[sooner];
-    ask_for(&search_.predicted[static_cast<std::size_t>(first_of(last_.body_key[sooner]))]);
-    for (const std::int32_t v : scene_.elements[static_cast<std::size_t>(next)].vertex) {
-      ask_for(&search_.predicted[static_cast<std::size_t>(v)]);
-    }
-  }
-
-  const Scene& scene_;
-  const PairGeometry& last_;
-  Real margin_;
-  PairSearch& search_;
-  int width_;
-};
 
 bool keeps_open(const PairOptions& options) { return options.hysteresis > 0.0; }
 bool keeps_triangles(const PairOptions& options) {
@@ -285,7 +107,7 @@ bool stand_as_found(const PairGeometry& last, const PairOptions& options, const 
 // Finds contacts, and puts them in the places of those of the last step.
 void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions& options,
                  const Team* team, PairSearch& search, PairContacts& pairs) {
-  const Find find(scene, last, options.tie_margin, search);
+  const FindHolders find(scene, last, options.tie_margin, search);
   const bool tested = stand_as_found(last, options, search, pairs);
   if (tested && !find.any_changes(team)) return;
   if (!tested) search.group_awake.steps = 0;  // tests of all may find otherwise of any

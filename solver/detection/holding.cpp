@@ -13,15 +13,14 @@ namespace stiction {
 
 namespace {
 
-template <int Bytes>
-STICTION_LANES_INLINE void least_of(const Vec3& point, const std::vector<Vec3>& x,
+// `point` is the point of each lane.
+template <class Number>
+STICTION_LANES_INLINE void least_of(const LaneVector<Number>& point, const std::vector<Vec3>& x,
                                     const std::int32_t* const* corner, int count, Real* least) {
-  using Number = Lanes<Bytes>;
   const auto at = [&](int k) __attribute__((always_inline)) {
     return at_vertices<Number>(x, [&](int lane) { return corner[std::min(lane, count - 1)][k]; });
   };
-  const LaneWeights<Number> weight({Number(point.x()), Number(point.y()), Number(point.z())}, at(0),
-                                   at(1), at(2), at(3));
+  const LaneWeights<Number> weight(point, at(0), at(1), at(2), at(3));
   Number smallest = weight.of[0];
   for (int k = 1; k < 4; ++k) smallest = lesser(weight.of[k], smallest);
   Real all[Number::kCount];
@@ -47,7 +46,20 @@ void least_weights(const Vec3& point, const std::vector<Vec3>& x, const std::int
                    int count, int width, Real* least) {
   in_lanes(
       count, width, [&](auto bytes) __attribute__((always_inline)) {
-        least_of<bytes>(point, x, corner, count, least);
+        using Number = Lanes<bytes>;
+        least_of<Number>({Number(point.x()), Number(point.y()), Number(point.z())}, x, corner,
+                         count, least);
+      });
+}
+
+void least_weights(const std::int32_t* point, const std::vector<Vec3>& x,
+                   const std::int32_t* const* corner, int count, int width, Real* least) {
+  in_lanes(
+      count, width, [&](auto bytes) __attribute__((always_inline)) {
+        using Number = Lanes<bytes>;
+        const auto own =
+            at_vertices<Number>(x, [&](int lane) { return point[std::min(lane, count - 1)]; });
+        least_of<Number>(own, x, corner, count, least);
       });
 }
 

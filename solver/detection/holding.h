@@ -19,6 +19,10 @@ Vec4 barycentric(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c,
 void least_weights(const Vec3& point, const std::vector<Vec3>& x, const std::int32_t* const* corner,
                    int count, int width, Real* least);
 
+/// The same of a point each: `least[k]` is that of vertex point[k].
+void least_weights(const std::int32_t* point, const std::vector<Vec3>& x,
+                   const std::int32_t* const* corner, int count, int width, Real* least);
+
 /// Round-off of weights of order one: a point on a shared face must not fall between its two
 /// elements. A tetrahedron holds a point with no weight below this.
 inline constexpr Real kOnBoundary = -by_precision(1e-12, 2e-6);

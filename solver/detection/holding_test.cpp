@@ -86,6 +86,16 @@ TEST(Holding, LeastWeightsSideBySideAreThoseOfOneAtEveryWidth) {
         EXPECT_EQ(least[k], least_weight(placed.point, {first[0], first[1], first[2], first[3]}))
             << "seed " << seed << ", " << k << " of " << count << " at width " << width;
       }
+      // Of a point each.
+      std::int32_t point[kMostLanes];
+      for (int k = 0; k < count; ++k) point[k] = (5 * k + static_cast<int>(seed)) % 12;
+      least_weights(point, x, corner, count, width, least);
+      for (int k = 0; k < count; ++k) {
+        const auto first = x.begin() + k;
+        EXPECT_EQ(least[k], least_weight(x[static_cast<std::size_t>(point[k])],
+                                         {first[0], first[1], first[2], first[3]}))
+            << "seed " << seed << ", " << k << " of " << count << " at width " << width;
+      }
     }
   }
 }
