@@ -16,17 +16,6 @@ namespace stiction::bench {
 
 namespace {
 
-// "100 000"
-std::string count_text(int count) {
-  std::string text = format_count(static_cast<std::uint64_t>(count));
-  std::replace(text.begin(), text.end(), ',', ' ');
-  return text;
-}
-
-std::string nanoseconds(double value) {
-  return value < 9.95 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
-}
-
 // What is told of a family: parts whose times add up.
 struct Told {
   const char* words;
@@ -107,7 +96,8 @@ Cells cost_table(const std::vector<Result>& results, const std::vector<Scaling>&
   std::set<int> sizes;
   for (const Result& one : results) sizes.insert(one.chosen.size);
   Cells rows = {{"ns a contact, of contacts:"}};
-  for (const int size : sizes) rows.front().push_back(count_text(size));
+  for (const int size : sizes)
+    rows.front().push_back(spaced_count(static_cast<std::uint64_t>(size)));
   rows.front().push_back("∝ contactsᵖ, p");
   for (const std::string& family : families_of(results)) {
     for (const Told& what : told()) {
@@ -115,7 +105,7 @@ Cells cost_table(const std::vector<Result>& results, const std::vector<Scaling>&
       bool measured = false;
       for (const int size : sizes) {
         const std::optional<double> value = cost(results, family, size, what);
-        row.push_back(value ? nanoseconds(*value) : "–");
+        row.push_back(value ? format_nanoseconds(*value) : "–");
         measured = measured || value;
       }
       row.push_back(exponent(fits, family, what));
@@ -150,10 +140,11 @@ std::string rules_text(const std::vector<Result>& results, std::size_t width) {
   for (const Result* one : rules) {
     text += fmt::format("{}{} {} ({})", text.empty() ? "" : ", ",
                         one->chosen.timed.name.substr(std::string("friction:").size()),
-                        nanoseconds(1e9 * one->seconds / one->contacts), format_error(one->error));
+                        format_nanoseconds(1e9 * one->seconds / one->contacts),
+                        format_error(one->error));
   }
   return bullet(fmt::format("Friction, {}, {} contacts, ns a contact (error it leaves): {}.",
-                            family, count_text(size), text),
+                            family, spaced_count(static_cast<std::uint64_t>(size)), text),
                 width);
 }
 
@@ -216,8 +207,9 @@ std::string bench_summary(const std::vector<Result>& results, const std::vector<
   } else {
     Cells rows = {{"benchmark", "contacts", "ns a contact", "error"}};
     for (const Result& one : results) {
-      rows.push_back({one.chosen.name, count_text(static_cast<int>(one.contacts)),
-                      nanoseconds(1e9 * one.seconds / one.contacts), format_error(one.error)});
+      rows.push_back({one.chosen.name, spaced_count(static_cast<std::uint64_t>(one.contacts)),
+                      format_nanoseconds(1e9 * one.seconds / one.contacts),
+                      format_error(one.error)});
     }
     text = plain_table(rows, {0}, screen.width);
   }

@@ -326,17 +326,18 @@ line " slab step, registers of 2 160 160" && line " slab step, registers of 4 80
 line " slab least by bandwidth 10 10" && line " slab least by arithmetic 20 20" && says "lie at most 0 % apart"
 says "the same state, to the bit, of 3 of 3 workloads"
 grep -qF '1 000 000' "$work/out" && failed "$last" "a long workload was measured unasked"
-grep -qF '"name":"step, before per contact","unit":"s","x_name":"contacts","x_unit":"1","x":[100.0,1000.0],"y":[1.0' \
-  sizes-report/latest/records.jsonl || failed "$last" "no record of it"
+grep -F '"configuration":"before"' sizes-report/latest/records.jsonl | grep -qF \
+  '"name":"whole step per contact","unit":"s","x_name":"contacts","x_unit":"1","x":[100.0,1000.0],"y":[1.0' ||
+  failed "$last" "no record of it"
 holds 0 "one of them" sizes --against before --benchmark 'step/wall/*' --full --out "$work/one"
 says "Records: $work/one/" && line " wall whole step 100 → 40 100 → 40"
 grep -qF slab "$work/out" && failed "$last" "another was measured"
 solver 40 false 1 && build
 holds 1 "what is not at rest fails" sizes --against before
-says "FAILS: all that is timed is at rest" "3 workloads that are not at rest, for one step/wall/contacts:100 now"
+says "FAILS: all that is timed is at rest" "now, 3 workloads that are not at rest, for one step/wall/contacts:100"
 solver 40 true 2 && build
 holds 1 "registers that leave another state fail" sizes --against before
-says "FAILS: the width of registers and threads inside a step don't change a bit" "registers of 4"
+says "FAILS: the width of registers and threads inside a step don't change a bit: registers of 4, 3 workloads"
 solver 40 '?' 1 && build
 refuses "a yardstick that answers nonsense" "its yardstick answers '{" sizes --against before
 refuses "no such workload" "no workload of this name" sizes --against before --benchmark nonsense

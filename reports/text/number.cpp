@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -51,6 +52,16 @@ std::string format_count(std::uint64_t count) {
     text.insert(position, 1, ',');
   }
   return text;
+}
+
+std::string spaced_count(std::uint64_t count) {
+  std::string text = format_count(count);
+  std::replace(text.begin(), text.end(), ',', ' ');
+  return text;
+}
+
+std::string format_nanoseconds(double value) {
+  return value < 9.95 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
 }
 
 std::string format_exact(double value) {

@@ -27,6 +27,12 @@ std::string duration_text(double seconds);
 /// Whole number with "," between thousands.
 std::string format_count(std::uint64_t count);
 
+/// As format_count, with spaces: "100 000", for tables.
+std::string spaced_count(std::uint64_t count);
+
+/// Of so many nanoseconds: "9.9", "120".
+std::string format_nanoseconds(double value);
+
 /// Shortest decimal that reads back as the same double (machine-readable outputs). Keeps "-0".
 std::string format_exact(double value);
 

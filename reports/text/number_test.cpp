@@ -20,6 +20,14 @@ TEST(Number, SignificantDigits) {
   EXPECT_EQ(format_digits(4.44), "4.4");
 }
 
+TEST(Number, OfTables) {
+  EXPECT_EQ(spaced_count(999), "999");
+  EXPECT_EQ(spaced_count(1234567), "1 234 567");
+  EXPECT_EQ(format_nanoseconds(9.94), "9.9");
+  EXPECT_EQ(format_nanoseconds(9.96), "10");
+  EXPECT_EQ(format_nanoseconds(1234.5), "1234");
+}
+
 TEST(Number, WhatIsNoPlainNumber) {
   for (const auto format :
        {format_value, format_error, format_digits, format_seconds, format_exact}) {

@@ -242,9 +242,10 @@ int track_sizes(const Arguments& arguments) {
     results.push_back(of_family.back());
     const bool last = results.size() == workloads.size();
     if (!last && workloads[results.size()].family == workload.family) continue;
-    const Record record = family_record(of_family, before, current_environment());
-    store.append(record);
-    holds = holds && record.verdict == Verdict::kPass;
+    for (const Record& record : family_records(of_family, before, current_environment())) {
+      store.append(record);
+      holds = holds && record.verdict != Verdict::kFail;
+    }
     of_family.clear();
   }
   progress.clear();

@@ -52,6 +52,8 @@ const StepTimes* SizeResult::of(const std::string& way) const {
 
 double step_nanoseconds(const StepTimes& times) { return per_contact(times.cpu, times); }
 
+double wall_nanoseconds(const StepTimes& times) { return per_contact(times.wall, times); }
+
 double phase_nanoseconds(const StepTimes& times, const std::vector<std::string>& phases) {
   double sum = 0.0;
   for (const std::string& phase : phases) {

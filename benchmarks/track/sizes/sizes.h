@@ -38,6 +38,8 @@ struct SizeResult {
 
 /// ns per contact and step of one way: medians over the turns.
 double step_nanoseconds(const StepTimes& times);
+/// The same by the clock on the wall.
+double wall_nanoseconds(const StepTimes& times);
 /// The sum of some phases; those that a revision hasn't got count nothing.
 double phase_nanoseconds(const StepTimes& times, const std::vector<std::string>& phases);
 

@@ -33,6 +33,20 @@ const std::vector<Part>& parts() {
   return all;
 }
 
+// What a step takes at least.
+struct Limit {
+  const char* name;
+  double Yardstick::Limits::*seconds;
+};
+
+const std::vector<Limit>& limits() {
+  static const std::vector<Limit> all = {
+      {"least by bandwidth", &Yardstick::Limits::bandwidth},
+      {"least by arithmetic", &Yardstick::Limits::arithmetic},
+  };
+  return all;
+}
+
 bool is_of_one_thread(const Way& way) { return way.threads == 1; }
 
 // How much faster threads are than one.
@@ -40,46 +54,32 @@ double gain(const SizeResult& result, const Way& way) {
   return ratio(*result.of(kNow), *result.of(way.name), true).median;
 }
 
-// A series gets a point of each size.
-void add_point(const std::string& name, const std::string& unit, double contacts, double value,
-               Record& record) {
-  auto at = std::find_if(record.series.begin(), record.series.end(),
-                         [&](const Series& series) { return series.name == name; });
-  if (at == record.series.end()) {
-    at =
-        record.series.insert(at, {.name = name, .unit = unit, .x_name = "contacts", .x_unit = "1"});
-  }
-  at->x.push_back(contacts);
-  at->y.push_back(value);
+// Of two threads and more by the clock on the wall, which is what they save.
+double step_of(const StepTimes& times, const Way& way) {
+  return is_of_one_thread(way) ? step_nanoseconds(times) : wall_nanoseconds(times);
 }
 
-void add_points(const SizeResult& result, Record& record) {
-  const StepTimes& before = *result.of(kBefore);
-  const StepTimes& now = *result.of(kNow);
-  const double contacts = now.settled.contacts;
-  const auto add = [&](const std::string& name, double nanoseconds) {
-    add_point(name + " per contact", "s", contacts, 1e-9 * nanoseconds, record);
-  };
-  add("step, before", step_nanoseconds(before));
-  add("step, now", step_nanoseconds(now));
-  for (const Part& part : parts()) {
-    add(fmt::format("{}, before", part.name), phase_nanoseconds(before, part.phases));
-    add(fmt::format("{}, now", part.name), phase_nanoseconds(now, part.phases));
+// Over the contacts of each size, s a contact.
+template <class Nanoseconds>
+Series series_of(const std::string& name, const std::vector<SizeResult>& results,
+                 const Nanoseconds& nanoseconds) {
+  Series series{name + " per contact", "s", "contacts", "1", {}, {}};
+  for (const SizeResult& one : results) {
+    series.x.push_back(one.of(kNow)->settled.contacts);
+    series.y.push_back(1e-9 * nanoseconds(one));
   }
-  const reference::Quartiles of_it = ratio(now, before);
-  add_point("step, now ÷ before", "1", contacts, of_it.median, record);
-  add_point("step, now ÷ before, lower quartile", "1", contacts, of_it.lower, record);
-  add_point("step, now ÷ before, upper quartile", "1", contacts, of_it.upper, record);
-  for (std::size_t k = 2; k < result.ways.size(); ++k) {
-    const Way& way = result.ways[k];
-    if (is_of_one_thread(way)) {
-      add("step, " + way.name, step_nanoseconds(result.times[k]));
-    } else {
-      add_point("gain by " + way.name, "1", contacts, gain(result, way), record);
-    }
+  return series;
+}
+
+template <class Ratio>
+Series dimensionless(const std::string& name, const std::vector<SizeResult>& results,
+                     const Ratio& ratio_of) {
+  Series series{name, "1", "contacts", "1", {}, {}};
+  for (const SizeResult& one : results) {
+    series.x.push_back(one.of(kNow)->settled.contacts);
+    series.y.push_back(ratio_of(one));
   }
-  add("step, least by bandwidth", 1e9 * result.limits.bandwidth / contacts);
-  add("step, least by arithmetic", 1e9 * result.limits.arithmetic / contacts);
+  return series;
 }
 
 // A claim that none of something is found.
@@ -90,51 +90,41 @@ Judgement none_of(Claim claim, double count, const std::string& worst) {
   return check;
 }
 
-std::vector<Judgement> rest_and_states(const std::vector<SizeResult>& results) {
+// Of one way, where it has anything to hold.
+std::vector<Judgement> checks_of(std::size_t way, const std::vector<SizeResult>& results) {
   double restless = 0.0, other_states = 0.0;
   std::string worst_rest, worst_state;
   for (const SizeResult& result : results) {
-    for (std::size_t k = 0; k < result.ways.size(); ++k) {
-      const std::string what = result.workload.name() + " " + result.ways[k].name;
-      if (k < 2 && !result.times[k].settled.at_rest) {  // the others' is that of now
-        ++restless;
-        worst_rest = what;
-      }
-      if (k > 0 && !same_state(result.times[k], *result.of(kNow))) {
-        ++other_states;
-        worst_state = what;
-      }
+    if (!result.times[way].settled.at_rest) {
+      ++restless;
+      worst_rest = result.workload.name();
+    }
+    if (!same_state(result.times[way], *result.of(kNow))) {
+      ++other_states;
+      worst_state = result.workload.name();
     }
   }
-  return {
-      none_of({.quantity = "workloads that are not at rest",
-               .unit = "1",
-               .statement = "all that is timed is at rest",
-               .source = "equilibrium",
-               .kind = ReferenceKind::kAnalytic,
-               .reason = "each is, or it is not, by its own checks"},
-              restless, worst_rest),
-      none_of({.quantity = "states that registers or threads leave otherwise",
+  std::vector<Judgement> checks = {none_of({.quantity = "workloads that are not at rest",
+                                            .unit = "1",
+                                            .statement = "all that is timed is at rest",
+                                            .source = "equilibrium",
+                                            .kind = ReferenceKind::kAnalytic,
+                                            .reason = "each is, or it is not, by its own checks"},
+                                           restless, worst_rest)};
+  if (way == 0) return checks;  // what another revision leaves is told, not judged
+  checks.push_back(
+      none_of({.quantity = "workloads that end in another state",
                .unit = "1",
                .statement = "the width of registers and threads inside a step don't change a bit",
                .source = "the same steps in the widest registers, by one thread",
                .kind = ReferenceKind::kExactComputed,
                .reason = "each sum has its terms in the same order"},
-              other_states, worst_state)};
-}
-
-std::string count_text(double count) {
-  std::string text = format_count(static_cast<std::uint64_t>(count));
-  std::replace(text.begin(), text.end(), ',', ' ');
-  return text;
-}
-
-std::string nanoseconds(double value) {
-  return value < 9.95 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
+              other_states, worst_state));
+  return checks;
 }
 
 std::string change_text(double before, double now) {
-  return nanoseconds(before) + " → " + nanoseconds(now);
+  return format_nanoseconds(before) + " → " + format_nanoseconds(now);
 }
 
 // What is told of a workload: a line of its family's.
@@ -159,7 +149,7 @@ std::vector<Told> told(const std::vector<Way>& ways) {
     const Way& way = ways[k];
     if (is_of_one_thread(way)) {
       lines.emplace_back("step, " + way.name, [way](const SizeResult& one) {
-        return nanoseconds(step_nanoseconds(*one.of(way.name)));
+        return format_nanoseconds(step_of(*one.of(way.name), way));
       });
     } else {
       lines.emplace_back(way.name + ", × faster", [way](const SizeResult& one) {
@@ -167,13 +157,11 @@ std::vector<Told> told(const std::vector<Way>& ways) {
       });
     }
   }
-  const auto least = [](double seconds, const SizeResult& one) {
-    return nanoseconds(1e9 * seconds / one.of(kNow)->settled.contacts);
-  };
-  lines.emplace_back("least by bandwidth",
-                     [least](const SizeResult& one) { return least(one.limits.bandwidth, one); });
-  lines.emplace_back("least by arithmetic",
-                     [least](const SizeResult& one) { return least(one.limits.arithmetic, one); });
+  for (const Limit& limit : limits()) {
+    lines.emplace_back(limit.name, [&limit](const SizeResult& one) {
+      return format_nanoseconds(1e9 * one.limits.*limit.seconds / one.of(kNow)->settled.contacts);
+    });
+  }
   return lines;
 }
 
@@ -187,7 +175,8 @@ Cells table_of(const std::vector<SizeResult>& results) {
     }
   }
   Cells rows = {{"ns a contact, of contacts:"}};
-  for (const int size : sizes) rows.front().push_back(count_text(size));
+  for (const int size : sizes)
+    rows.front().push_back(spaced_count(static_cast<std::uint64_t>(size)));
   for (const std::string& family : families) {
     for (const auto& [words, text] : told(results.front().ways)) {
       std::vector<std::string>& row = rows.emplace_back();
@@ -226,6 +215,27 @@ std::string spread_text(const std::vector<SizeResult>& results) {
                      100.0 * most, of);
 }
 
+void add_phases(std::size_t way, const std::vector<SizeResult>& results, Record& record) {
+  for (const Part& part : parts()) {
+    record.series.push_back(series_of(part.name, results, [&](const SizeResult& one) {
+      return phase_nanoseconds(one.times[way], part.phases);
+    }));
+  }
+}
+
+void add_ratios(const std::vector<SizeResult>& results, Record& record) {
+  const auto of_it = [](const SizeResult& one) { return ratio(*one.of(kNow), *one.of(kBefore)); };
+  record.series.push_back(dimensionless("whole step, now ÷ before", results,
+                                        [&](const SizeResult& one) { return of_it(one).median; }));
+  for (const SizeResult& one : results) {
+    record.figures.push_back(
+        {fmt::format("whole step, now ÷ before, {} contacts", one.workload.contacts), "1",
+         fmt::format("half of the turns lie from {:.3f} to {:.3f}", of_it(one).lower,
+                     of_it(one).upper),
+         of_it(one).median});
+  }
+}
+
 std::string range_text(const std::vector<SizeResult>& results) {
   std::vector<double> all;
   for (const SizeResult& result : results) {
@@ -238,19 +248,42 @@ std::string range_text(const std::vector<SizeResult>& results) {
 
 }  // namespace
 
-Record family_record(const std::vector<SizeResult>& results, const Tree& before,
-                     const Environment& environment) {
-  Record record;
-  record.case_name = "sizes/" + results.front().workload.family;
-  record.title = "cost of whole steps over the number of contacts, before and now";
-  record.engine = "stiction";
-  record.settings["before"] = before.revision;
-  record.environment = environment;
-  for (const SizeResult& result : results) add_points(result, record);
-  record.checks = rest_and_states(results);
-  record.notes.push_back(states_text(results));
-  record.verdict = verdict_of(record);
-  return record;
+std::vector<Record> family_records(const std::vector<SizeResult>& results, const Tree& before,
+                                   const Environment& environment) {
+  const std::vector<Way>& ways = results.front().ways;
+  Record blank;
+  blank.case_name = "sizes/" + results.front().workload.family;
+  blank.title = "cost of a step over the number of contacts";
+  blank.engine = "stiction";
+  blank.settings["before"] = before.revision;
+  blank.environment = environment;
+  std::vector<Record> records;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    Record& record = records.emplace_back(blank);
+    record.configuration = ways[k].name;
+    record.series.push_back(series_of("whole step", results, [&](const SizeResult& one) {
+      return step_of(one.times[k], ways[k]);
+    }));
+    if (k < 2) add_phases(k, results, record);
+    if (k == 1) add_ratios(results, record);
+    if (!is_of_one_thread(ways[k])) {
+      record.series.push_back(
+          dimensionless("times as fast as one thread", results,
+                        [&](const SizeResult& one) { return gain(one, ways[k]); }));
+    }
+    record.checks = checks_of(k, results);
+    record.verdict = verdict_of(record);
+  }
+  records[1].notes.push_back(states_text(results));
+  for (const Limit& limit : limits()) {
+    Record& record = records.emplace_back(blank);
+    record.configuration = limit.name;
+    record.series.push_back(series_of("whole step", results, [&](const SizeResult& one) {
+      return 1e9 * one.limits.*limit.seconds / one.of(kNow)->settled.contacts;
+    }));
+    record.verdict = Verdict::kForInformation;
+  }
+  return records;
 }
 
 std::string size_summary(const std::vector<SizeResult>& results, const Tree& before,
@@ -266,11 +299,14 @@ std::string size_summary(const std::vector<SizeResult>& results, const Tree& bef
       screen.width);
   text += bullet(spread_text(results), screen.width);
   text += bullet(states_text(results), screen.width);
-  for (const Judgement& check : rest_and_states(results)) {
-    if (check.verdict == Verdict::kPass) continue;
-    text += bullet(fmt::format("FAILS: {}: {:.0f} {}, for one {}", check.claim.statement,
-                               check.value, check.claim.quantity, check.worst),
-                   screen.width);
+  for (std::size_t k = 0; k < results.front().ways.size(); ++k) {
+    for (const Judgement& check : checks_of(k, results)) {
+      if (check.verdict == Verdict::kPass) continue;
+      text += bullet(
+          fmt::format("FAILS: {}: {}, {:.0f} {}, for one {}", check.claim.statement,
+                      results.front().ways[k].name, check.value, check.claim.quantity, check.worst),
+          screen.width);
+    }
   }
   return text;
 }

@@ -10,11 +10,11 @@
 
 namespace stiction::track {
 
-/// What was measured of one family, as a record "sizes/slab": the cost of whole steps and of phases over the
-/// contacts, before and now, in narrower registers, of threads, and what the machine allows. Checks that all
+/// What was measured of one family, "sizes/slab": a record each way, as a configuration, with the cost of
+/// whole steps over the contacts, before and now of phases too; and what the machine allows. Checks that all
 /// was at rest, and that widths and threads leave the same state.
-Record family_record(const std::vector<SizeResult>& results, const Tree& before,
-                     const Environment& environment);
+std::vector<Record> family_records(const std::vector<SizeResult>& results, const Tree& before,
+                                   const Environment& environment);
 
 /// What was found, on a screen: by how much whole steps are faster, then a line each workload.
 std::string size_summary(const std::vector<SizeResult>& results, const Tree& before,

@@ -9,10 +9,32 @@ const quoted = (word) => `'${word.replace(/'/g, `'\\''`)}'`;
 // A case's name is a pattern: what has a meaning in one stands for any sign.
 const pattern = (name) => name.replace(/[[\]*?\\]/g, "?");
 
+// What other programs than validate run again, by the first part of a case's name; with all configurations.
+const OTHERS = {
+  sweep: () => "./stiction sweep STUDY.toml", // which, no record tells
+  bench: (rest) => {
+    const [family, size = ""] = rest.replace("contacts=", "contacts:").split("/");
+    const which = size.startsWith("contacts:") ? `${size}$` : "";
+    const one = family !== "features" && ` --benchmark_filter=${quoted(`/${family}/${which}`)}`;
+    return `./stiction bench${one || ""}`;
+  },
+  sizes: (family, { settings: { before = "REF" } }) =>
+    `./stiction track sizes --against ${quoted(before)} --benchmark ${quoted(`step/${family}/*`)}`,
+  trend: (subject) => `./stiction track history --metric ${quoted(`${pattern(subject)}#*`)}`,
+};
+
+// The command of another program; "" where it is one of validate's cases.
+function other_command(record) {
+  const [, first, rest] = record.case.match(/^([^/]*)\/(.*)$/) ?? [];
+  return OTHERS[first]?.(rest, record) ?? "";
+}
+
 // As rerun_command() in reports/text/configuration_text.h; `more`: what stands behind the case.
-function command_of({ case: name, engine, point }, more = []) {
+function command_of(record, more = []) {
+  const { case: name, engine, point } = record;
   if (point) return `./stiction sweep STUDY.toml --point ${quoted(point)}`;
-  if (name.startsWith("sweep/")) return "./stiction sweep STUDY.toml"; // which, no record tells
+  const other = other_command(record);
+  if (other) return other;
   const file = name.startsWith("user/") && "PROBLEM.toml"; // which, no record tells
   const words = ["./stiction validate", file, `--case ${quoted(pattern(name))}`];
   return [...words, engine !== OURS && `--engine ${quoted(engine)}`, ...more]
@@ -36,7 +58,7 @@ const configuration_words = ({ configuration, differs = {} }) =>
 
 /** The same in the record's configuration alone; "" where nobody named it. */
 export const record_command = (record) =>
-  record.configuration && !record.case.startsWith("sweep/")
+  record.configuration && !other_command(record)
     ? command_of(record, configuration_words(record))
     : "";
 

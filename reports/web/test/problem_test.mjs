@@ -258,6 +258,17 @@ test("commands that run a case again can be pasted into a shell", () => {
     case_command({ case: "user/a[1]*b", engine: "bullet" }),
     "./stiction validate PROBLEM.toml --case 'user/a?1??b' --engine 'bullet'",
   );
+  for (const [name, command] of [
+    ["bench/slab/contacts=1000", "bench --benchmark_filter='/slab/contacts:1000$'"],
+    ["bench/slab/scaling", "bench --benchmark_filter='/slab/'"],
+    ["bench/features", "bench"],
+    ["sizes/slab", "track sizes --against '0123' --benchmark 'step/slab/*'"],
+    ["trend/step/slab/contacts:100", "track history --metric 'step/slab/contacts:100#*'"],
+  ]) {
+    const other = { ...record(), case: name, settings: { before: "0123" }, configuration: "now" };
+    assert.equal(case_command(other), `./stiction ${command}`);
+    assert.equal(record_command(other), "");
+  }
   assert.equal(record_command(record()), "");
   assert.equal(
     record_command({ ...record(), configuration: "paper, secant", differs: { kappa: "0.7" } }),
