@@ -100,7 +100,8 @@ HelpPage help_page() {
       .exit_codes = kExitCodes,
       .files = {{"build/track/history.sqlite",
                  "every run, unless --no-record (benchmarks/schema.md)"},
-                {"build/track/REVISION/", "other revisions and their builds"}},
+                {"build/track/REVISION/", "other revisions and their builds"},
+                {"sizes-report/latest/", "what `sizes` measured: records and their page"}},
       .examples =
           {{"./stiction track --against main", "the present tree against main"},
            {"./stiction track --against main --quick --markdown",

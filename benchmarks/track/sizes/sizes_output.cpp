@@ -228,11 +228,10 @@ void add_ratios(const std::vector<SizeResult>& results, Record& record) {
   record.series.push_back(dimensionless("whole step, now ÷ before", results,
                                         [&](const SizeResult& one) { return of_it(one).median; }));
   for (const SizeResult& one : results) {
-    record.figures.push_back(
-        {fmt::format("whole step, now ÷ before, {} contacts", one.workload.contacts), "1",
-         fmt::format("half of the turns lie from {:.3f} to {:.3f}", of_it(one).lower,
-                     of_it(one).upper),
-         of_it(one).median});
+    record.notes.push_back(
+        fmt::format("{} contacts: {:.3f} of what it took, half of the turns {:.3f} to {:.3f}",
+                    spaced_count(static_cast<std::uint64_t>(one.workload.contacts)),
+                    of_it(one).median, of_it(one).lower, of_it(one).upper));
   }
 }
 

@@ -3,6 +3,7 @@
 // and never coloured.
 import { format_count } from "../model/number.js";
 import { tip } from "./names.js";
+import { BAR } from "./palette.js";
 import { drawn_of, mark_size, over_words, sweep_place, SWEEP_MARK } from "./sweep_layout.js";
 import { axis_tips, cells_of, sweep_spec } from "./sweep_panels.js";
 
@@ -10,7 +11,7 @@ import { axis_tips, cells_of, sweep_spec } from "./sweep_panels.js";
 const MISSING = [
   ["broke off", "$error", "diamond"],
   ["no finite number", "$ink", "cross"],
-  ["not measured", "$na", "stroke"],
+  ["not measured", "$na", BAR],
 ];
 const column = (i) => MISSING.map((one) => one[i]);
 

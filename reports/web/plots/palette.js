@@ -96,6 +96,9 @@ export const SERIES_DASHES = [
   [1, 3],
   [10, 2],
 ];
+/** A bar, in Vega's square from −1 to 1: its own "stroke" is a line, of which a filled mark shows nothing. */
+export const BAR = "M-1.2,-0.25H1.2V0.25H-1.2Z";
+
 export const SERIES_SHAPES = [
   "circle",
   "square",
@@ -103,7 +106,7 @@ export const SERIES_SHAPES = [
   "diamond",
   "cross",
   "triangle-down",
-  "stroke",
+  BAR,
 ];
 
 /** The name of the i-th body's colour: pale, so that contacts and forces stand out. */
@@ -121,7 +124,7 @@ const VERDICT_MARKS = [
   ["refuted", "$refuted", SALTIRE],
   ["error", "$error", "diamond"],
   ["for-information", "$shown", "square"],
-  ["not-applicable", "$na", "stroke"],
+  ["not-applicable", "$na", BAR],
 ];
 export const VERDICT_DOMAIN = VERDICT_MARKS.map(([verdict]) => verdict);
 const VERDICT_COLOURS = VERDICT_MARKS.map(([, colour]) => colour);

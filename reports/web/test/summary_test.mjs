@@ -162,6 +162,23 @@ test("a power law is fitted only where there is one to fit", () => {
   assert.doesNotMatch(plot.caption, /exponent/);
 });
 
+test("the marks of seven configurations all show where they are filled", () => {
+  const series = { name: "step per contact", unit: "s", x_name: "contacts", x_unit: "1" };
+  const curves = [1, 2, 3, 4, 5, 6, 7].map((k) => ({
+    label: "",
+    configuration: `way ${k}`,
+    series: { ...series, x: [100, 1000], y: [k, k] },
+  }));
+  const { spec } = parameter_plot(curves);
+  const layer = spec.layer.find(({ mark }) => mark.type === "point" && mark.filled);
+  const shapes = layer.encoding.shape.scale.range;
+  assert.equal(new Set(shapes).size, 7);
+  // Vega's "stroke" is a line: filled, it covers nothing.
+  assert.ok(!shapes.includes("stroke"), shapes.join(" "));
+  const bar = shapes.find((shape) => shape.startsWith("M"));
+  assert.match(bar, /^M-1.2,-0.25H1.2V0.25H-1.2Z$/);
+});
+
 test("the tolerance of a check is drawn in the plot of what it judges", () => {
   const series = {
     ...{ name: "creep", unit: "m/s", x_name: "time", x_unit: "s" },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A configuration's mark, in the colour and shape that it has in every plot.
 import { configuration_styles } from "../../plots/configuration_style.js";
+import { BAR } from "../../plots/palette.js";
 import { svg } from "../dom.js";
 
 // As Vega draws these shapes, in a square from −1 to 1.
@@ -11,7 +12,7 @@ export const SHAPES = {
   diamond: "M0,-1.2L0.9,0L0,1.2L-0.9,0Z",
   cross: "M-0.35,-1H0.35V-0.35H1V0.35H0.35V1H-0.35V0.35H-1V-0.35H-0.35Z",
   "triangle-down": "M0,0.9L1,-0.8H-1Z",
-  stroke: "M-1.2,-0.25H1.2V0.25H-1.2Z",
+  [BAR]: BAR,
 };
 
 export function style_mark(name, size = 11) {
