@@ -338,9 +338,24 @@ says "FAILS: all that is timed is at rest" "now, 3 workloads that are not at res
 solver 40 true 2 && build
 holds 1 "registers that leave another state fail" sizes --against before
 says "FAILS: the width of registers and threads inside a step don't change a bit: registers of 4, 3 workloads"
+solver 40 true 1 && build
+STICTION_TEST_NEVER=wall "$build/track" sizes --against before --out "$work/ended" >"$work/out" 2>"$work/err" &
+track=$!
+for _ in {1..100}; do
+  [ "$(cat "$work"/ended/*/records.jsonl 2>/dev/null | wc -l)" -ge 7 ] && break
+  sleep 0.1
+done
+kill -TERM $track
+wait $track
+code=$? last="ended in the middle"
+[ $code -eq 143 ] || failed "$last" "exit code $code"
+grep -qF "interrupted; 7 finished records are in $work/ended/" "$work/err" || failed "$last" "it keeps nothing"
+printf 'ok    %s\n' "$last"
 solver 40 '?' 1 && build
 refuses "a yardstick that answers nonsense" "its yardstick answers '{" sizes --against before
 refuses "no such workload" "no workload of this name" sizes --against before --benchmark nonsense
+refuses "an unknown revision" "git knows no revision" sizes --against nonsense --out "$work/none"
+[ ! -e "$work/none" ] || failed "$last" "it left an empty run"
 refuses "sizes of nothing" "compared with --against REF" sizes
 holds 2 "no threads" sizes --against before --threads 0
 printf 'project(stiction CXX)\n' >CMakeLists.txt && commit "without workloads" && git tag without

@@ -13,7 +13,9 @@
 #include "benchmarks/track/measure/google_json.h"
 #include "benchmarks/track/measure/work_lock.h"
 #include "benchmarks/track/sizes/sizes_output.h"
+#include "benchmarks/track/store/scratch.h"
 #include "benchmarks/track/store/trend_records.h"
+#include "reference/process/interruption.h"
 #include "reports/record/environment.h"
 #include "reports/record/record_store.h"
 #include "reports/record/whole_file.h"
@@ -228,11 +230,12 @@ int track_sizes(const Arguments& arguments) {
   const Project project = project_of(arguments);
   const Tree now = present_tree(project, {"yardstick"});
   const WorkLock lock(project.work);
-  RecordStore store = RecordStore::create(arguments.out.empty() ? "sizes-report" : arguments.out);
   const Tree before = build_tree(project, arguments.against, {"present_yardstick"});
   const std::vector<Way> ways = ways_of(before, now, arguments.threads);
   const std::vector<Workload> workloads =
       workloads_of(now, arguments.scope.benchmarks, arguments.full);
+  RecordStore store = RecordStore::create(arguments.out.empty() ? "sizes-report" : arguments.out);
+  const reference::LastWords words([&store] { return store.last_words(); }, Scratch::remove_all);
   std::vector<SizeResult> results, of_family;
   ProgressLine progress(workloads.size());
   bool holds = true;

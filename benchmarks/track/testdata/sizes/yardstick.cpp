@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stands for the yardstick in track's own tests: the same interface; times, rest and state are those of the
 // revision that it is built with.
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -24,6 +26,8 @@ int main(int argc, char** argv) {
   char line[100];
   while (std::fgets(line, sizeof line, stdin) != nullptr) {
     if (std::strcmp(line, "settle\n") == 0) {
+      const char* const never = std::getenv("STICTION_TEST_NEVER");  // a family that never settles
+      while (never != nullptr && std::strcmp(argv[1], never) == 0) pause();
       std::printf("{\"contacts\":%g,\"at_rest\":%s,\"error\":0.01}\n", contacts, kAtRest);
     } else if (std::strcmp(line, "steps\n") == 0) {
       if (std::FILE* const told = calls == nullptr ? nullptr : std::fopen(calls, "a")) {
