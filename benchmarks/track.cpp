@@ -215,18 +215,31 @@ void define_sizes(CLI::App& app, Arguments& arguments,
       .add_option("--out", arguments.out,
                   "Where the records and their page go; without it sizes-report")
       ->type_name("DIR");
-  help_of(sizes, "--against REF [--benchmark GLOB] [OPTIONS]",
-          "Has steps that go on taken in turn by another revision, by the present one, by that in "
-          "narrower "
-          "registers and on more threads, for all sizes of bench's workloads; "
-          "tells what whole steps and their phases cost, beside what the machine's bandwidth and "
-          "arithmetic allow. Both are measured by the present tree's yardstick "
-          "(benchmarks/yardstick/), "
-          "whatever the other's bench timed. The history is left as it is.",
-          {{"./stiction track sizes --against HEAD~20", "all default sizes, ten minutes or more"},
-           {"./stiction track sizes --against main --benchmark 'step/slab/*'", "one family"},
-           {"./stiction track sizes --against main --benchmark '*/contacts:1000000' --full",
-            "a million contacts"}});
+  set_help(
+      sizes,
+      {.name = "stiction-track-sizes",
+       .summary = sizes.get_description(),
+       .synopsis = {"./stiction track sizes --against REF [--benchmark GLOB] [OPTIONS]"},
+       .description =
+           "Has steps that go on taken in turn by another revision, by the present one, by that "
+           "in narrower registers and on more threads, for all sizes of bench's workloads; "
+           "tells what whole steps and their phases cost, beside what the machine's bandwidth "
+           "and arithmetic allow. Scenes and clock are the present tree's "
+           "(benchmarks/yardstick/), whatever the other's bench timed. It decides nothing, and "
+           "leaves the history as it is.",
+       .exit_codes = {{"0", "all was at rest, and registers and threads left the same states"},
+                      {"1", "something was not, or they did not"},
+                      {"2", "could not measure: bad input, a revision that cannot be built"}},
+       .files = {{"sizes-report/latest/records.jsonl", "the records, one a family and way"},
+                 {"sizes-report/latest/report.html", "their page: cost over contacts"},
+                 {"build/track/REVISION/", "other revisions and their builds"}},
+       .examples = {{"./stiction track sizes --against HEAD~20", "all default sizes, half an hour"},
+                    {"./stiction track sizes --against main --benchmark 'step/slab/*'",
+                     "one family"},
+                    {"./stiction track sizes --against main --full --benchmark "
+                     "'*/contacts:1000000'",
+                     "a million contacts"}},
+       .see_also = {"./stiction help track", "benchmarks/TRACKING.md (what is measured)"}});
 }
 
 std::string last_words() {

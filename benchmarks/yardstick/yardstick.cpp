@@ -11,8 +11,6 @@
 //     limits   {"bandwidth":…,"arithmetic":…}                        s a step, what the machine allows
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <exception>
