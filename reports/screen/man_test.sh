@@ -34,7 +34,7 @@ has "$man"/stiction-engine{,-check,-list,-show}.1 validation/engine_main.cpp
 has "$man"/stiction-{validate,sweep,compare-engines,engine-check}.1 validation/core/engine_options.h
 has "$man"/stiction-sweep.1 validation/sweep.cpp
 has "$man/stiction-bench.1" benchmarks/bench/bench.cpp
-has "$man"/stiction-track{,-record,-history,-compare,-import,-export,-bisect}.1 benchmarks/track.cpp
+has "$man"/stiction-track*.1 benchmarks/track.cpp
 has "$man/stiction-readme.1" reports/readme.cpp
 
 for page in "$man"/*.1; do
