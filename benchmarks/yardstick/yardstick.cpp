@@ -12,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -21,6 +20,7 @@
 #include "benchmarks/workloads/workload.h"
 #include "solver/hash.h"
 #include "solver/step.h"
+#include "validation/engine/cpu_time.h"
 #if __has_include("solver/parallel/team.h")
 #include "solver/parallel/team.h"
 #else
@@ -43,12 +43,6 @@ namespace stiction::bench {
 namespace {
 
 constexpr int kSteps = 32;
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -89,9 +83,9 @@ class Yardstick {
   std::string steps() {
     demand_settled();
     begin();
-    const double cpu = thread_seconds(), wall = wall_seconds();
+    const double cpu = thread_cpu_seconds(), wall = wall_seconds();
     go_on();
-    const double cpu_step = (thread_seconds() - cpu) / kSteps;
+    const double cpu_step = (thread_cpu_seconds() - cpu) / kSteps;
     const double wall_step = (wall_seconds() - wall) / kSteps;
     // Once more with clocks between phases, which whole steps are not to pay for.
     begin();

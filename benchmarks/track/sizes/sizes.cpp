@@ -44,12 +44,6 @@ bool wanted(const Workload& workload, const std::vector<std::string>& globs) {
 
 }  // namespace
 
-const StepTimes* SizeResult::of(const std::string& way) const {
-  const auto at =
-      std::find_if(ways.begin(), ways.end(), [&](const Way& one) { return one.name == way; });
-  return at == ways.end() ? nullptr : &times[static_cast<std::size_t>(at - ways.begin())];
-}
-
 double step_nanoseconds(const StepTimes& times) { return per_contact(times.cpu, times); }
 
 double wall_nanoseconds(const StepTimes& times) { return per_contact(times.wall, times); }

@@ -30,8 +30,8 @@ struct SizeResult {
   std::vector<StepTimes> times;  ///< as many
   Yardstick::Limits limits;      ///< of the second
 
-  /// Null where it was not measured in that way.
-  const StepTimes* of(const std::string& way) const;
+  const StepTimes& before() const { return times[0]; }
+  const StepTimes& now() const { return times[1]; }
 };
 
 /// ns per contact and step of one way: medians over the turns.

@@ -14,9 +14,6 @@ namespace stiction::track {
 
 namespace {
 
-constexpr const char* kBefore = "before";
-constexpr const char* kNow = "now";
-
 // Phases that are told as one.
 struct Part {
   const char* name;
@@ -47,39 +44,45 @@ const std::vector<Limit>& limits() {
   return all;
 }
 
+// ns a contact.
+double nanoseconds(const Limit& limit, const SizeResult& result) {
+  return 1e9 * result.limits.*limit.seconds / result.now().settled.contacts;
+}
+
+reference::Quartiles now_over_before(const SizeResult& result) {
+  return ratio(result.now(), result.before());
+}
+
 bool is_of_one_thread(const Way& way) { return way.threads == 1; }
 
 // How much faster threads are than one.
-double gain(const SizeResult& result, const Way& way) {
-  return ratio(*result.of(kNow), *result.of(way.name), true).median;
+double gain(const SizeResult& result, std::size_t way) {
+  return ratio(result.now(), result.times[way], true).median;
 }
 
 // Of two threads and more by the clock on the wall, which is what they save.
-double step_of(const StepTimes& times, const Way& way) {
-  return is_of_one_thread(way) ? step_nanoseconds(times) : wall_nanoseconds(times);
+double step_of(const SizeResult& result, std::size_t way) {
+  const StepTimes& times = result.times[way];
+  return is_of_one_thread(result.ways[way]) ? step_nanoseconds(times) : wall_nanoseconds(times);
 }
 
-// Over the contacts of each size, s a contact.
+// Over the contacts of each size.
+template <class Value>
+Series series_of(const std::string& name, const std::string& unit,
+                 const std::vector<SizeResult>& results, const Value& value) {
+  Series series{name, unit, "contacts", "1", {}, {}};
+  for (const SizeResult& one : results) {
+    series.x.push_back(one.now().settled.contacts);
+    series.y.push_back(value(one));
+  }
+  return series;
+}
+
 template <class Nanoseconds>
-Series series_of(const std::string& name, const std::vector<SizeResult>& results,
-                 const Nanoseconds& nanoseconds) {
-  Series series{name + " per contact", "s", "contacts", "1", {}, {}};
-  for (const SizeResult& one : results) {
-    series.x.push_back(one.of(kNow)->settled.contacts);
-    series.y.push_back(1e-9 * nanoseconds(one));
-  }
-  return series;
-}
-
-template <class Ratio>
-Series dimensionless(const std::string& name, const std::vector<SizeResult>& results,
-                     const Ratio& ratio_of) {
-  Series series{name, "1", "contacts", "1", {}, {}};
-  for (const SizeResult& one : results) {
-    series.x.push_back(one.of(kNow)->settled.contacts);
-    series.y.push_back(ratio_of(one));
-  }
-  return series;
+Series cost_of(const std::string& name, const std::vector<SizeResult>& results,
+               const Nanoseconds& nanoseconds_of) {
+  return series_of(name + " per contact", "s", results,
+                   [&](const SizeResult& one) { return 1e-9 * nanoseconds_of(one); });
 }
 
 // A claim that none of something is found.
@@ -99,7 +102,7 @@ std::vector<Judgement> checks_of(std::size_t way, const std::vector<SizeResult>&
       ++restless;
       worst_rest = result.workload.name();
     }
-    if (!same_state(result.times[way], *result.of(kNow))) {
+    if (!same_state(result.times[way], result.now())) {
       ++other_states;
       worst_state = result.workload.name();
     }
@@ -134,32 +137,31 @@ std::vector<Told> told(const std::vector<Way>& ways) {
   std::vector<Told> lines = {
       {"whole step",
        [](const SizeResult& one) {
-         return change_text(step_nanoseconds(*one.of(kBefore)), step_nanoseconds(*one.of(kNow)));
+         return change_text(step_nanoseconds(one.before()), step_nanoseconds(one.now()));
        }},
-      {"… now ÷ before", [](const SizeResult& one) {
-         return fmt::format("{:.2f}", ratio(*one.of(kNow), *one.of(kBefore)).median);
-       }}};
+      {"… now ÷ before",
+       [](const SizeResult& one) { return fmt::format("{:.2f}", now_over_before(one).median); }}};
   for (const Part& part : parts()) {
     lines.emplace_back(part.name, [&part](const SizeResult& one) {
-      return change_text(phase_nanoseconds(*one.of(kBefore), part.phases),
-                         phase_nanoseconds(*one.of(kNow), part.phases));
+      return change_text(phase_nanoseconds(one.before(), part.phases),
+                         phase_nanoseconds(one.now(), part.phases));
     });
   }
   for (std::size_t k = 2; k < ways.size(); ++k) {
     const Way& way = ways[k];
     if (is_of_one_thread(way)) {
-      lines.emplace_back("step, " + way.name, [way](const SizeResult& one) {
-        return format_nanoseconds(step_of(*one.of(way.name), way));
+      lines.emplace_back("step, " + way.name, [k](const SizeResult& one) {
+        return format_nanoseconds(step_of(one, k));
       });
     } else {
-      lines.emplace_back(way.name + ", × faster", [way](const SizeResult& one) {
-        return fmt::format("{:.2f}", gain(one, way));
+      lines.emplace_back(way.name + ", × faster", [k](const SizeResult& one) {
+        return fmt::format("{:.2f}", gain(one, k));
       });
     }
   }
   for (const Limit& limit : limits()) {
     lines.emplace_back(limit.name, [&limit](const SizeResult& one) {
-      return format_nanoseconds(1e9 * one.limits.*limit.seconds / one.of(kNow)->settled.contacts);
+      return format_nanoseconds(nanoseconds(limit, one));
     });
   }
   return lines;
@@ -195,7 +197,7 @@ Cells table_of(const std::vector<SizeResult>& results) {
 // Whether both revisions leave the same state to the bit, as they do unless a change was meant.
 std::string states_text(const std::vector<SizeResult>& results) {
   const auto same = std::count_if(results.begin(), results.end(), [](const SizeResult& result) {
-    return same_state(*result.of(kBefore), *result.of(kNow));
+    return same_state(result.before(), result.now());
   });
   return fmt::format("Both leave the same state, to the bit, of {} of {} workloads.", same,
                      results.size());
@@ -206,7 +208,7 @@ std::string spread_text(const std::vector<SizeResult>& results) {
   double most = 0.0;
   std::string of;
   for (const SizeResult& result : results) {
-    const reference::Quartiles it = ratio(*result.of(kNow), *result.of(kBefore));
+    const reference::Quartiles it = now_over_before(result);
     const double spread = (it.upper - it.lower) / it.median;
     if (spread >= most) of = result.workload.name();
     most = std::max(most, spread);
@@ -217,28 +219,29 @@ std::string spread_text(const std::vector<SizeResult>& results) {
 
 void add_phases(std::size_t way, const std::vector<SizeResult>& results, Record& record) {
   for (const Part& part : parts()) {
-    record.series.push_back(series_of(part.name, results, [&](const SizeResult& one) {
+    record.series.push_back(cost_of(part.name, results, [&](const SizeResult& one) {
       return phase_nanoseconds(one.times[way], part.phases);
     }));
   }
 }
 
 void add_ratios(const std::vector<SizeResult>& results, Record& record) {
-  const auto of_it = [](const SizeResult& one) { return ratio(*one.of(kNow), *one.of(kBefore)); };
-  record.series.push_back(dimensionless("whole step, now ÷ before", results,
-                                        [&](const SizeResult& one) { return of_it(one).median; }));
+  record.series.push_back(
+      series_of("whole step, now ÷ before", "1", results,
+                [](const SizeResult& one) { return now_over_before(one).median; }));
   for (const SizeResult& one : results) {
+    const reference::Quartiles it = now_over_before(one);
     record.notes.push_back(
         fmt::format("{} contacts: {:.3f} of what it took, half of the turns {:.3f} to {:.3f}",
-                    spaced_count(static_cast<std::uint64_t>(one.workload.contacts)),
-                    of_it(one).median, of_it(one).lower, of_it(one).upper));
+                    spaced_count(static_cast<std::uint64_t>(one.workload.contacts)), it.median,
+                    it.lower, it.upper));
   }
 }
 
 std::string range_text(const std::vector<SizeResult>& results) {
   std::vector<double> all;
   for (const SizeResult& result : results) {
-    all.push_back(ratio(*result.of(kNow), *result.of(kBefore)).median);
+    all.push_back(now_over_before(result).median);
   }
   const auto [least, most] = std::minmax_element(all.begin(), all.end());
   const std::string low = fmt::format("{:.2f}", *least), high = fmt::format("{:.2f}", *most);
@@ -260,15 +263,13 @@ std::vector<Record> family_records(const std::vector<SizeResult>& results, const
   for (std::size_t k = 0; k < ways.size(); ++k) {
     Record& record = records.emplace_back(blank);
     record.configuration = ways[k].name;
-    record.series.push_back(series_of("whole step", results, [&](const SizeResult& one) {
-      return step_of(one.times[k], ways[k]);
-    }));
+    record.series.push_back(
+        cost_of("whole step", results, [&](const SizeResult& one) { return step_of(one, k); }));
     if (k < 2) add_phases(k, results, record);
     if (k == 1) add_ratios(results, record);
     if (!is_of_one_thread(ways[k])) {
-      record.series.push_back(
-          dimensionless("times as fast as one thread", results,
-                        [&](const SizeResult& one) { return gain(one, ways[k]); }));
+      record.series.push_back(series_of("times as fast as one thread", "1", results,
+                                        [&](const SizeResult& one) { return gain(one, k); }));
     }
     record.checks = checks_of(k, results);
     record.verdict = verdict_of(record);
@@ -277,9 +278,8 @@ std::vector<Record> family_records(const std::vector<SizeResult>& results, const
   for (const Limit& limit : limits()) {
     Record& record = records.emplace_back(blank);
     record.configuration = limit.name;
-    record.series.push_back(series_of("whole step", results, [&](const SizeResult& one) {
-      return 1e9 * one.limits.*limit.seconds / one.of(kNow)->settled.contacts;
-    }));
+    record.series.push_back(cost_of(
+        "whole step", results, [&](const SizeResult& one) { return nanoseconds(limit, one); }));
     record.verdict = Verdict::kForInformation;
   }
   return records;

@@ -10,23 +10,29 @@ const quoted = (word) => `'${word.replace(/'/g, `'\\''`)}'`;
 const pattern = (name) => name.replace(/[[\]*?\\]/g, "?");
 
 // What other programs than validate run again, by the first part of a case's name; with all configurations.
-const OTHERS = {
-  sweep: () => "./stiction sweep STUDY.toml", // which, no record tells
-  bench: (rest) => {
-    const [family, size = ""] = rest.replace("contacts=", "contacts:").split("/");
-    const which = size.startsWith("contacts:") ? `${size}$` : "";
-    const one = family !== "features" && ` --benchmark_filter=${quoted(`/${family}/${which}`)}`;
-    return `./stiction bench${one || ""}`;
-  },
-  sizes: (family, { settings: { before = "REF" } }) =>
-    `./stiction track sizes --against ${quoted(before)} --benchmark ${quoted(`step/${family}/*`)}`,
-  trend: (subject) => `./stiction track history --metric ${quoted(`${pattern(subject)}#*`)}`,
-};
+const OTHERS = new Map([
+  ["sweep", () => "./stiction sweep STUDY.toml"], // which, no record tells
+  [
+    "bench",
+    (rest) => {
+      if (rest === "features") return "./stiction bench";
+      const [family, size = ""] = rest.replace("contacts=", "contacts:").split("/");
+      const which = size.startsWith("contacts:") ? `${size}$` : "";
+      return `./stiction bench --benchmark_filter=${quoted(`/${family}/${which}`)}`;
+    },
+  ],
+  [
+    "sizes",
+    (family, { settings: { before = "REF" } }) =>
+      `./stiction track sizes --against ${quoted(before)} --benchmark ${quoted(`step/${family}/*`)}`,
+  ],
+  ["trend", (subject) => `./stiction track history --metric ${quoted(`${pattern(subject)}#*`)}`],
+]);
 
 // The command of another program; "" where it is one of validate's cases.
 function other_command(record) {
   const [, first, rest] = record.case.match(/^([^/]*)\/(.*)$/) ?? [];
-  return OTHERS[first]?.(rest, record) ?? "";
+  return OTHERS.get(first)?.(rest, record) ?? "";
 }
 
 // As rerun_command() in reports/text/configuration_text.h; `more`: what stands behind the case.

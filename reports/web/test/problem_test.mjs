@@ -269,6 +269,10 @@ test("commands that run a case again can be pasted into a shell", () => {
     assert.equal(case_command(other), `./stiction ${command}`);
     assert.equal(record_command(other), "");
   }
+  assert.equal(
+    case_command({ ...record(), case: "constructor/x" }),
+    "./stiction validate --case 'constructor/x'",
+  );
   assert.equal(record_command(record()), "");
   assert.equal(
     record_command({ ...record(), configuration: "paper, secant", differs: { kappa: "0.7" } }),
