@@ -106,7 +106,7 @@ class ContactOrder {
   Sequence sequence() const {
     Sequence sequence;
     sequence.contact_ = contact_.data();
-    sequence.asks_until_ = contact_.size() < kMany ? 0 : contact_.size() - kAskedAhead;
+    sequence.asks_until_ = asks_until(contact_.size());
     return sequence;
   }
 

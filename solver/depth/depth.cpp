@@ -82,6 +82,7 @@ struct Found {
   std::vector<Unlisted> unlisted;
 
   void note_depth(const Topology& topology, const PairContact& contact) {
+    if (contact.depth <= kPassed * topology.thinnest) return;  // as nearly all
     Found one;
     note_too_deep(topology, contact.vertex, contact.other, contact.depth, one.too_deep);
     if (one.too_deep.depth > 0.0) add(one);
@@ -114,9 +115,8 @@ class Measure {
 
   const OpenLimits& limits() const { return limits_; }
 
-  // For what contacts after the c-th will read, of what lies far apart.
+  // For what contacts after the c-th will read, of what lies far apart; as long as c is below `asks_until`.
   void ask_ahead(const PairContacts& pairs, std::size_t c) const {
-    if (c + kAskedAhead >= pairs.size()) return;
     const auto& triangles = scene_.topology.triangle;
     const auto at = [](std::int32_t k) { return static_cast<std::size_t>(k); };
     const std::int32_t far = pairs.site(c + kAskedAhead).triangle;
@@ -229,13 +229,14 @@ class RangesOfDepths {
     PairContacts& pairs = workspace_.pairs;
     std::vector<PairSearch::Group>& groups = workspace_.search.group;
     const bool lists = workspace_.team == nullptr;
+    const std::size_t asked = asks_until(pairs.size());
     if (begin == end) return;
     // Contacts and groups are both in the order of their keys.
     auto group = first_group(groups, pairs[begin].key());
     for (std::size_t c = begin; c < end; ++c) {
       PairContact& contact = pairs[c];
       PairSite& site = pairs.site(c);
-      measure_.ask_ahead(pairs, c);
+      if (c < asked) measure_.ask_ahead(pairs, c);
       while (group != groups.end() && group->key < contact.key()) ++group;
       const bool known = group != groups.end() && group->key == contact.key();
       if (known && !lists && is_to_list(scene_.topology, site.element, *group)) {
@@ -258,15 +259,11 @@ class RangesOfDepths {
     const bool stays = stays_on_face(scene_.topology, options_, search, site, group);
     if (!stays && !may_stay_on_face(site, group)) return false;
     if (stays) {
-      batch_.stays |= 1U << batch_.count;
       if (site.triangle != group.stays_on) site.triangle = group.stays_on;
     } else {  // it will be asked whether others are as near
       ask_for(&search.reference[static_cast<std::size_t>(contact.vertex)]);
     }
-    batch_.contact[batch_.count] = &contact;
-    batch_.site[batch_.count] = &site;
-    batch_.group[batch_.count] = &group;
-    ++batch_.count;
+    batch_.add(scene_.topology, contact, site, group, stays);
     return true;
   }
 
@@ -294,13 +291,12 @@ class RangesOfDepths {
       }
       if (options_.face == PairFace::kOpposed) found_.note_depth(scene_.topology, contact);
       if (contact.inverse_mass == 0.0) found_.immovable = true;
-      if ((batch_.compared >> k & 1U) != 0) {
+      if ((batch_.to_note() >> k & 1U) != 0) {
         note_staying(scene_.topology, options_, workspace_.search, *batch_.site[k],
                      *batch_.group[k]);
       }
     }
-    batch_.count = 0;
-    batch_.stays = batch_.compared = 0;
+    batch_.clear();
   }
 
   const Measure& measure_;

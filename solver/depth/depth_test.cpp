@@ -166,6 +166,7 @@ TEST(Topology, TheLeastWidthOfAKuhnCubeIsThatBetweenItsSkewEdges) {
   // Of a cell of edge c the edges (0, 0, 0)–(c, c, 0) and (c, 0, 0)–(c, c, c) are c/√3 apart.
   EXPECT_NEAR(scene.topology.least_width[0], std::sqrt(1.0 / 3.0) / 3.0, 1e-15);
   EXPECT_NEAR(scene.topology.least_width[1], std::sqrt(1.0 / 3.0) / 2.0, 1e-15);
+  EXPECT_EQ(scene.topology.thinnest, scene.topology.least_width[0]);
 }
 
 // A state that diverges is told of by its engine, some steps later. What is read for a triangle of

@@ -2,6 +2,7 @@
 #include "solver/depth/same_face.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 
@@ -70,18 +71,14 @@ class Measured {
   STICTION_LANES_INLINE unsigned left() {
     const Number gap(step_.limits.gap), border2(step_.limits.border * step_.limits.border);
     const Number off_plane2 = nearest_.distance2 - height_ * height_;
-    unsigned on_itself = 0, open = 0;
-    Real least_width[kCount];
-    for (int lane = 0; lane < kCount; ++lane) {
-      const PairContact& contact = *batch_.contact[lane];
-      least_width[lane] = topology().least_width[static_cast<std::size_t>(contact.other)];
-      open |= unsigned{batch_.site[lane]->open} << lane;
-      on_itself |= unsigned{is_on_itself(contact, *batch_.site[lane])} << lane;
+    unsigned on_itself = 0;
+    for (unsigned own = batch_.own; own != 0; own &= own - 1) {
+      const int lane = std::countr_zero(own);
+      on_itself |= unsigned{is_on_itself(*batch_.contact[lane], *batch_.site[lane])} << lane;
     }
-    open_ = Mask::of(open);
-    const Number deepest = Number(kSqueezed) * Number::load(least_width);
+    open_ = Mask::of(batch_.open);
     // A number, and one that is not too deep to be sure.
-    const Mask near = (nearest_.distance2 < deepest * deepest) & (height_ <= height_);
+    const Mask near = is_shallow() & (height_ <= height_);
     const Mask kept = open_ & (height_ < gap) & (off_plane2 <= border2);
     const Mask sure = near & (kept | (nearest_.inside & (~open_ | (height_ < gap))));
     unsigned left = (on_itself | ~sure.bits()) & all_of_batch();
@@ -137,6 +134,19 @@ class Measured {
   }
 
  private:
+  // Those less deep in a body than half an element.
+  STICTION_LANES_INLINE Mask is_shallow() const {
+    const Real least = kSqueezed * topology().thinnest;
+    const Mask in_any = nearest_.distance2 < Number(least * least);
+    if (all(in_any)) return in_any;
+    Real width[kCount];
+    for (int lane = 0; lane < kCount; ++lane) {
+      width[lane] = topology().least_width[static_cast<std::size_t>(batch_.contact[lane]->other)];
+    }
+    const Number deepest = Number(kSqueezed) * Number::load(width);
+    return nearest_.distance2 < deepest * deepest;
+  }
+
   // Another triangle that may be as near to the vertex of a lane as its own.
   struct Other {
     int lane;
@@ -325,9 +335,11 @@ STICTION_LANES_INLINE unsigned measure(const Step& step, FaceBatch& batch) {
 unsigned measure_on_same_face(const Scene& scene, const PairOptions& options, const State& state,
                               const Workspace& workspace, const OpenLimits& limits, int width,
                               FaceBatch& batch) {
-  std::fill(batch.contact + batch.count, batch.contact + kMostLanes, batch.contact[0]);
-  std::fill(batch.site + batch.count, batch.site + kMostLanes, batch.site[0]);
-  std::fill(batch.group + batch.count, batch.group + kMostLanes, batch.group[0]);
+  for (int lane = batch.count; lane < lanes_of(width); ++lane) {
+    batch.contact[lane] = batch.contact[0];
+    batch.site[lane] = batch.site[0];
+    batch.group[lane] = batch.group[0];
+  }
   const Step step{scene, options, state, workspace, limits};
   unsigned left = 0;
   in_lanes(

@@ -18,8 +18,30 @@ struct FaceBatch {
   PairContact* contact[kMostLanes];
   PairSite* site[kMostLanes];            ///< of the contact
   PairSearch::Group* group[kMostLanes];  ///< of the contact's key
-  unsigned stays = 0;                    ///< those whose triangle is known, a bit each
-  unsigned compared = 0;                 ///< those that others were compared for, once measured
+  // A bit each:
+  unsigned stays = 0;     ///< whose triangle is known
+  unsigned open = 0;      ///< whose site is open
+  unsigned own = 0;       ///< of a vertex in its own body
+  unsigned compared = 0;  ///< that others were compared for, once measured
+
+  void add(const Topology& topology, PairContact& of, PairSite& at, PairSearch::Group& with,
+           bool its_triangle_is_known) {
+    contact[count] = &of;
+    site[count] = &at;
+    group[count] = &with;
+    const std::int32_t body = topology.vertex_body[static_cast<std::size_t>(of.vertex)];
+    stays |= unsigned{its_triangle_is_known} << count;
+    open |= unsigned{at.open} << count;
+    own |= unsigned{body == of.other} << count;
+    ++count;
+  }
+  /// Of which it is to be noted for how long they have stayed: those that were asked in this step, be it that no
+  /// other was near enough to compare.
+  unsigned to_note() const { return compared | ~stays; }
+  void clear() {
+    count = 0;
+    stays = open = own = compared = 0;
+  }
 };
 
 /// Whether it is known which triangle `choose_face` chooses, of those near the contact's element: that
@@ -28,7 +50,7 @@ inline bool stays_on_face(const Topology& topology, const PairOptions& options,
                           const PairSearch& search, const PairSite& site,
                           const PairSearch::Group& group) {
   const bool looks_back = options.face == PairFace::kOpposed || options.tie_margin > 0.0;
-  return group.stays_on >= 0 && group.near_element == site.element &&
+  return group.stays_until > 0.0 && group.stays_on >= 0 && group.near_element == site.element &&
          (site.triangle == group.stays_on || (site.triangle < 0 && !looks_back)) &&
          paths(topology, search, group.key) < group.stays_until;
 }

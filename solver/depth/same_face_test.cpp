@@ -90,7 +90,7 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
             << "width " << width;
       }
       asked += static_cast<std::size_t>(batch.count);
-      batch.count = 0;
+      batch.clear();
     };
     // Batches of all sizes, the last one of a few too.
     std::size_t most = 1;
@@ -98,10 +98,8 @@ TEST_P(SameFace, HasTheSameBitsAtEachWidth) {
       PairSearch::Group* const group = test::group_of(sliding.workspace.search, contact.key());
       PairSite& site = pairs.site_of(contact);
       if (group == nullptr || !may_stay_on_face(site, *group)) continue;
-      batch.contact[batch.count] = &contact;
-      batch.site[batch.count] = &site;
-      batch.group[batch.count] = group;
-      if (static_cast<std::size_t>(++batch.count) < most) continue;
+      batch.add(sliding.scene.topology, contact, site, *group, false);
+      if (static_cast<std::size_t>(batch.count) < most) continue;
       measure();
       most = most % static_cast<std::size_t>(lanes_of(width)) + 1;
     }
@@ -126,10 +124,7 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
     Vec3& point = search.predicted[static_cast<std::size_t>(contact.vertex)];
     const Vec3 was = point;
     FaceBatch batch;
-    batch.count = 1;
-    batch.contact[0] = &contact;
-    batch.site[0] = &site;
-    batch.group[0] = group;
+    batch.add(sliding.scene.topology, contact, site, *group, false);
     for (const Vec3& elsewhere : {Vec3(was + Vec3(0.2, 0.0, 0.0)), Vec3(was - Vec3(0, 0, 0.09)),
                                   Vec3(test::kNaN, 0.0, 0.0)}) {
       point = elsewhere;
@@ -143,6 +138,26 @@ TEST(FaceBatch, LeavesContactsThatHaveComeToAnotherFaceOrAreNoNumbers) {
     point = was;
   }
   EXPECT_GT(tried, 20u);
+}
+
+// Most have no other triangle near enough to compare, and are not to be asked about it in each step.
+TEST(FaceBatch, OfBodiesThatStandStillKnowsItsFaces) {
+  Sliding still(PairWeights::kTetrahedron, true);
+  PairContacts& pairs = still.workspace.pairs;
+  for (int k = 0; k <= kStepsToAsk; ++k) {
+    depths(still.scene, still.options, still.state, still.workspace);
+    remember_pairs(pairs, still.scene.topology, still.state.pair_geometry);
+    detect_pairs(still.scene, still.options, still.state, still.workspace);
+  }
+  std::size_t known = 0;
+  for (const PairContact& contact : pairs) {
+    const PairSearch::Group* const group = test::group_of(still.workspace.search, contact.key());
+    known +=
+        group != nullptr && stays_on_face(still.scene.topology, still.options.pairs,
+                                          still.workspace.search, pairs.site_of(contact), *group);
+  }
+  ASSERT_GT(pairs.size(), 50u);
+  EXPECT_GT(known, pairs.size() * 9 / 10);
 }
 
 // Two cubes, one flush on the other, of which every vertex is moved a little in each of a few steps: over corners
@@ -188,10 +203,7 @@ TEST(FaceBatch, OfFlushFacesHasTheBitsOfOneAtATime) {
         PairContact copy = contact;
         PairSite copied = site;
         FaceBatch batch;
-        batch.count = 1;
-        batch.contact[0] = &copy;
-        batch.site[0] = &copied;
-        batch.group[0] = group;
+        batch.add(scene.topology, copy, copied, *group, false);
         left += measure_on_same_face(scene, options.pairs, state, workspace, limits, lane_width(),
                                      batch) != 0;
         compared += batch.compared != 0;

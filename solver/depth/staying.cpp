@@ -151,8 +151,9 @@ Staying stays_within(const Topology& topology, const PairOptions& options, const
   return {least, -1};
 }
 
-void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                  const PairSite& site, PairSearch::Group& group) {
+void note_change_of_staying(const Topology& topology, const PairOptions& options,
+                            const PairSearch& search, const PairSite& site,
+                            PairSearch::Group& group) {
   const bool same = site.triangle == group.stays_on && group.near_element == site.element;
   const double path = paths(topology, search, group.key);
   // Known, but measured by itself: it is beside its face.

@@ -3,6 +3,7 @@
 
 #include "solver/contact/pair_options.h"
 #include "solver/depth/nearest_face.h"
+#include "solver/detection/lasting.h"
 
 namespace stiction {
 
@@ -26,9 +27,22 @@ struct Staying {
 Staying stays_within(const Topology& topology, const PairOptions& options, const PairSearch& search,
                      const PairSearch::Group& group, const PairSite& site);
 
+/// Asks for how long, where it is time to, and starts anew where it is on another triangle.
+void note_change_of_staying(const Topology& topology, const PairOptions& options,
+                            const PairSearch& search, const PairSite& site,
+                            PairSearch::Group& group);
+
 /// Keeps count of the steps in which a contact has stayed on its triangle, and after a few of them
 /// asks for how long it will.
-void note_staying(const Topology& topology, const PairOptions& options, const PairSearch& search,
-                  const PairSite& site, PairSearch::Group& group);
+inline void note_staying(const Topology& topology, const PairOptions& options,
+                         const PairSearch& search, const PairSite& site, PairSearch::Group& group) {
+  const bool same = site.triangle == group.stays_on && group.near_element == site.element;
+  // No answer holds, and none is due: as in most steps of bodies that move.
+  if (same && group.stays_until < 0.0 && group.stayed + 1 < kStepsToAsk) {
+    ++group.stayed;
+    return;
+  }
+  note_change_of_staying(topology, options, search, site, group);
+}
 
 }  // namespace stiction

@@ -152,6 +152,7 @@ Topology build_topology(const Scene& scene) {
       least = std::min(least, width(scene, scene.elements[static_cast<std::size_t>(e)]));
     }
     topology.least_width.push_back(least);
+    topology.thinnest = std::min(topology.thinnest, least);
   }
   topology.body_triangle_begin.push_back(static_cast<std::int32_t>(topology.triangle.size()));
   topology.body_edge_begin.push_back(static_cast<std::int32_t>(topology.sharp_edge.size()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "solver/mesh/mesh.h"
@@ -45,6 +46,7 @@ struct Topology {
   /// functions of any of an element's corners fall from 1 to 0 within no less. So from a point of
   /// an element e to a triangle that shares no corner with e it is at least as far.
   std::vector<Real> least_width;
+  Real thinnest = std::numeric_limits<Real>::infinity();  ///< the least of all bodies, m
 };
 
 struct Scene;
