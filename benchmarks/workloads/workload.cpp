@@ -13,9 +13,10 @@ namespace stiction::bench {
 
 namespace {
 
-// ωT of the time under drag, after which (1 + ωT) e^{−ωT} = 7e-3 of the bounce is left, and of the
-// free time behind it.
-constexpr double kDragPhase = 7.0;
+// ωT of the time under drag, after which (1 + ωT) e^{−ωT} = 1.2e-5 of the bounce is left, and of the
+// free time behind it. After half of it, 7e-3 left, what the search remembers is overtaken by what still swings: a
+// step of `flush` took 1.7 times as long as at rest, after half as much again 7 % less (CHANGELOG.md).
+constexpr double kDragPhase = 14.0;
 constexpr double kFreePhase = 0.5;
 
 // What trembles is seen in some steps and not in others: the worst of so many is what counts.
@@ -83,9 +84,10 @@ Judgement rest_check(const std::string& quantity, const std::string& statement,
              .source = "equilibrium",
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
-             .tolerance = 0.05,
-             .reason = "the drag leaves (1 + ωT) e^(−ωT) = 7e-3 of a bounce of one weight, ωT = 7; "
-                       "seven times that, for modes that are slower than the family's bounce"},
+             .tolerance = 7e-3,
+             .reason = "what the drag leaves of a bounce of one weight in half of its time, "
+                       "(1 + ωT) e^(−ωT), ωT = 7, for modes that are slower than the family's "
+                       "bounce; of that it leaves 1.2e-5"},
             worst.value);
   check.worst = worst.of;
   return check;
@@ -131,7 +133,7 @@ Workload settle(const WorkloadFamily& family, int contacts) {
   Workload work;
   work.family = family.name;
   work.size = contacts;
-  work.options.rule = kTimedRule;
+  work.options.rule = setup.rule;
   work.scene = std::make_shared<const Scene>(build_scene(setup.description));
   const Scene& scene = *work.scene;
   // Where nothing is elastic, any step will do.

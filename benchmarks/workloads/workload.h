@@ -14,12 +14,17 @@
 
 namespace stiction::bench {
 
+/// The friction rule of all workloads, one sweep of which is timed: how many sweeps a step takes
+/// depends on how much moves (`quiet` takes one at rest; `./stiction compare` times whole rules).
+inline constexpr const char* kTimedRule = "stored-vector";
+
 /// A scene of one size, and how it comes to rest.
 struct Setup {
   SceneDescription description;  ///< its drag is set by `settle`
   /// Angular frequency of the slowest bounce of bodies on each other, rad/s: a drag of twice this
   /// rate ends it soonest.
   double bounce = 0.0;
+  std::string rule = kTimedRule;  ///< of friction
 };
 
 /// Puts the bodies on a ground, the plane z = 0, with one friction for all that touches, under gravity.
@@ -38,10 +43,6 @@ struct WorkloadFamily {
 
 /// All families of the build, by name. Written by the build from benchmarks/workloads/.
 std::vector<WorkloadFamily> family_catalog();
-
-/// The friction rule of all workloads, one sweep of which is timed: how many sweeps a step takes
-/// depends on how much moves (`quiet` takes one at rest; `./stiction compare` times whole rules).
-inline constexpr const char* kTimedRule = "stored-vector";
 
 /// A scene at rest, ready to be timed, with the proof that it is.
 struct Workload {
