@@ -27,6 +27,21 @@ constexpr Cause kSlipsOn{
     "second, are out of balance by more than 1e-3 of the weight. With 362 vertices they balance",
     kScalarLeaves};
 
+// The pyramid that engines are compared with, of the same modulus for all that deform.
+constexpr Cause kSoftFacets{
+    "kSoftFacets",
+    "the bound is that of rigid, smooth balls. So soft ones need 0.2250: Hertz' patch brings their "
+    "centres nearer by 5 % of a radius (reference/limit, soft_four_ball_threshold). The other "
+    "0.0097 "
+    "are facets: balls of 642 vertices touch in a few, up to 0.043 rad off the line of centres, "
+    "which shifts it by up to 0.52 · 0.043 = 0.022, and roll from one to the next as they settle",
+    kFacetsRoll};
+constexpr Words kThreeSteps{
+    "kThreeSteps",
+    "steps of 1 and 0.9 give a critical μ of 0.23468 and 0.23467, those of 1, 0.95 and 0.9 a "
+    "sinking "
+    "of 1.39, 1.10 and 1.27 mm, of which three times the spread to the far side; 1 mm would hold"};
+
 constexpr Words kNoBalance{
     "kNoBalance", "no μ balances them: the limit analysis looks up to 10, and then says infinity"};
 
@@ -39,6 +54,8 @@ Expectations expectations_four_balls() {
       {"paper/fig7-four-balls/threshold/n=4", "method=paper", "stands at μ = 0.24", {0, 0}, kShortfall, kFewVertices, kCount},
       {"paper/fig7-four-balls/threshold/n=4", "method=quiet", "stands at μ = 0.24", {0, 0}, kShortfall, kFewVertices, kCount},
       {"paper/fig7-four-balls/threshold/n=5", "method=paper", "least μ of its contacts above 0.24", {9.7, kInfinity}, kShortfall, kSlipsOn, kNoBalance},
+      {"pile/four-balls/threshold", "method=quiet", "critical μ", {0.23, 0.24}, kShortfall, kSoftFacets, kThreeSteps},
+      {"pile/four-balls/mu=0.24", "method=quiet", "top ball's sinking at μ = 0.24", {0.001, 0.0023}, kShortfall, kSoftFacets, kThreeSteps},
   };
 }
 // clang-format on

@@ -31,7 +31,6 @@ inline constexpr const char* kFacetsRoll = "balls are polyhedra, and go edge to 
 inline constexpr const char* kUnboundedGain = "the paper's normal gain has no bound";
 inline constexpr const char* kTwiceSaid = "two contacts that say the same pass slip on";
 inline constexpr const char* kFreeTurn = "contacts at one point leave a couple";
-inline constexpr const char* kSwing = "only strain damps what swings";
 inline constexpr const char* kOutlastsShort = "elastic vibration outlasts the friction iteration";
 inline constexpr const char* kSwept = "the order of sweeps";
 inline constexpr const char* kRounds = "single precision rounds so";
