@@ -10,8 +10,8 @@ namespace stiction {
 /// more than halves the time of detection and depth.
 inline constexpr std::size_t kAskedAhead = 16;
 
-/// Up to which of so many contacts others are asked for: all that a step reads of few stays in a
-/// second-level cache, and to ask would only take instructions.
+/// Up to which of so many contacts others are asked for: all that a step reads of few, some 500
+/// bytes each, stays in a second-level cache, and to ask would only take instructions.
 constexpr std::size_t asks_until(std::size_t contacts) {
   constexpr std::size_t kFarApart = 1536;
   return contacts < kFarApart ? 0 : contacts - kAskedAhead;

@@ -21,7 +21,8 @@ void note_outrun(const Scene& scene, Real dt, const std::vector<Velocity>& veloc
     return search.travel[b].min().cwiseAbs().cwiseMax(search.travel[b].max().cwiseAbs()).norm();
   };
   for (std::size_t a = 0; a < count; ++a) {
-    if (!(2 * farthest(a) > scene.topology.thinnest)) continue;  // no partner is slower and outrun by it
+    // No partner is slower and outrun by it.
+    if (!(2 * farthest(a) > scene.topology.thinnest)) continue;
     for (std::size_t b = 0; b < count; ++b) {
       if (a == b || search.outrun.travel > 0.0) continue;
       const Vec3 ahead = search.travel[a].max() - search.travel[b].min();
