@@ -65,7 +65,7 @@ TEST(Workload, IsAsFarFromRestAsInTheWorstOfItsLastSteps) {
 }
 
 // A drag that ends before the slowest bounce has leaves balls that tremble, later than in the steps that
-// are watched: 0.04 of a weight after half of the drag's time, where the bounce was taken for half as fast again.
+// are watched: 3.2e-4 of a weight, where the bounce is taken for half as fast again.
 TEST(Pile, IsLeftNoMoreByTheDragThanTheBounceSays) {
   Workload work = settled("pile", 1000);
   go_on(work, 40);

@@ -121,7 +121,7 @@ void define(CLI::App& app, Arguments& arguments) {
                   "a line each benchmark, every exponent, every feature"},
                  {"bench-report/latest/records.jsonl", "the records behind them"},
                  {"bench-report/latest/report.html", "the page: cost over the number of contacts"}},
-       .examples = {{"./stiction bench", "everything, three minutes"},
+       .examples = {{"./stiction bench", "everything, five minutes"},
                     {"./stiction bench --benchmark_filter=friction/slab --verbose",
                      "friction alone, rule by rule, on one family"},
                     {"./stiction bench --threads 2 --benchmark_filter=^step/",

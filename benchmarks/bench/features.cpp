@@ -25,17 +25,22 @@ WorkloadFamily family_named(const std::string& name) {
                        [&](const WorkloadFamily& family) { return family.name == name; });
 }
 
-// The scene at rest, then a few steps with the options changed, so that they are warm too.
-Workload slab_with(
-    const std::function<void(Options&)>& change,
-    const std::function<void(Setup&)>& set_up = [](Setup&) {}) {
-  WorkloadFamily family = family_named("slab");
+// A scene at rest that is set up in another way.
+template <class SetUp>
+Workload settled(const std::string& name, const SetUp& set_up) {
+  WorkloadFamily family = family_named(name);
   family.make = [&, make = family.make](int contacts) {
     Setup setup = make(contacts);
     set_up(setup);
     return setup;
   };
-  Workload work = settle(family, kContacts);
+  return settle(family, kContacts);
+}
+
+// The scene at rest, then a few steps with the options changed, so that they are warm too.
+template <class Change>
+Workload slab_with(const Change& change) {
+  Workload work = settle(family_named("slab"), kContacts);
   change(work.options);
   for (int k = 0; k < kSteps; ++k) step(*work.scene, work.options, work.state, work.workspace);
   return work;
@@ -51,11 +56,10 @@ Workload post_correction(bool used) {
 // On the level, where plates rest without friction too, and both builds come to the same state: on their slope
 // each build's search would have something else to do.
 Workload friction_memory(bool used) {
-  return slab_with([](Options&) {},
-                   [&](Setup& setup) {
-                     setup.rule = used ? kTimedRule : "none";
-                     setup.description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
-                   });
+  return settled("slab", [&](Setup& setup) {
+    setup.rule = used ? kTimedRule : "none";
+    setup.description.gravity = {{0.0}, {Vec3(0.0, 0.0, -9.81)}};
+  });
 }
 
 Workload edge_contacts(bool used) {
@@ -63,20 +67,15 @@ Workload edge_contacts(bool used) {
 }
 
 Workload self_collision(bool used) {
-  return slab_with([](Options&) {},
-                   [&](Setup& setup) {
-                     for (BodyDescription& body : setup.description.bodies)
-                       body.self_collision = used;
-                   });
+  return settled("slab", [&](Setup& setup) {
+    for (BodyDescription& body : setup.description.bodies) body.self_collision = used;
+  });
 }
 
 // Without elasticity: as many point masses on the plane as the elastic box has contacts.
 Workload elasticity(bool used) {
-  WorkloadFamily family = family_named("plane");
-  if (used) return settle(family, kContacts);
-  const auto make = family.make;
-  family.make = [=](int contacts) {
-    Setup setup = make(contacts);
+  return settled("plane", [&](Setup& setup) {
+    if (used) return;
     BodyDescription& body = setup.description.bodies[0];
     const Eigen::Matrix3Xd all = body.mesh.vertices;
     const double below = all.row(2).minCoeff();
@@ -87,9 +86,7 @@ Workload elasticity(bool used) {
     body.mesh.vertices.conservativeResize(3, kept);
     body.mesh.tetrahedra.resize(4, 0);
     body.point_mass = 1e-3;
-    return setup;
-  };
-  return settle(family, kContacts);
+  });
 }
 
 Workload timing(bool) {

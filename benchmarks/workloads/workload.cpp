@@ -85,9 +85,9 @@ Judgement rest_check(const std::string& quantity, const std::string& statement,
              .kind = ReferenceKind::kAnalytic,
              .expected = 0.0,
              .tolerance = 7e-3,
-             .reason = "what the drag leaves of a bounce of one weight in half of its time, "
-                       "(1 + ωT) e^(−ωT), ωT = 7, for modes that are slower than the family's "
-                       "bounce; of that it leaves 1.2e-5"},
+             .reason = "the drag leaves (1 + ωT) e^(−ωT) = 1.2e-5 of a bounce of one weight, "
+                       "ωT = 14; what that is at half of its time, ωT = 7, for modes that are "
+                       "slower than the family's bounce"},
             worst.value);
   check.worst = worst.of;
   return check;

@@ -82,23 +82,25 @@ struct Found {
   std::vector<Unlisted> unlisted;
 
   void note_depth(const Topology& topology, const PairContact& contact) {
-    if (contact.depth <= kPassed * topology.thinnest) return;  // as nearly all
-    Found one;
-    note_too_deep(topology, contact.vertex, contact.other, contact.depth, one.too_deep);
-    if (one.too_deep.depth > 0.0) add(one);
+    PairSearch::TooDeep one;
+    note_too_deep(topology, contact.vertex, contact.other, contact.depth, one);
+    add(one);
+  }
+
+  // The first in the order of the keys, whichever is heard of first.
+  void add(const PairSearch::TooDeep& other) {
+    const auto key = [](const PairSearch::TooDeep& one) {
+      return contact_key(one.vertex, one.body);
+    };
+    if (other.depth > 0.0 && (too_deep.depth == 0.0 || key(other) < key(too_deep))) {
+      too_deep = other;
+    }
   }
 
   void add(const Found& other) {
     dropped = dropped || other.dropped;
     immovable = immovable || other.immovable;
-    // The first in the order of the keys, whichever is heard of first.
-    const auto key = [](const PairSearch::TooDeep& one) {
-      return contact_key(one.vertex, one.body);
-    };
-    if (other.too_deep.depth > 0.0 &&
-        (too_deep.depth == 0.0 || key(other.too_deep) < key(too_deep))) {
-      too_deep = other.too_deep;
-    }
+    add(other.too_deep);
     unlisted.insert(unlisted.end(), other.unlisted.begin(), other.unlisted.end());
   }
 };
@@ -111,12 +113,14 @@ class Measure {
         options_(options),
         state_(state),
         workspace_(workspace),
-        limits_(scene, options, state) {}
+        limits_(scene, options, state),
+        asks_until_(asks_until(workspace.pairs.size())) {}
 
   const OpenLimits& limits() const { return limits_; }
 
-  // For what contacts after the c-th will read, of what lies far apart; as long as c is below `asks_until`.
+  // For what contacts after the c-th will read, of what lies far apart.
   void ask_ahead(const PairContacts& pairs, std::size_t c) const {
+    if (c >= asks_until_) return;
     const auto& triangles = scene_.topology.triangle;
     const auto at = [](std::int32_t k) { return static_cast<std::size_t>(k); };
     const std::int32_t far = pairs.site(c + kAskedAhead).triangle;
@@ -201,6 +205,7 @@ class Measure {
   const State& state_;
   Workspace& workspace_;
   OpenLimits limits_;
+  std::size_t asks_until_;  // of the contacts
 };
 
 std::vector<PairSearch::Group>::iterator first_group(std::vector<PairSearch::Group>& groups,
@@ -229,14 +234,13 @@ class RangesOfDepths {
     PairContacts& pairs = workspace_.pairs;
     std::vector<PairSearch::Group>& groups = workspace_.search.group;
     const bool lists = workspace_.team == nullptr;
-    const std::size_t asked = asks_until(pairs.size());
     if (begin == end) return;
     // Contacts and groups are both in the order of their keys.
     auto group = first_group(groups, pairs[begin].key());
     for (std::size_t c = begin; c < end; ++c) {
       PairContact& contact = pairs[c];
       PairSite& site = pairs.site(c);
-      if (c < asked) measure_.ask_ahead(pairs, c);
+      measure_.ask_ahead(pairs, c);
       while (group != groups.end() && group->key < contact.key()) ++group;
       const bool known = group != groups.end() && group->key == contact.key();
       if (known && !lists && is_to_list(scene_.topology, site.element, *group)) {
@@ -347,6 +351,7 @@ Found measure_all(const Scene& scene, const Options& options, const State& state
 
 void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t body, Real depth,
                    PairSearch::TooDeep& too_deep) {
+  if (depth <= kPassed * topology.thinnest) return;  // as nearly all
   const auto own = static_cast<std::size_t>(topology.vertex_body[static_cast<std::size_t>(vertex)]);
   const Real width =
       std::min(topology.least_width[own], topology.least_width[static_cast<std::size_t>(body)]);

@@ -37,11 +37,7 @@ void note_change_of_staying(const Topology& topology, const PairOptions& options
 inline void note_staying(const Topology& topology, const PairOptions& options,
                          const PairSearch& search, const PairSite& site, PairSearch::Group& group) {
   const bool same = site.triangle == group.stays_on && group.near_element == site.element;
-  // No answer holds, and none is due: as in most steps of bodies that move.
-  if (same && group.stays_until < 0.0 && group.stayed + 1 < kStepsToAsk) {
-    ++group.stayed;
-    return;
-  }
+  if (same && only_counts(group.stayed, group.stays_until)) return;
   note_change_of_staying(topology, options, search, site, group);
 }
 

@@ -41,6 +41,14 @@ void note_lasting(bool same, double path, std::int8_t& steps, double& until, con
   }
 }
 
+/// Whether of something that was found as it was in the last step only the steps are to be counted, which
+/// is done then: no answer holds, and none is due, as in most steps of bodies that move.
+inline bool only_counts(std::int8_t& steps, double until) {
+  if (!(until < 0.0 && steps + 1 < kStepsToAsk)) return false;
+  ++steps;
+  return true;
+}
+
 /// For so many steps it is told what is awake, if no body becomes faster than twice what the fastest is.
 inline constexpr int kStepsAwake = 16;
 inline constexpr double kFaster = 2;

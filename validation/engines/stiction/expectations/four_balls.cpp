@@ -31,16 +31,15 @@ constexpr Cause kSlipsOn{
 constexpr Cause kSoftFacets{
     "kSoftFacets",
     "the bound is that of rigid, smooth balls. So soft ones need 0.2250: Hertz' patch brings their "
-    "centres nearer by 5 % of a radius (reference/limit, soft_four_ball_threshold). The other "
-    "0.0097 "
-    "are facets: balls of 642 vertices touch in a few, up to 0.043 rad off the line of centres, "
-    "which shifts it by up to 0.52 · 0.043 = 0.022, and roll from one to the next as they settle",
+    "centres nearer by 5 % of a radius (soft_balls.h). What is needed beyond that falls with the "
+    "facets: 0.0150 with balls of 362 vertices (--set ball=6), 0.0097 with 642. They touch in a "
+    "few, up to 0.043 rad off the line of centres, for which up to 0.52 · 0.043 = 0.022 is due",
     kFacetsRoll};
 constexpr Words kThreeSteps{
     "kThreeSteps",
-    "steps of 1 and 0.9 give a critical μ of 0.23468 and 0.23467, those of 1, 0.95 and 0.9 a "
-    "sinking "
-    "of 1.39, 1.10 and 1.27 mm, of which three times the spread to the far side; 1 mm would hold"};
+    "steps of 1 and 0.9 give a critical μ of 0.23468 and 0.23467; those of 1, 0.95 and 0.9 let the "
+    "top ball sink by 1.39, 1.10 and 1.27 mm: from 1 mm, which holds, to three times that spread "
+    "above"};
 
 constexpr Words kNoBalance{
     "kNoBalance", "no μ balances them: the limit analysis looks up to 10, and then says infinity"};
