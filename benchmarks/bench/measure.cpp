@@ -2,9 +2,11 @@
 #include "benchmarks/bench/measure.h"
 
 #include <algorithm>
+#include <optional>
 #include <regex>
 
 #include "benchmarks/bench/in_turn.h"
+#include "reference/process/processors.h"
 #include "reference/statistics/two_samples.h"
 #include "solver/demand.h"
 #include "validation/engine/cpu_time.h"
@@ -59,6 +61,9 @@ SpeedUp speed_up_of(Batch& batch, const Team& team) {
 }  // namespace
 
 void Measure::run(benchmark::State& state, const Chosen& chosen) {
+  // Chosen anew for each benchmark: which one is the fastest changes within minutes.
+  std::optional<reference::OnFastestProcessor> here;
+  if (team_ == nullptr) here.emplace();
   Batch& batch = batch_of(chosen);
   std::vector<double> seconds;
   seconds.reserve(static_cast<std::size_t>(state.max_iterations));

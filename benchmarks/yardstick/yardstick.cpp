@@ -8,7 +8,10 @@
 //   yardstick FAMILY CONTACTS [THREADS]   answers, a line of JSON for each line that it reads:
 //     settle   {"contacts":…,"at_rest":true,"error":…}
 //     steps    {"cpu":…,"wall":…,"phases":{"forces":…},"hash":"…"}   s a step, of 32 from there
+//     on K     {}                                                    from now on by the system's processor K alone
 //     limits   {"bandwidth":…,"arithmetic":…}                        s a step, what the machine allows
+#include <sched.h>
+
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -156,7 +159,7 @@ void list_widths() {
 #endif
 }
 
-int whole_number(const std::string& word) {
+int whole_number(const std::string& word, int least = 1) {
   std::size_t read = 0;
   int number = 0;
   try {
@@ -164,10 +167,18 @@ int whole_number(const std::string& word) {
   } catch (const std::logic_error&) {
     read = 0;
   }
-  if (read == 0 || read != word.size() || number < 1) {
-    throw std::runtime_error("'" + word + "' is no number of contacts or threads");
+  if (read == 0 || read != word.size() || number < least) {
+    throw std::runtime_error("'" + word + "' is no number of contacts, threads or processors");
   }
   return number;
+}
+
+// Without a word where the system doesn't let it: then it is timed wherever it runs.
+void stay_on(int processor) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (processor < CPU_SETSIZE) CPU_SET(processor, &set);
+  sched_setaffinity(0, sizeof set, &set);
 }
 
 // The next line of stdin; false at its end.
@@ -187,6 +198,9 @@ void converse(Yardstick& yardstick) {
       answer = yardstick.settle();
     } else if (line == "steps") {
       answer = yardstick.steps();
+    } else if (line.starts_with("on ")) {
+      stay_on(whole_number(line.substr(3), 0));
+      answer = "{}";
     } else if (line == "limits") {
       answer = yardstick.limits();
     } else {

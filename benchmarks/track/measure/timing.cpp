@@ -9,6 +9,7 @@
 #include "benchmarks/track/measure/child.h"
 #include "benchmarks/track/measure/google_json.h"
 #include "benchmarks/track/store/scratch.h"
+#include "reference/process/processors.h"
 #include "reference/statistics/two_samples.h"
 #include "reports/screen/progress_line.h"
 
@@ -83,6 +84,7 @@ void time_in_turn(const Tree& a, const Tree& b, const std::vector<std::string>& 
     if (wanted.empty()) break;
     progress.show(static_cast<std::size_t>(round),
                   fmt::format("times of {} benchmarks, in turn", wanted.size()));
+    const reference::OnFastestProcessor here;  // both of a round
     const bool a_first = round % 2 == 0;
     time_once(a_first ? a : b, wanted, plan, a_first ? of_a : of_b);
     time_once(a_first ? b : a, wanted, plan, a_first ? of_b : of_a);

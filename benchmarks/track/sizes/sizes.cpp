@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "benchmarks/track/measure/child.h"
+#include "reference/process/processors.h"
 
 namespace stiction::track {
 
@@ -106,6 +107,11 @@ void add_turns(SizeResult& result) {
   result.limits = yardsticks[1]->limits();
   for (const std::unique_ptr<Yardstick>& one : yardsticks) one->steps();  // allocates
   for (std::size_t turn = 0; turn < kTurns; ++turn) {
+    // All of a turn that run on one thread are timed on the same processor.
+    const int fastest = reference::fastest_processor();
+    for (std::size_t k = 0; k < yardsticks.size(); ++k) {
+      if (fastest >= 0 && result.ways[k].threads == 1) yardsticks[k]->stay_on(fastest);
+    }
     for (std::size_t k = 0; k < yardsticks.size(); ++k) {
       const std::size_t at = turn % 2 == 0 ? k : yardsticks.size() - 1 - k;
       add(yardsticks[at]->steps(), result.times[at]);

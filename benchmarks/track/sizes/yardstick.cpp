@@ -115,6 +115,10 @@ Yardstick::Steps Yardstick::steps() {
           answer.text("hash")};
 }
 
+void Yardstick::stay_on(int processor) {
+  Answer(what_, conversation_.ask(fmt::format("on {}", processor)));
+}
+
 Yardstick::Limits Yardstick::limits() {
   const Answer answer(what_, conversation_.ask("limits"));
   return {answer.number("bandwidth"), answer.number("arithmetic")};

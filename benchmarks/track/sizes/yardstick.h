@@ -54,6 +54,9 @@ class Yardstick {
   };
   Steps steps();
 
+  /// Keeps its thread on a processor from now on, by the system's number; for ways of one thread.
+  void stay_on(int processor);
+
   /// What a step takes at least: of the model's bytes by this machine's bandwidth, of its operations by
   /// what one core does of them, s. The present yardstick tells it alone, once settled.
   struct Limits {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/process/processors.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reference/process/child.h"
+
+namespace stiction::reference {
+namespace {
+
+using ::testing::Contains;
+
+TEST(Processors, TheFastestIsOneOfThoseThatTheThreadMayRunOn) {
+  const std::vector<int> before = own_processors();
+  ASSERT_FALSE(before.empty());
+  EXPECT_THAT(before, Contains(fastest_processor()));
+  EXPECT_EQ(own_processors(), before);  // those that were tried are let go
+}
+
+TEST(Processors, WhatIsStartedMeanwhileStaysOnTheSameOne) {
+  const std::vector<int> before = own_processors();
+  {
+    const OnFastestProcessor here;
+    ASSERT_EQ(own_processors().size(), 1U);
+    EXPECT_THAT(before, Contains(own_processors().front()));
+    EXPECT_EQ(run_child({"nproc"}, {}).output, "1\n");
+  }
+  EXPECT_EQ(own_processors(), before);
+}
+
+TEST(Processors, OfNoneNothingChanges) {
+  const std::vector<int> before = own_processors();
+  stay_on({});
+  EXPECT_EQ(own_processors(), before);
+}
+
+}  // namespace
+}  // namespace stiction::reference
