@@ -39,6 +39,7 @@ ContactKey key_of(const EdgeContact& contact) { return contact.key; }
 
 void ContactOrder::in_one_chunk(std::size_t contacts) {
   contacts_ = contacts;
+  of_ = 0;
   chunk_.assign(contacts > 0 ? 1 : 0, {0, contacts});
   colour_begin_.assign({0, chunk_.size()});
   corner_.clear();

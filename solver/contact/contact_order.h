@@ -50,15 +50,20 @@ class ContactOrder {
             const Restart& restart, const Work& work) {
     restart();
     if (is_for(pairs.size())) {
+      const bool known = pairs.same_order != 0 && pairs.same_order == of_;
       std::atomic<bool> lasts = true;
       for_each_chunk(team, [&](std::size_t, const Chunk& chunk) {
-        if (!is_of(pairs, chunk)) lasts = false;
+        if (!known && !is_of(pairs, chunk)) lasts = false;
         work(chunk);
       });
-      if (lasts) return put_apart(places.size());
+      if (lasts) {
+        of_ = pairs.same_order;
+        return put_apart(places.size());
+      }
       restart();
     }
     make_anew(pairs, places);
+    of_ = pairs.same_order;
     for_each_chunk(team, [&](std::size_t, const Chunk& chunk) { work(chunk); });
   }
   void make(const PairContacts& pairs, std::span<const std::int32_t> places) {
@@ -143,6 +148,7 @@ class ContactOrder {
   std::int32_t put_apart_in(const Chunk& window, std::int32_t before);
 
   std::size_t contacts_ = 0;
+  std::uint64_t of_ = 0;                   // PairContacts::same_order of those it was made of
   std::vector<Chunk> chunk_;               // colour by colour
   std::vector<std::size_t> colour_begin_;  // in chunk_, and its size behind the last
 

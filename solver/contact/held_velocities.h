@@ -89,7 +89,7 @@ class HeldVelocities {
 
   /// Puts an impulse, N s, on the vertex and, where bodies react, the opposite one on its partners.
   STICTION_LANES_INLINE void push(const PackedVec3& impulse, bool react) {
-    const PackedVec3 only = impulse.with_fourth(PackedVec3::Zero());  // inverse masses stay
+    const PackedVec3 only = impulse.without_fourth();  // inverse masses stay
     own_.set(own_.v + own_.inverse_mass() * only);
     if (react) partners_.push(only);
   }
@@ -114,7 +114,7 @@ class HeldEdgeVelocities {
   }
 
   STICTION_LANES_INLINE void push(const PackedVec3& impulse) {
-    const PackedVec3 only = impulse.with_fourth(PackedVec3::Zero());
+    const PackedVec3 only = impulse.without_fourth();
     first_.set(first_.v + contact_.own_weight[0] * first_.inverse_mass() * only);
     second_.set(second_.v + contact_.own_weight[1] * second_.inverse_mass() * only);
     partners_.push(only);

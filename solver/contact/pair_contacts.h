@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "solver/contact/contacts.h"
@@ -33,6 +34,20 @@ static_assert(offsetof(PairContact, depth) == offsetof(PairContact, normal) + si
 static_assert(offsetof(PairContact, normal_force) ==
               offsetof(PairContact, friction_force) + sizeof(Vec3));
 static_assert(sizeof(PairContact) == 128);
+
+/// What the partners of a contact were, to see whether they are others now.
+class Partners {
+ public:
+  explicit Partners(const PairContact& contact) {
+    std::memcpy(partner_, contact.partner, sizeof partner_);
+  }
+  bool are_of(const PairContact& contact) const {
+    return std::memcmp(partner_, contact.partner, sizeof partner_) == 0;
+  }
+
+ private:
+  std::int32_t partner_[4];
+};
 
 /// Where a two-sided contact stands: what detection and depth say of it, and no force asks for.
 struct PairSite {
@@ -74,7 +89,7 @@ class PairContacts {
 
   void clear() { resize(0); }
   void resize(std::size_t count) {
-    if (count != size()) remembered = 0;
+    if (count != size()) remembered = same_order = 0;
     contact_.resize(count);
     site_.resize(count);
   }
@@ -93,6 +108,10 @@ class PairContacts {
   /// The serial number of the PairGeometry that says of all these, and of no other, where they stand; 0:
   /// none, as when any is put in another's place.
   std::uint64_t remembered = 0;
+
+  /// A number of its own in the process for the keys of these, in their order, and all that they act on, which
+  /// copies share: lists of the same number need not be compared. 0: none, as when any is another now.
+  std::uint64_t same_order = 0;
 
  private:
   std::size_t place_of(const PairContact& contact) const {

@@ -2,7 +2,9 @@
 #include "solver/depth/depth.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -72,8 +74,9 @@ constexpr std::int32_t kDropped = -1;  // in place of the vertex of a contact th
 
 // What ranges of contacts tell of all.
 struct Found {
-  bool dropped = false;    // any that is no contact
-  bool immovable = false;  // any that nothing can move
+  bool dropped = false;         // any that is no contact
+  bool immovable = false;       // any that nothing can move
+  bool acts_elsewhere = false;  // any on other partners than it had
   PairSearch::TooDeep too_deep;
   // Those that are not measured yet: their triangles are to be listed first, by one thread alone.
   struct Unlisted {
@@ -100,6 +103,7 @@ struct Found {
   void add(const Found& other) {
     dropped = dropped || other.dropped;
     immovable = immovable || other.immovable;
+    acts_elsewhere = acts_elsewhere || other.acts_elsewhere;
     add(other.too_deep);
     unlisted.insert(unlisted.end(), other.unlisted.begin(), other.unlisted.end());
   }
@@ -272,12 +276,14 @@ class RangesOfDepths {
   }
 
   void measure_one(PairContact& contact, PairSite& site, PairSearch::Group* group) {
+    const Partners before(contact);
     if (!measure_(contact, site, group, found_)) {
       contact.vertex = kDropped;
       found_.dropped = true;
       return;
     }
     if (contact.inverse_mass == 0.0) found_.immovable = true;
+    if (!before.are_of(contact)) found_.acts_elsewhere = true;
     if (group != nullptr && most_ > 0) {
       note_staying(scene_.topology, options_, workspace_.search, site, *group);
     }
@@ -287,6 +293,7 @@ class RangesOfDepths {
     if (batch_.count == 0) return;
     const unsigned left = measure_on_same_face(scene_, options_, state_, workspace_,
                                                measure_.limits(), width_, batch_);
+    if (batch_.acts_elsewhere) found_.acts_elsewhere = true;
     for (int k = 0; k < batch_.count; ++k) {
       PairContact& contact = *batch_.contact[k];
       if ((left >> k & 1U) != 0) {
@@ -360,6 +367,7 @@ void note_too_deep(const Topology& topology, std::int32_t vertex, std::int32_t b
 }
 
 void depths(const Scene& scene, const Options& options, const State& state, Workspace& workspace) {
+  static std::atomic<std::uint64_t> last_order = 0;
   PairContacts& pairs = workspace.pairs;
   const Found all = measure_all(scene, options, state, workspace);
   if (workspace.search.too_deep.depth == 0.0) workspace.search.too_deep = all.too_deep;
@@ -382,6 +390,8 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
       contact.other = workspace.pairs.site_of(contact).triangle;
     }
   }
+  const bool may_be_others = all.acts_elsewhere || options.pairs.key == PairKey::kTriangle;
+  if (may_be_others || pairs.same_order == 0) pairs.same_order = ++last_order;
 }
 
 }  // namespace stiction

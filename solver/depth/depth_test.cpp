@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
 #include "solver/depth/nearest.h"
 #include "solver/depth/remember_pairs.h"
 #include "solver/testing/test_pairs.h"
@@ -285,6 +290,54 @@ TEST(Depths, FindNoContactOfAVertexWithAnElementThatItIsACornerOf) {
     Options options;
     options.pairs.weights = weights;
     EXPECT_TRUE(test::Found(scene, options, start).workspace.pairs.empty());
+  }
+}
+
+// What a contact is known by and acts on.
+struct Identity {
+  ContactKey key;
+  std::array<std::int32_t, 4> partner;
+  bool operator==(const Identity&) const = default;
+};
+
+std::vector<Identity> identities(const PairContacts& pairs) {
+  std::vector<Identity> all;
+  for (const PairContact& contact : pairs) {
+    all.push_back({contact.key(), std::to_array(contact.partner)});
+  }
+  return all;
+}
+
+// A cube slides over another, whose faces and elements it comes to, while vertices come and go.
+TEST(Depths, SayThatContactsAreTheSameOnlyWhereTheyAre) {
+  SceneDescription description = test::stacked_cubes(1e-3);
+  description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
+  const Scene scene = build_scene(description);
+  for (const PairWeights weights : {PairWeights::kTriangle, PairWeights::kTetrahedron}) {
+    for (const PairKey key : {PairKey::kBody, PairKey::kTriangle}) {
+      Options options;
+      options.time_step = 0.1 * scene.stable_time_step;
+      options.pairs.weights = weights;
+      options.pairs.key = key;
+      State state = initial_state(scene);
+      Workspace workspace;
+      workspace.velocity = state.velocity;
+      std::map<std::uint64_t, std::vector<Identity>> seen;
+      for (unsigned k = 0; k < 300; ++k) {
+        state.position = test::on_its_way(scene, k, Vec3(4e-3, -3e-3, 0), 1e-4).position;
+        detect_pairs(scene, options, state, workspace);
+        depths(scene, options, state, workspace);
+        const PairContacts& pairs = workspace.pairs;
+        ASSERT_NE(pairs.same_order, 0U);
+        const auto [known, is_new] = seen.emplace(pairs.same_order, identities(pairs));
+        EXPECT_TRUE(is_new || known->second == identities(pairs)) << "step " << k;
+        remember_pairs(workspace.pairs, scene.topology, state.pair_geometry);
+      }
+      // Some steps change nothing, and some do.
+      EXPECT_GT(seen.size(), 10U);
+      if (key == PairKey::kTriangle) continue;  // another number in each step
+      EXPECT_LT(seen.size(), 250U);
+    }
   }
 }
 

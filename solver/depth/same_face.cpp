@@ -102,7 +102,10 @@ class Measured {
     Number weight[4] = {nearest_.weight[0], nearest_.weight[1], nearest_.weight[2],
                         Number(Real(0))};
     for (int lane = 0; lane < count_; ++lane) {
-      if (stays(lane)) set_partners(*batch_.contact[lane], *batch_.site[lane]);
+      if (!stays(lane) || (!of_faces() && !batch_.site[lane]->open)) continue;
+      const Partners before(*batch_.contact[lane]);
+      set_partners(*batch_.contact[lane], *batch_.site[lane]);
+      if (!before.are_of(*batch_.contact[lane])) batch_.acts_elsewhere = true;
     }
     if (!of_faces()) {
       const LaneWeights<Number> weights(start([](const PairContact& c) { return c.vertex; }),

@@ -24,6 +24,8 @@ struct FaceBatch {
   unsigned own = 0;       ///< of a vertex in its own body
   unsigned compared = 0;  ///< that others were compared for, once measured
 
+  bool acts_elsewhere = false;  ///< whether any has other partners than it had, once measured
+
   void add(const Topology& topology, PairContact& of, PairSite& at, PairSearch::Group& with,
            bool its_triangle_is_known) {
     contact[count] = &of;
@@ -41,6 +43,7 @@ struct FaceBatch {
   void clear() {
     count = 0;
     stays = open = own = compared = 0;
+    acts_elsewhere = false;
   }
 };
 

@@ -155,7 +155,7 @@ void renew_pairs(const Scene& scene, const PairGeometry& last, const PairOptions
     });
   }
   search.found_same = same && count == before;
-  if (!search.found_same) pairs.remembered = 0;
+  if (!search.found_same) pairs.remembered = pairs.same_order = 0;
 }
 
 // Of another scene, or with other options, what is known of faces and edges is forgotten, and the contacts

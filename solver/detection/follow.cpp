@@ -47,7 +47,7 @@ bool follow(const Scene& scene, Real dt, const State& state, const std::vector<V
               // Of the fourth number, which is anything, nothing is asked.
               const PackedVec3 x =
                   (PackedVec3::load(&position[k]) + h * PackedVec3::load(&moves[k]))
-                      .with_fourth(PackedVec3::Zero());
+                      .without_fourth();
               const PackedVec3 by = (x - PackedVec3(reference[k])).cwiseAbs();
               const PackedVec3 since = (x - PackedVec3(predicted[k])).cwiseAbs();
               predicted[k] = vector_cast<Vec3>(x);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "solver/elasticity/rotation.h"
@@ -31,16 +33,37 @@ template <int Bytes>
 struct ElementGroup {
   using Number = Lanes<Bytes>;
   static constexpr int kCount = Number::kCount;
-
   int count;  // of elements; lanes beyond it have the last again
   std::size_t first;
-  const Element* of[kCount];
-  LaneMatrix<Number> inverse;  // of the rest edges
-  Number two_mu_volume, lambda_volume, damping_time;
+  // Of each corner, the first number of its record in a field of vertices. Once for three fields: the
+  // loads are so many that what finds their addresses counts.
+  std::uint32_t corner[kCount][4];
+  const Real* constants;  // ElementConstants, number by number; read again where they are asked for
   LaneMatrix<Number> f, cofactor;
   LaneSymmetric<Number> gram;
   Number det;
   StretchRoot<Number> root;
+
+  STICTION_LANES_INLINE Number constant(std::size_t which) const {
+    return Number::load(constants + which * BlocksOfConstants::kBlock);
+  }
+  STICTION_LANES_INLINE LaneMatrix<Number> inverse_rest_edges() const {
+    static_assert(offsetof(ElementConstants, inverse_rest_edges) == 0);
+    LaneMatrix<Number> inverse;
+    for (std::size_t k = 0; k < 3; ++k) {
+      inverse.column[k] = {constant(3 * k), constant(3 * k + 1), constant(3 * k + 2)};
+    }
+    return inverse;
+  }
+  STICTION_LANES_INLINE Number two_mu_volume() const {
+    return Real(2) * constant(offsetof(ElementConstants, mu_volume) / sizeof(Real));
+  }
+  STICTION_LANES_INLINE Number lambda_volume() const {
+    return constant(offsetof(ElementConstants, lambda_volume) / sizeof(Real));
+  }
+  STICTION_LANES_INLINE Number damping_time() const {
+    return constant(offsetof(ElementConstants, damping_time) / sizeof(Real));
+  }
 };
 
 // Differences of a field of vertices, records of four numbers, along the edges of a group.
@@ -48,12 +71,10 @@ template <int Bytes, class Record>
 STICTION_LANES_INLINE LaneMatrix<Lanes<Bytes>> differences(const ElementGroup<Bytes>& group,
                                                            const std::vector<Record>& field) {
   constexpr int kCount = ElementGroup<Bytes>::kCount;
+  const auto* const first = reinterpret_cast<const Real*>(field.data());
   const auto corner = [&](int k) __attribute__((always_inline)) {
     const Real* record[kCount];
-    for (int lane = 0; lane < kCount; ++lane) {
-      const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
-      record[lane] = reinterpret_cast<const Real*>(&field[vertex]);
-    }
+    for (int lane = 0; lane < kCount; ++lane) record[lane] = first + group.corner[lane][k];
     return LaneRecords<Bytes>::load(record);
   };
   const LaneRecords<Bytes> origin = corner(0);
@@ -79,26 +100,19 @@ STICTION_LANES_INLINE void begin(const Scene& scene, std::size_t first, std::siz
   static_assert(BlocksOfConstants::kBlock % kCount == 0);
   group.count = static_cast<int>(std::min(left, std::size_t{kCount}));
   group.first = first;
-  for (int lane = 0; lane < kCount; ++lane) {
-    group.of[lane] = &scene.elements[first] + std::min(lane, group.count - 1);
-  }
-  constexpr std::size_t kNumbers = BlocksOfConstants::kNumbers;
-  Number constant[kNumbers];
-  const Real* const numbers = scene.constants.first(first);
-  unrolled<kNumbers>([&](auto k) __attribute__((always_inline)) {
-    const Real* const number = numbers + k * BlocksOfConstants::kBlock;
-    ask_for(number + kElementsAhead * kNumbers);
-    constant[k] = Number::load(number);
+  unrolled<kCount>([&](auto lane) __attribute__((always_inline)) {
+    const Element& element = *(&scene.elements[first] + std::min<int>(lane, group.count - 1));
+    FourInts corner;
+    std::memcpy(&corner, element.vertex, sizeof corner);
+    corner *= 4;
+    std::memcpy(group.corner[lane], &corner, sizeof corner);
   });
-  // Nine numbers of the inverse, then μV, λV, β.
-  static_assert(offsetof(ElementConstants, damping_time) == 11 * sizeof(Real));
-  for (int k = 0; k < 3; ++k) {
-    group.inverse.column[k] = {constant[3 * k], constant[3 * k + 1], constant[3 * k + 2]};
-  }
-  group.two_mu_volume = Real(2) * constant[9];
-  group.lambda_volume = constant[10];
-  group.damping_time = constant[11];
-  group.f = differences(group, position) * group.inverse;
+  group.constants = scene.constants.first(first);
+  constexpr std::size_t kNumbers = BlocksOfConstants::kNumbers;
+  unrolled<kNumbers>([&](auto k) __attribute__((always_inline)) {
+    ask_for(group.constants + k * BlocksOfConstants::kBlock + kElementsAhead * kNumbers);
+  });
+  group.f = differences(group, position) * group.inverse_rest_edges();
   group.gram = gram(group.f);
   group.cofactor = cofactor(group.f);
   group.det = dot(group.f.column[0], group.cofactor.column[0]);
@@ -110,13 +124,14 @@ STICTION_LANES_INLINE void begin(const Scene& scene, std::size_t first, std::siz
 template <int Bytes>
 [[gnu::noinline]] void replace_flat(const ElementGroup<Bytes>& group,
                                     LaneSymmetric<Lanes<Bytes>>& a, LaneMatrix<Lanes<Bytes>>& b) {
+  const Lanes<Bytes> two_mu_volume = group.two_mu_volume(), lambda_volume = group.lambda_volume();
   for (int lane = 0; lane < Lanes<Bytes>::kCount; ++lane) {
     if (group.det[lane] > kFlattest) continue;  // no number is flat too
     const Mat3 f = one_of(group.f, lane);
     const Mat3 r = polar_rotation_by_svd(f);
     const Real stretch = r.cwiseProduct(f).sum();
-    const Real two_mu = group.two_mu_volume[lane];
-    const Mat3 rest = (group.lambda_volume[lane] * (stretch - 3) - two_mu) * r;
+    const Real two_mu = two_mu_volume[lane];
+    const Mat3 rest = (lambda_volume[lane] * (stretch - 3) - two_mu) * r;
     for (int k = 0; k < 3; ++k) {
       b.column[k].x.value[lane] = rest(0, k);
       b.column[k].y.value[lane] = rest(1, k);
@@ -135,9 +150,10 @@ STICTION_LANES_INLINE void elastic_stress(const ElementGroup<Bytes>& group,
                                           LaneMatrix<Lanes<Bytes>>& b) {
   using Number = Lanes<Bytes>;
   const PolarTerms<Number> r = group.root.terms();
-  const Number k = group.lambda_volume * (r.stretch - Real(3)) - group.two_mu_volume;
+  const Number two_mu_volume = group.two_mu_volume();
+  const Number k = group.lambda_volume() * (r.stretch - Real(3)) - two_mu_volume;
   a = (k * r.gram) * group.gram;
-  a.add_to_diagonal(group.two_mu_volume + k * r.f);
+  a.add_to_diagonal(two_mu_volume + k * r.f);
   const Number scale = k * r.cofactor;
   for (int m = 0; m < 3; ++m) b.column[m] = scale * group.cofactor.column[m];
   if (!all(Number(kFlattest) < group.det)) [[unlikely]] {
@@ -154,13 +170,14 @@ template <int Bytes>
 STICTION_LANES_INLINE void add_viscous_stress(const ElementGroup<Bytes>& group,
                                               const std::vector<Velocity>& velocity,
                                               LaneSymmetric<Lanes<Bytes>>& a) {
-  const auto damped = Lanes<Bytes>(Real(0)) < group.damping_time;
+  const Lanes<Bytes> damping_time = group.damping_time();
+  const auto damped = Lanes<Bytes>(Real(0)) < damping_time;
   if (none(damped)) return;
   const LaneSymmetric<Lanes<Bytes>> rate =
-      symmetric_product(group.f, differences(group, velocity) * group.inverse);
-  LaneSymmetric<Lanes<Bytes>> stress = group.two_mu_volume * rate;
-  stress.add_to_diagonal(group.lambda_volume * rate.trace());
-  const LaneSymmetric<Lanes<Bytes>> sum = a + group.damping_time * stress;
+      symmetric_product(group.f, differences(group, velocity) * group.inverse_rest_edges());
+  LaneSymmetric<Lanes<Bytes>> stress = group.two_mu_volume() * rate;
+  stress.add_to_diagonal(group.lambda_volume() * rate.trace());
+  const LaneSymmetric<Lanes<Bytes>> sum = a + damping_time * stress;
   if (all(damped)) [[likely]] {
     a = sum;
   } else {
@@ -199,7 +216,7 @@ template <int Bytes>
     const bool* const shared = sink.shared_of(group.first + static_cast<std::size_t>(lane));
     for (int k = 0; k < 4; ++k) {
       const FourNumbers f = k == 0 ? forces[k][lane] : -forces[k][lane];
-      const auto vertex = static_cast<std::size_t>(group.of[lane]->vertex[k]);
+      const auto vertex = static_cast<std::size_t>(group.corner[lane][k] / 4);
       if (shared != nullptr && shared[k]) {
         reinterpret_cast<FourNumbers&>(sink.share->force[sink.forces++]) = f;
       } else {
@@ -221,7 +238,7 @@ STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
   add_viscous_stress(group, velocity, a);
   LaneMatrix<Number> stress = group.f * a.whole();
   for (int m = 0; m < 3; ++m) stress.column[m] = stress.column[m] + b.column[m];
-  const LaneMatrix<Number> minus_corner = stress * group.inverse.transpose();
+  const LaneMatrix<Number> minus_corner = stress * group.inverse_rest_edges().transpose();
   const auto& [f1, f2, f3] = minus_corner.column;
   const auto records = [](const LaneVector<Number>& f) __attribute__((always_inline)) {
     return LaneRecords<Bytes>{{f.x, f.y, f.z, Number(Real(0))}}.transposed();
@@ -233,11 +250,11 @@ STICTION_LANES_INLINE void end(const ElementGroup<Bytes>& group,
     leave_aside(group, of_corner, sink, force);
     return;
   }
+  auto* const numbers = reinterpret_cast<Real*>(force.data());
   unrolled<Number::kCount>([&](auto lane) __attribute__((always_inline)) {
     if (lane >= group.count) return;
     const auto at = [&](int k) __attribute__((always_inline)) {
-      return reinterpret_cast<FourNumbers*>(
-          &force[static_cast<std::size_t>(group.of[lane]->vertex[k])]);
+      return reinterpret_cast<FourNumbers*>(numbers + group.corner[lane][k]);
     };
     for (int k = 1; k < 4; ++k) *at(k) -= of_corner[k].template of_lane<lane>().value;
     *at(0) += of_corner[0].template of_lane<lane>().value;

@@ -57,6 +57,13 @@ struct PackedVec3 {
     return PackedVec3(__builtin_shufflevector(value, of.value, 0, 1, 2, 7));
   }
 
+  /// With 0 for the fourth: by its bits, which takes one instruction where a shuffle takes three.
+  STICTION_LANES_INLINE PackedVec3 without_fourth() const {
+    using Bits = decltype(value < value);
+    return PackedVec3(
+        reinterpret_cast<FourNumbers>(reinterpret_cast<Bits>(value) & Bits{-1, -1, -1, 0}));
+  }
+
   STICTION_LANES_INLINE friend PackedVec3 operator+(const PackedVec3& a, const PackedVec3& b) {
     return PackedVec3(a.value + b.value);
   }

@@ -48,7 +48,7 @@ TEST(PackedVec3, GivesTheBitsOfVec3AtEveryWidth) {
 TEST(PackedVec3, GoesToARecordAndBackWhole) {
   for (const int width : lane_widths()) {
     for (std::size_t at = 0; at < 4; ++at) {  // numbers may lie anywhere
-      alignas(4 * sizeof(Real)) Real record[8] = {}, other[8] = {};
+      alignas(4 * sizeof(Real)) Real record[8] = {}, other[8] = {}, bare[8] = {};
       for (std::size_t k = 0; k < 4; ++k) record[at + k] = Real(2 + k);
       Vec3 fourths;
       in_registers(
@@ -56,11 +56,13 @@ TEST(PackedVec3, GoesToARecordAndBackWhole) {
             const PackedVec3 v = PackedVec3::load(record + at);
             fourths = vector_cast<Vec3>(v.fourths());
             v.with_fourth(PackedVec3::Zero()).store(other + at);
+            v.without_fourth().store(bare + at);
           });
       EXPECT_EQ(fourths, Vec3(5, 5, 5));
       for (std::size_t k = 0; k < 8; ++k) {
         const bool inside = k >= at && k < at + 3;
         EXPECT_EQ(other[k], inside ? Real(2 + k - at) : 0) << k << " of those at " << at;
+        EXPECT_EQ(bare[k], other[k]) << k << " of those at " << at;
       }
     }
   }
