@@ -33,10 +33,11 @@ template <int Bytes>
 struct ElementGroup {
   using Number = Lanes<Bytes>;
   static constexpr int kCount = Number::kCount;
+
   int count;  // of elements; lanes beyond it have the last again
   std::size_t first;
-  // Of each corner, the first number of its record in a field of vertices. Once for three fields: the
-  // loads are so many that what finds their addresses counts.
+  // Of each corner, the first number of its record in a field of fewer than 2³⁰ vertices. Once for three
+  // fields: the loads are so many that what finds their addresses counts.
   std::uint32_t corner[kCount][4];
   const Real* constants;  // ElementConstants, number by number; read again where they are asked for
   LaneMatrix<Number> f, cofactor;
