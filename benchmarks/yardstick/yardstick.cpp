@@ -173,7 +173,8 @@ int whole_number(const std::string& word, int least = 1) {
   return number;
 }
 
-// Without a word where the system doesn't let it: then it is timed wherever it runs.
+// As reference/process/processors.h has it, which other revisions need not have. Without a word where the system
+// doesn't let it: then it is timed wherever it runs.
 void stay_on(int processor) {
   cpu_set_t set;
   CPU_ZERO(&set);

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "solver/depth/remember_pairs.h"
 #include "solver/lanes/lane_width.h"
@@ -215,6 +217,25 @@ TEST(FaceBatch, OfFlushFacesHasTheBitsOfOneAtATime) {
   EXPECT_GT(contacts, 1000u);
   EXPECT_GT(compared, contacts / 2);
   EXPECT_LT(left, compared / 2);
+}
+
+// As contacts may be that a workspace has of a later time than the state.
+TEST(FaceBatch, SaysWhereAContactHadOtherPartners) {
+  const Sliding sliding(PairWeights::kTriangle, true);
+  const auto depths_again = [&](Workspace workspace) {
+    depths(sliding.scene, sliding.options, sliding.state, workspace);
+    return workspace;
+  };
+  const Workspace measured = depths_again(sliding.workspace);
+  const PairContacts& pairs = measured.pairs;
+  EXPECT_EQ(depths_again(measured).pairs.same_order, pairs.same_order);
+  for (std::size_t c = 0; c < pairs.size(); ++c) {
+    Workspace later = measured;
+    std::swap(later.pairs[c].partner[0], later.pairs[c].partner[1]);
+    const PairContacts now = depths_again(later).pairs;
+    EXPECT_EQ(std::to_array(now[c].partner), std::to_array(pairs[c].partner)) << c;
+    EXPECT_NE(now.same_order, pairs.same_order) << c;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Weights, SameFace,
