@@ -140,6 +140,11 @@ void Batch::run(const Team* team) {
   }
 }
 
+void Batch::warm() {
+  time();
+  if (timed_.afresh) time();  // lists change places with those of the last time: both have to grow
+}
+
 Batch::Seconds Batch::time(const Team* team) {
   if (timed_.goes_on()) return time_going_on(team);
   restore();

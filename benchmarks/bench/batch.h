@@ -51,6 +51,8 @@ class Batch {
   struct Seconds {
     double cpu = 0.0, wall = 0.0;
   };
+  /// To be called once before what counts: allocates what batches need.
+  void warm();
   /// One batch, from where each begins: `steps` times the part, in steps that go on if it does; else once.
   Seconds time(const Team* team = nullptr);
   int steps() const { return timed_.goes_on() ? kStepsInARow : 1; }

@@ -3,20 +3,41 @@
 
 #include <algorithm>
 
+#include "solver/detection/boxes.h"
+#include "solver/lanes/in_registers.h"
+#include "solver/lanes/packed_vec3.h"
+
 namespace stiction {
+
+namespace {
+
+// The travel of each body's vertices in this step, m, as a box.
+STICTION_LANES_INLINE void bound_travel(const Scene& scene, Real dt,
+                                        const std::vector<Velocity>& velocity,
+                                        std::vector<Box3>& travel) {
+  travel.resize(scene.bodies.size());
+  const Velocity* const of = velocity.data();
+  for (std::size_t b = 0; b < travel.size(); ++b) {
+    const auto begin = static_cast<std::size_t>(scene.bodies[b].first_vertex);
+    const std::size_t end = begin + static_cast<std::size_t>(scene.bodies[b].vertex_count);
+    const Box3 velocities = box_around(
+        begin, end, [&](std::size_t v) __attribute__((always_inline)) {
+          return PackedVec3(of[v].v);
+        });
+    travel[b] = {dt * velocities.min(), dt * velocities.max()};
+  }
+}
+
+}  // namespace
 
 void note_outrun(const Scene& scene, Real dt, const std::vector<Velocity>& velocity,
                  PairSearch& search) {
   const std::vector<Real>& width = scene.topology.least_width;
   const std::size_t count = scene.bodies.size();
-  // The travel of each body's vertices in this step, m, as a box.
-  search.travel.assign(count, Box3());
-  for (std::size_t b = 0; b < count; ++b) {
-    const Body& body = scene.bodies[b];
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-      search.travel[b].extend(Vec3(dt * velocity[static_cast<std::size_t>(v)].v));
-    }
-  }
+  in_registers(
+      lane_width(), [&]() __attribute__((always_inline)) {
+        bound_travel(scene, dt, velocity, search.travel);
+      });
   const auto farthest = [&](std::size_t b) {
     return search.travel[b].min().cwiseAbs().cwiseMax(search.travel[b].max().cwiseAbs()).norm();
   };
