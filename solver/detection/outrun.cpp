@@ -21,9 +21,8 @@ STICTION_LANES_INLINE void bound_travel(const Scene& scene, Real dt,
     const auto begin = static_cast<std::size_t>(scene.bodies[b].first_vertex);
     const std::size_t end = begin + static_cast<std::size_t>(scene.bodies[b].vertex_count);
     const Box3 velocities = box_around(
-        begin, end, [&](std::size_t v) __attribute__((always_inline)) {
-          return PackedVec3(of[v].v);
-        });
+        begin,
+        end, [&](std::size_t v) __attribute__((always_inline)) { return PackedVec3(of[v].v); });
     travel[b] = {dt * velocities.min(), dt * velocities.max()};
   }
 }
