@@ -63,12 +63,13 @@ std::string exponent(const std::vector<Scaling>& fits, const std::string& family
   return "–";
 }
 
-// How much faster threads do a whole step; an empty first cell where that was not measured.
-std::vector<std::string> speed_up_row(const std::vector<Result>& results, const std::string& family,
-                                      const std::set<int>& sizes) {
-  std::vector<std::string> row = {""};
+// How much faster threads do a whole step, and how far apart their processors were; none where that was not measured.
+Cells speed_up_rows(const std::vector<Result>& results, const std::string& family,
+                    const std::set<int>& sizes) {
+  std::vector<std::string> row = {""}, answers = {"           ns for an answer, core to core"};
   for (const int size : sizes) {
     row.emplace_back("–");
+    answers.emplace_back("–");
     for (const Result& one : results) {
       if (one.chosen.family.name != family || one.chosen.size != size ||
           !one.chosen.timed.whole_step || !one.speed_up) {
@@ -76,10 +77,16 @@ std::vector<std::string> speed_up_row(const std::vector<Result>& results, const 
       }
       row.front() = fmt::format("  {:<6}… {} threads, × faster", family, one.speed_up->threads);
       row.back() = fmt::format("{:.2f}", one.speed_up->ratio.median);
+      const auto [least, most] =
+          std::minmax_element(std::begin(one.speed_up->answers), std::end(one.speed_up->answers));
+      answers.back() = fmt::format("{:.0f}", 1e9 * *least);
+      if (*most > 1.5 * *least) answers.back() += fmt::format("–{:.0f}", 1e9 * *most);
     }
   }
+  if (row.front().empty()) return {};
   row.emplace_back("");
-  return row;
+  answers.emplace_back("");
+  return {std::move(row), std::move(answers)};
 }
 
 std::vector<std::string> families_of(const std::vector<Result>& results) {
@@ -111,8 +118,9 @@ Cells cost_table(const std::vector<Result>& results, const std::vector<Scaling>&
       row.push_back(exponent(fits, family, what));
       if (measured) rows.push_back(std::move(row));
     }
-    std::vector<std::string> speed_up = speed_up_row(results, family, sizes);
-    if (!speed_up.front().empty()) rows.push_back(std::move(speed_up));
+    for (std::vector<std::string>& row : speed_up_rows(results, family, sizes)) {
+      rows.push_back(std::move(row));
+    }
   }
   return rows;
 }

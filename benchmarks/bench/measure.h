@@ -32,6 +32,8 @@ struct SpeedUp {
   int threads = 1;
   reference::Quartiles ratio{};  ///< of the wall-clock times, dimensionless
   bool same_hash = true;         ///< both have written the same bits
+  /// How long one processor waits for an answer of another, before and after, s (reference/process/processors.h).
+  double answers[2] = {0.0, 0.0};
 };
 
 /// What was measured of one.

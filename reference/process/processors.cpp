@@ -3,10 +3,13 @@
 
 #include <sched.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <thread>
 
 namespace stiction::reference {
 
@@ -60,6 +63,41 @@ int fastest_processor() {
   }
   stay_on(all);
   return fastest;
+}
+
+double answer_seconds() {
+  const std::vector<int> all = own_processors();
+  if (all.size() < 2) return 0.0;
+  constexpr int kAnswers = 2000, kRounds = 5;
+  alignas(64) std::atomic<int> asked = 0;
+  alignas(64) std::atomic<int> answered = 0;
+  // Who waits for one that isn't running lets others run.
+  const auto wait_for = [](const std::atomic<int>& line, int what) {
+    for (int looks = 1; line.load(std::memory_order_acquire) != what; ++looks) {
+      if (looks % 10'000 == 0) std::this_thread::yield();
+    }
+  };
+  std::thread other([&] {
+    stay_on({all[1]});
+    for (int k = 1; k <= kAnswers * kRounds; ++k) {
+      wait_for(asked, k);
+      answered.store(k, std::memory_order_release);
+    }
+  });
+  stay_on({all[0]});
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0, k = 0; round < kRounds; ++round) {
+    const auto begun = std::chrono::steady_clock::now();
+    for (int answer = 0; answer < kAnswers; ++answer) {
+      asked.store(++k, std::memory_order_release);
+      wait_for(answered, k);
+    }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    least = std::min(least, took.count() / kAnswers);
+  }
+  other.join();
+  stay_on(all);
+  return least;
 }
 
 OnFastestProcessor::OnFastestProcessor() : before_(own_processors()) {

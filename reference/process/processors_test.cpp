@@ -29,6 +29,22 @@ TEST(Processors, WhatIsStartedMeanwhileStaysOnTheSameOne) {
   EXPECT_EQ(own_processors(), before);
 }
 
+TEST(Processors, AnAnswerOfAnotherTakesNanosecondsToMicroseconds) {
+  const std::vector<int> before = own_processors();
+  if (before.size() < 2) GTEST_SKIP() << "one processor: nobody answers";
+  const double seconds = answer_seconds();
+  EXPECT_GT(seconds, 5e-9) << "one writes a line of the cache that the other has";
+  EXPECT_LT(seconds, 1e-3);
+  EXPECT_EQ(own_processors(), before);
+}
+
+TEST(Processors, OfOneAloneThereIsNoAnswer) {
+  const std::vector<int> before = own_processors();
+  stay_on({before.front()});
+  EXPECT_EQ(answer_seconds(), 0.0);
+  stay_on(before);
+}
+
 TEST(Processors, OfNoneNothingChanges) {
   const std::vector<int> before = own_processors();
   stay_on({});

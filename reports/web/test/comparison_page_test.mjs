@@ -13,7 +13,7 @@ let browser;
 let run;
 let file;
 before(async () => {
-  browser = await start_browser();
+  browser = await start_browser({ webgl: false });
   run = make_run(lines_of(compared_records()));
   file = make_page(run);
 });

@@ -7,7 +7,7 @@ import { hostile_records, lines_of, make_run } from "./records.mjs";
 import { make_page } from "./report.mjs";
 
 let browser;
-before(async () => (browser = await start_browser()));
+before(async () => (browser = await start_browser({ webgl: false })));
 after(() => browser.close());
 
 test("markup in names stays text in every view", async () => {

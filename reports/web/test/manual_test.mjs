@@ -21,7 +21,7 @@ import { build, report } from "./report.mjs";
 import { temporary_folder } from "./temporary.mjs";
 
 let browser;
-before(async () => (browser = await start_browser()));
+before(async () => (browser = await start_browser({ webgl: false })));
 after(() => browser.close());
 
 const told = (change = {}) =>

@@ -8,7 +8,7 @@ import { make_page } from "./report.mjs";
 
 let browser;
 before(async () => {
-  browser = await start_browser();
+  browser = await start_browser({ webgl: false });
 });
 after(() => browser.close());
 
