@@ -18,8 +18,8 @@ void stay_on(const std::vector<int>& processors);
 /// work did 0.55 of what the other did.
 int fastest_processor();
 
-/// How long a thread on one processor waits for an answer of another thread on another one, through a line of
-/// the cache that both write, s, now: the least of several rounds; 0 where the thread has one processor alone.
+/// How long a thread on one processor waits for an answer of another thread on another one, through lines of the
+/// cache that one writes and the other reads, s, now: the least of several rounds; 0 where there is one alone.
 /// It says how near each other they are: of two of a machine shared with others it was 55 ns in one minute and
 /// 480 in the next.
 double answer_seconds();

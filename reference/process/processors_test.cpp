@@ -31,10 +31,14 @@ TEST(Processors, WhatIsStartedMeanwhileStaysOnTheSameOne) {
 
 TEST(Processors, AnAnswerOfAnotherTakesNanosecondsToMicroseconds) {
   const std::vector<int> before = own_processors();
-  if (before.size() < 2) GTEST_SKIP() << "one processor: nobody answers";
   const double seconds = answer_seconds();
-  EXPECT_GT(seconds, 5e-9) << "one writes a line of the cache that the other has";
-  EXPECT_LT(seconds, 1e-3);
+  if (before.size() > 1) {
+    EXPECT_GT(seconds, 5e-9)
+        << "there and back, as far as a third cache, which takes 10 ns or more";
+    EXPECT_LT(seconds, 1e-3) << "less than the system lets a thread have a processor for";
+  } else {
+    EXPECT_EQ(seconds, 0.0) << "nobody answers";
+  }
   EXPECT_EQ(own_processors(), before);
 }
 

@@ -202,12 +202,12 @@ class OpenWork {
         continue;
       }
       if (looks % kLooks == 0) {
+        // All is counted before he goes away: another one may come in his place at once.
         if (time.is_to_count()) member.add_cpu_seconds(time.count());
         if (time.idle() > kPatience && member.go_away()) break;
       }
       wait(looks);
     }
-    if (time.is_to_count()) member.add_cpu_seconds(time.count());
     own.apply();
   }
 
