@@ -66,6 +66,8 @@ void run_phase(Phase phase, const Scene& scene, const Options& options, State& s
 }
 
 void step(const Scene& scene, const Options& options, State& state, Workspace& workspace) {
+  TeamChoice* const choice = workspace.team_choice;
+  if (choice != nullptr) workspace.team = choice->begin_step();
   PhaseSeconds* const clock = STICTION_HAS_TIMING ? workspace.phase_seconds : nullptr;
   for (std::size_t p = 0; p < kPhaseNames.size(); ++p) {
     const auto phase = static_cast<Phase>(p);
@@ -73,6 +75,7 @@ void step(const Scene& scene, const Options& options, State& state, Workspace& w
     const PhaseTimer timer(clock, phase);
     run_phase(phase, scene, options, state, workspace);
   }
+  if (choice != nullptr) choice->end_step();
   ++state.step;
 }
 

@@ -102,6 +102,25 @@ TEST(StepThreads, HaveTheBitsOfOneAtAnyNumber) {
   }
 }
 
+TEST(StepThreads, HaveTheBitsOfOneWhereEachStepIsLeftToWhoTakesLess) {
+  if (most_threads() == 1) GTEST_SKIP() << "built without oneTBB";
+  const Scene scene = sliding_plates();
+  const Team team(2);
+  TeamChoice choice(team);
+  State alone = initial_state(scene), chosen = alone;
+  Workspace of_alone, of_chosen;
+  of_chosen.team_choice = &choice;
+  int by_team = 0;
+  constexpr int kTrial = TeamChoice::kTurns * TeamChoice::kInARow;
+  for (int k = 0; k < TeamChoice::kFirst + kTrial; ++k) {
+    step(scene, quiet(), alone, of_alone);
+    step(scene, quiet(), chosen, of_chosen);
+    by_team += of_chosen.team != nullptr;
+  }
+  EXPECT_EQ(hash_of(chosen), hash_of(alone));
+  EXPECT_EQ(by_team, TeamChoice::kFirst + kTrial / 2);
+}
+
 TEST(StepThreads, HaveTheBitsOfOneWhereEdgesCross) {
   if (most_threads() == 1) GTEST_SKIP() << "built without oneTBB";
   const Scene scene = crossed_bars();

@@ -19,7 +19,7 @@
 #include "solver/detection/spatial_hash.h"
 #include "solver/detection/triangle_balls.h"
 #include "solver/elasticity/element_shares.h"
-#include "solver/parallel/team.h"
+#include "solver/parallel/team_choice.h"
 #include "solver/state.h"
 
 namespace stiction {
@@ -252,6 +252,8 @@ struct Workspace {
   PhaseSeconds* phase_seconds = nullptr;  ///< where to add times; null: nothing is timed
   /// Threads that do a step side by side, to the same bits; null: none but the caller's.
   const Team* team = nullptr;
+  /// Who says so before each step; null: `team` does all of them.
+  TeamChoice* team_choice = nullptr;
 };
 
 }  // namespace stiction

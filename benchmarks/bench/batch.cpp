@@ -158,6 +158,10 @@ Batch::Seconds Batch::time_going_on(const Team* team) {
   work_.workspace = settled_.workspace;
   Workspace& workspace = work_.workspace;
   workspace.team = team;
+  if (timed_.whole_step && team != nullptr && team->size() > 1) {
+    if (!choice_) choice_.emplace(*team);
+    workspace.team_choice = &*choice_;
+  }
   PhaseSeconds of_phases{};
   if (!timed_.whole_step) workspace.phase_seconds = &of_phases;
   const Clocks start;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ class Batch {
   /// To be called once before what counts: allocates what batches need.
   void warm();
   /// One batch, from where each begins: `steps` times the part, in steps that go on if it does; else once.
+  /// A part is done by the team, whole steps by the team or one as the choice between them falls.
   Seconds time(const Team* team = nullptr);
   int steps() const { return timed_.goes_on() ? kStepsInARow : 1; }
 
@@ -71,6 +73,7 @@ class Batch {
   State start_;
   std::vector<Velocity> velocity_;  // of the workspace, where the part changes it
   PairContacts pairs_;
+  std::optional<TeamChoice> choice_;  // of the first team that does whole steps
 };
 
 }  // namespace stiction::bench

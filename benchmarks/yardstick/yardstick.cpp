@@ -16,7 +16,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -32,6 +31,16 @@ struct Team {
   explicit Team(int threads) {
     if (threads != 1) throw std::runtime_error("this revision has no threads inside a step");
   }
+};
+}  // namespace stiction
+#endif
+#if __has_include("solver/parallel/team_choice.h")
+#include "solver/parallel/team_choice.h"
+#else
+namespace stiction {
+// This revision's team does all steps.
+struct TeamChoice {
+  explicit TeamChoice(const Team&) {}
 };
 }  // namespace stiction
 #endif
@@ -53,16 +62,19 @@ double wall_seconds() {
 
 // A team of one is none, as for who never asked for threads.
 template <class AWorkspace>
-void give(AWorkspace& workspace, const Team& team, int threads) {
-  if constexpr (requires { workspace.team = &team; }) {
-    if (threads > 1) workspace.team = &team;
+void give(AWorkspace& workspace, const Team& team, TeamChoice& choice, int threads) {
+  if (threads == 1) return;
+  if constexpr (requires { workspace.team_choice = &choice; }) {
+    workspace.team_choice = &choice;
+  } else if constexpr (requires { workspace.team = &team; }) {
+    workspace.team = &team;
   }
 }
 
 class Yardstick {
  public:
   Yardstick(const std::string& family, int contacts, int threads)
-      : contacts_(contacts), threads_(threads), team_(std::make_unique<Team>(threads)) {
+      : contacts_(contacts), threads_(threads), team_(threads) {
     for (const WorkloadFamily& one : family_catalog()) {
       if (one.name == family) family_ = one;
     }
@@ -77,6 +89,9 @@ class Yardstick {
     for (const Judgement& check : settled_.checks) {
       at_rest = at_rest && check.verdict == Verdict::kPass;
     }
+    // As after the first steps of any simulation, it is known whether threads pay.
+    begin();
+    go_on();
     std::array<char, 200> text{};
     std::snprintf(text.data(), text.size(), R"({"contacts":%zu,"at_rest":%s,"error":%.6g})",
                   settled_.contacts(), at_rest ? "true" : "false", settled_.error());
@@ -131,7 +146,7 @@ class Yardstick {
 
   void begin() {
     work_ = settled_;
-    give(work_.workspace, *team_, threads_);
+    give(work_.workspace, team_, choice_, threads_);
   }
 
   void go_on() {
@@ -142,7 +157,8 @@ class Yardstick {
 
   WorkloadFamily family_;
   int contacts_, threads_;
-  std::unique_ptr<Team> team_;
+  Team team_;
+  TeamChoice choice_{team_};
   Workload settled_, work_;
 };
 

@@ -106,7 +106,10 @@ void add_turns(SizeResult& result) {
   for (std::size_t k = 0; k < settled.size(); ++k) result.times[k].settled = settled[k].get();
   result.limits = yardsticks[1]->limits();
   for (const std::unique_ptr<Yardstick>& one : yardsticks) one->steps();  // allocates
+  const bool shared = std::any_of(result.ways.begin(), result.ways.end(),
+                                  [](const Way& way) { return way.threads > 1; });
   for (std::size_t turn = 0; turn < kTurns; ++turn) {
+    if (shared) result.answers.push_back(reference::answer_seconds());
     // All of a turn that run on one thread are timed on the same processor.
     const int fastest = reference::fastest_processor();
     for (std::size_t k = 0; k < yardsticks.size(); ++k) {
@@ -122,7 +125,7 @@ void add_turns(SizeResult& result) {
 }  // namespace
 
 SizeResult measure_size(const Workload& workload, const std::vector<Way>& ways) {
-  SizeResult result{.workload = workload, .ways = ways, .times = {}, .limits = {}};
+  SizeResult result{.workload = workload, .ways = ways, .times = {}, .limits = {}, .answers = {}};
   result.times.resize(ways.size());
   const double begun = seconds_now();
   for (std::size_t start = 0; start < kMostStarts; ++start) {

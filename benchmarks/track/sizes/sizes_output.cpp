@@ -60,6 +60,9 @@ double gain(const SizeResult& result, std::size_t way) {
   return ratio(result.now(), result.times[way], true).median;
 }
 
+// What one processor waits for an answer of another, s.
+double answer_seconds(const SizeResult& result) { return reference::median(result.answers); }
+
 // Of two threads and more by the clock on the wall, which is what they save.
 double step_of(const SizeResult& result, std::size_t way) {
   const StepTimes& times = result.times[way];
@@ -158,6 +161,11 @@ std::vector<Told> told(const std::vector<Way>& ways) {
         return fmt::format("{:.2f}", gain(one, k));
       });
     }
+  }
+  if (!std::all_of(ways.begin(), ways.end(), is_of_one_thread)) {
+    lines.emplace_back("… an answer, core to core", [](const SizeResult& one) {
+      return format_nanoseconds(1e9 * answer_seconds(one)) + " ns";
+    });
   }
   for (const Limit& limit : limits()) {
     lines.emplace_back(limit.name, [&limit](const SizeResult& one) {
@@ -270,6 +278,8 @@ std::vector<Record> family_records(const std::vector<SizeResult>& results, const
     if (!is_of_one_thread(ways[k])) {
       record.series.push_back(series_of("times as fast as one thread", "1", results,
                                         [&](const SizeResult& one) { return gain(one, k); }));
+      record.series.push_back(
+          series_of("answer of another processor", "s", results, answer_seconds));
     }
     record.checks = checks_of(k, results);
     record.verdict = verdict_of(record);

@@ -89,7 +89,8 @@ class StictionEngine final : public Engine {
     check_options(options_, scene_);
     state_ = initial_state(scene_);
     workspace_ = Workspace{};
-    workspace_.team = team_.size() > 1 ? &team_ : nullptr;
+    team_choice_ = TeamChoice(team_);
+    if (team_.size() > 1) workspace_.team_choice = &team_choice_;
     if (settled_ > 0.0) settle(problem, accuracy);
     begun_ = state_.step;
   }
@@ -277,6 +278,7 @@ class StictionEngine final : public Engine {
   std::vector<Mesh> meshes_;
   State state_;
   Team team_{step_threads()};
+  TeamChoice team_choice_{team_};
   Workspace workspace_;
   StepCost cost_;
 };
