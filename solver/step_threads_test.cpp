@@ -111,7 +111,7 @@ TEST(StepThreads, HaveTheBitsOfOneWhereEachStepIsLeftToWhoTakesLess) {
   Workspace of_alone, of_chosen;
   of_chosen.team_choice = &choice;
   int by_team = 0;
-  constexpr int kTrial = TeamChoice::kTurns * TeamChoice::kInARow;
+  constexpr int kTrial = TeamChoice::kTrial;
   for (int k = 0; k < TeamChoice::kFirst + kTrial; ++k) {
     step(scene, quiet(), alone, of_alone);
     step(scene, quiet(), chosen, of_chosen);

@@ -252,7 +252,8 @@ struct Workspace {
   PhaseSeconds* phase_seconds = nullptr;  ///< where to add times; null: nothing is timed
   /// Threads that do a step side by side, to the same bits; null: none but the caller's.
   const Team* team = nullptr;
-  /// Who says so before each step; null: `team` does all of them.
+  /// Decides before each step who does it, and says so in `team`; null: that stays as it was set. Outlives
+  /// the workspace, and is of one simulation at a time. `run_phase` alone doesn't ask it.
   TeamChoice* team_choice = nullptr;
 };
 

@@ -203,8 +203,8 @@ void define(CLI::App& app, Arguments& arguments) {
          "--threads",
          // Programs that run as engines hear of it too.
          [](const std::string& wanted) { ::setenv("STICTION_THREADS", wanted.c_str(), 1); },
-         "Threads inside a step of this project's solver [1]: for scenes of more than some 5000 "
-         "contacts; the digits are the same")
+         "Threads inside a step of this project's solver [1], used where they pay, as in scenes of "
+         "some 10 000 contacts; the digits are the same")
       ->type_name("N")
       ->check(CLI::Range(1, most_threads()))
       ->group("How it runs");

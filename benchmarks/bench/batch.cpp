@@ -153,15 +153,27 @@ Batch::Seconds Batch::time(const Team* team) {
   return start.passed();
 }
 
-Batch::Seconds Batch::time_going_on(const Team* team) {
+void Batch::begin() {
   work_.state = settled_.state;
   work_.workspace = settled_.workspace;
+}
+
+const Team* Batch::chosen(const Team& team) {
+  TeamChoice choice(team);
+  begin();
+  work_.workspace.team_choice = &choice;
+  for (int k = 0; k < TeamChoice::kFirst + TeamChoice::kTrial; ++k) {
+    step(*work_.scene, work_.options, work_.state, work_.workspace);
+  }
+  work_.workspace.team_choice = nullptr;
+  return choice.chosen();
+}
+
+Batch::Seconds Batch::time_going_on(const Team* team) {
+  if (timed_.whole_step && team != nullptr) team = chosen(*team);
+  begin();
   Workspace& workspace = work_.workspace;
   workspace.team = team;
-  if (timed_.whole_step && team != nullptr && team->size() > 1) {
-    if (!choice_) choice_.emplace(*team);
-    workspace.team_choice = &*choice_;
-  }
   PhaseSeconds of_phases{};
   if (!timed_.whole_step) workspace.phase_seconds = &of_phases;
   const Clocks start;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,7 +54,7 @@ class Batch {
   /// To be called once before what counts: allocates what batches need.
   void warm();
   /// One batch, from where each begins: `steps` times the part, in steps that go on if it does; else once.
-  /// A part is done by the team, whole steps by the team or one as the choice between them falls.
+  /// A part is done by the team; whole steps by the team or one thread, whoever takes less just then.
   Seconds time(const Team* team = nullptr);
   int steps() const { return timed_.goes_on() ? kStepsInARow : 1; }
 
@@ -65,6 +64,8 @@ class Batch {
   const Workload& work() const { return work_; }
 
  private:
+  void begin();                          // of steps that go on
+  const Team* chosen(const Team& team);  // who takes less for whole steps: the team, or null
   Seconds time_going_on(const Team* team);
 
   const Workload& settled_;
@@ -73,7 +74,6 @@ class Batch {
   State start_;
   std::vector<Velocity> velocity_;  // of the workspace, where the part changes it
   PairContacts pairs_;
-  std::optional<TeamChoice> choice_;  // of the first team that does whole steps
 };
 
 }  // namespace stiction::bench

@@ -36,13 +36,7 @@ struct Team {
 #endif
 #if __has_include("solver/parallel/team_choice.h")
 #include "solver/parallel/team_choice.h"
-#else
-namespace stiction {
-// This revision's team does all steps.
-struct TeamChoice {
-  explicit TeamChoice(const Team&) {}
-};
-}  // namespace stiction
+#define STICTION_CHOOSES
 #endif
 #ifdef STICTION_PRESENT  // built with its own revision
 #include "benchmarks/bench/cost_model.h"
@@ -62,12 +56,9 @@ double wall_seconds() {
 
 // A team of one is none, as for who never asked for threads.
 template <class AWorkspace>
-void give(AWorkspace& workspace, const Team& team, TeamChoice& choice, int threads) {
-  if (threads == 1) return;
-  if constexpr (requires { workspace.team_choice = &choice; }) {
-    workspace.team_choice = &choice;
-  } else if constexpr (requires { workspace.team = &team; }) {
-    workspace.team = &team;
+void give(AWorkspace& workspace, const Team* team, int threads) {
+  if constexpr (requires { workspace.team = team; }) {
+    if (threads > 1) workspace.team = team;
   }
 }
 
@@ -89,9 +80,6 @@ class Yardstick {
     for (const Judgement& check : settled_.checks) {
       at_rest = at_rest && check.verdict == Verdict::kPass;
     }
-    // As after the first steps of any simulation, it is known whether threads pay.
-    begin();
-    go_on();
     std::array<char, 200> text{};
     std::snprintf(text.data(), text.size(), R"({"contacts":%zu,"at_rest":%s,"error":%.6g})",
                   settled_.contacts(), at_rest ? "true" : "false", settled_.error());
@@ -100,6 +88,7 @@ class Yardstick {
 
   std::string steps() {
     demand_settled();
+    choose();
     begin();
     const double cpu = thread_cpu_seconds(), wall = wall_seconds();
     go_on();
@@ -144,13 +133,26 @@ class Yardstick {
     if (!settled_.scene) throw std::runtime_error("it has not settled yet");
   }
 
-  void begin() {
+  // Whether threads pay just now, which the solver finds as steps go on, if it can.
+  void choose() {
+#ifdef STICTION_CHOOSES
+    if (threads_ == 1) return;
+    TeamChoice choice(team_);
     work_ = settled_;
-    give(work_.workspace, team_, choice_, threads_);
+    work_.workspace.team_choice = &choice;
+    go_on(TeamChoice::kFirst + TeamChoice::kTrial);
+    work_.workspace.team_choice = nullptr;
+    chosen_ = choice.chosen();
+#endif
   }
 
-  void go_on() {
-    for (int k = 0; k < kSteps; ++k) {
+  void begin() {
+    work_ = settled_;
+    give(work_.workspace, chosen_, threads_);
+  }
+
+  void go_on(int steps = kSteps) {
+    for (int k = 0; k < steps; ++k) {
       step(*work_.scene, work_.options, work_.state, work_.workspace);
     }
   }
@@ -158,7 +160,7 @@ class Yardstick {
   WorkloadFamily family_;
   int contacts_, threads_;
   Team team_;
-  TeamChoice choice_{team_};
+  const Team* chosen_ = &team_;
   Workload settled_, work_;
 };
 

@@ -14,6 +14,7 @@ namespace stiction::friction_phase {
 // sides.h), compiled for the registers that the side's vectors go through.
 template <class Side, class Work>
 void for_each_chunk(const Side& side, const Team* team, const Work& work) {
+  if (side.size() == 0) return;
   const int width = std::is_same_v<typename Side::Vector, PackedVec3> ? lane_width() : 0;
   side.order.for_each_chunk(team, [&](std::size_t k, const ContactOrder::Chunk& chunk) {
     in_registers(

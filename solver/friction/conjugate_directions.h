@@ -43,7 +43,7 @@ class ConjugateSide {
   /// Before a sweep, whose changes are to be added to `all`.
   void begin(SweepChange& all) {
     all_ = &all;
-    scratch_.of_chunk.assign(side_.order.chunks(), {});
+    if (!alone()) scratch_.of_chunk.assign(side_.order.chunks(), {});
   }
 
   /// Of the k-th chunk: before it, for each of its contacts, behind it. Its sum is in the order of the
@@ -117,7 +117,7 @@ class ConjugateSide {
   }
 
  private:
-  bool alone() const { return scratch_.of_chunk.size() == 1; }
+  bool alone() const { return side_.order.chunks() <= 1; }
 
   const Side& side_;
   SweepChange* all_ = nullptr;

@@ -122,14 +122,6 @@ Team::Team(int threads) : size_(threads) {
 
 Team::~Team() = default;
 
-void Team::run(const Team* team, std::size_t count, Call call, const void* work) {
-  if (team != nullptr && team->size() > 1 && count > 1) {
-    team->share(count, call, work);
-  } else {
-    for (std::size_t k = 0; k < count; ++k) call(work, k);
-  }
-}
-
 int chosen_step_threads(const std::string& wanted) {
   if (wanted.empty()) return 1;
   int threads = 0;

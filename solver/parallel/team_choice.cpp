@@ -12,6 +12,12 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+template <class Values>
+double median(Values values) {
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
 }  // namespace
 
 TeamChoice::TeamChoice(const Team& team, Clock clock)
@@ -32,24 +38,23 @@ void TeamChoice::end_step() {
   if (!timed_) return;
   timed_ = false;
   if (step_ % kInARow >= kUntimed) {
-    Times& times = by_team() ? together_ : alone_;
-    times.seconds[times.count++] = clock_() - begun_;
+    const double seconds = clock_() - begun_;
+    if (by_team()) {
+      together_[together_count_++] = seconds;
+    } else {
+      alone_[alone_count_++] = seconds;
+    }
   }
-  if (++step_ == kTurns * kInARow) choose();
+  if (++step_ == kTrial) choose();
 }
 
 void TeamChoice::choose() {
-  const bool pays = together_.median() <= kWorthIt * alone_.median();
+  const bool pays = median(together_) <= kWorthIt * median(alone_);
   hold_ = pays == pays_ ? std::min(2 * hold_, kLatest) : kSoonest;
   pays_ = pays;
   wait_ = hold_;
   step_ = 0;
-}
-
-double TeamChoice::Times::median() {
-  std::sort(seconds.begin(), seconds.end());
-  count = 0;
-  return 0.5 * (seconds[(kTimed - 1) / 2] + seconds[kTimed / 2]);
+  together_count_ = alone_count_ = 0;
 }
 
 }  // namespace stiction

@@ -28,24 +28,26 @@ class TeamChoice {
   /// Who does those that are not timed.
   const Team* chosen() const { return pays_ ? team_ : nullptr; }
 
-  static constexpr int kFirst = 8;    ///< steps before the first trial, while lists and caches fill
-  static constexpr int kInARow = 5;   ///< steps of a turn …
-  static constexpr int kUntimed = 2;  ///< … of which the first find nothing in the caches
-  static constexpr int kTurns = 4;    ///< of a trial, by the team and alone
-  static constexpr int kSoonest = 64;   ///< steps from a trial to the next, after a change …
-  static constexpr int kLatest = 4096;  ///< … and at most: each time twice as many
-  /// A team that takes more of the time than this is not worth its processors.
+  static constexpr int kFirst = 8;   ///< steps before the first trial, while lists and caches fill
+  static constexpr int kInARow = 4;  ///< steps of a turn of a trial …
+  /// … of which the first are not timed: their data are in the other's caches, and threads that had nothing
+  /// to do for 3 ms have to wake. For less than that they look out for work, beside who does it alone.
+  static constexpr int kUntimed = 2;
+  static constexpr int kTurns = 8;  ///< by the team, alone, alone, by the team, and so again
+  static constexpr int kTrial = kTurns * kInARow;
+  static constexpr int kSoonest = 64;  ///< steps from a trial to the next after a change …
+  static constexpr int kLatest =
+      4096;  ///< … and at most, of which a trial is less than a hundredth
+  /// A team that takes more of the time than this is not worth its processors, which other programs
+  /// could have; and by less than that a trial may be wrong.
   static constexpr double kWorthIt = 0.95;
 
  private:
+  // Their median bears that something holds up a whole turn.
   static constexpr std::size_t kTimed = kTurns / 2 * (kInARow - kUntimed);
-  struct Times {
-    std::array<double, kTimed> seconds{};
-    std::size_t count = 0;
-    double median();
-  };
+  using Times = std::array<double, kTimed>;  // s
 
-  bool by_team() const { return step_ / kInARow % 2 == 0; }
+  bool by_team() const { return (step_ / kInARow + 1) / 2 % 2 == 0; }
   void choose();
 
   const Team* team_;
@@ -56,7 +58,8 @@ class TeamChoice {
   int step_ = 0;             // of a trial
   bool timed_ = false;       // the step that has begun
   double begun_ = 0.0;       // s
-  Times together_, alone_;
+  Times together_{}, alone_{};
+  std::size_t together_count_ = 0, alone_count_ = 0;
 };
 
 }  // namespace stiction

@@ -35,7 +35,7 @@ class Steps {
   TeamChoice choice;
 };
 
-constexpr int kTrial = TeamChoice::kTurns * TeamChoice::kInARow;
+constexpr int kTrial = TeamChoice::kTrial;
 
 TEST(TeamChoice, LeavesTheStepsToWhoTakesLess) {
   const Team team(1);
@@ -55,11 +55,11 @@ TEST(TeamChoice, SoonTriesSeldom) {
   Steps costs(team);
   costs.by_team(20000, 10e-6, 14e-6);
   // Two trials in so many, of which half is done by the team.
-  EXPECT_LE(costs.by_team(2 * TeamChoice::kLatest, 10e-6, 14e-6), 20.0 / (2 * TeamChoice::kLatest));
+  constexpr double kTried = static_cast<double>(kTrial) / (2 * TeamChoice::kLatest);
+  EXPECT_LE(costs.by_team(2 * TeamChoice::kLatest, 10e-6, 14e-6), kTried);
   Steps pays(team);
   pays.by_team(20000, 10e-6, 6e-6);
-  EXPECT_GE(pays.by_team(2 * TeamChoice::kLatest, 10e-6, 6e-6),
-            1.0 - 20.0 / (2 * TeamChoice::kLatest));
+  EXPECT_GE(pays.by_team(2 * TeamChoice::kLatest, 10e-6, 6e-6), 1.0 - kTried);
 }
 
 TEST(TeamChoice, FollowsWhatChanges) {
@@ -75,23 +75,32 @@ TEST(TeamChoice, FollowsWhatChanges) {
   EXPECT_EQ(steps.choice.chosen(), nullptr);
 }
 
-TEST(TeamChoice, IsNotMadeByTheStepThatAnotherProgramHoldsUp) {
+TEST(TeamChoice, IsNotMadeByATurnThatAnotherProgramHoldsUp) {
+  const Team team(1);
+  for (int turn = 0; turn < TeamChoice::kTurns; ++turn) {
+    for (const bool pays : {false, true}) {
+      Steps steps(team);
+      const double together = pays ? 6e-6 : 14e-6;
+      steps.by_team(TeamChoice::kFirst + turn * TeamChoice::kInARow, 10e-6, together);
+      for (int k = 0; k < TeamChoice::kInARow; ++k) steps.interrupted(4e-3);
+      steps.by_team(kTrial, 10e-6, together);
+      EXPECT_EQ(steps.choice.chosen(), pays ? &team : nullptr) << turn;
+    }
+  }
+}
+
+TEST(TeamChoice, HasNothingOfAStepThatThrew) {
   const Team team(1);
   Steps steps(team);
   steps.by_team(TeamChoice::kFirst + TeamChoice::kUntimed, 10e-6, 6e-6);
-  steps.interrupted(4e-3);
-  steps.by_team(kTrial, 10e-6, 6e-6);
+  for (int k = 0; k < kTrial; ++k) {
+    steps.choice.begin_step();  // and no end
+    now += 1.0;
+  }
+  // The trial has not gone on: what is left of it is half by the team.
+  constexpr int kLeft = kTrial - TeamChoice::kUntimed;
+  EXPECT_DOUBLE_EQ(steps.by_team(kLeft, 10e-6, 6e-6) * kLeft, 0.5 * kTrial - TeamChoice::kUntimed);
   EXPECT_EQ(steps.choice.chosen(), &team);
-}
-
-TEST(TeamChoice, ForgetsAStepThatThrewAndGoesOn) {
-  const Team team(1);
-  Steps steps(team);
-  steps.by_team(TeamChoice::kFirst, 10e-6, 14e-6);
-  steps.choice.begin_step();  // and no end
-  now += 1.0;
-  steps.by_team(kTrial, 10e-6, 14e-6);
-  EXPECT_EQ(steps.choice.chosen(), nullptr);
 }
 
 }  // namespace

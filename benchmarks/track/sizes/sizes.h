@@ -29,7 +29,8 @@ struct SizeResult {
   std::vector<Way> ways;         ///< the first is before, the second now
   std::vector<StepTimes> times;  ///< as many
   Yardstick::Limits limits;      ///< of the second
-  /// Of each turn, how long one processor waited for an answer of another, s; none where no way has threads.
+  /// Of each turn, how long one processor waited for an answer of another, s
+  /// (0: there is one alone); none where no way has threads.
   std::vector<double> answers;
 
   const StepTimes& before() const { return times[0]; }

@@ -60,7 +60,7 @@ double gain(const SizeResult& result, std::size_t way) {
   return ratio(result.now(), result.times[way], true).median;
 }
 
-// What one processor waits for an answer of another, s.
+// What one processor waits for an answer of another, s: the median of the turns, 0 where there is one processor.
 double answer_seconds(const SizeResult& result) { return reference::median(result.answers); }
 
 // Of two threads and more by the clock on the wall, which is what they save.
@@ -164,7 +164,8 @@ std::vector<Told> told(const std::vector<Way>& ways) {
   }
   if (!std::all_of(ways.begin(), ways.end(), is_of_one_thread)) {
     lines.emplace_back("… an answer, core to core", [](const SizeResult& one) {
-      return format_nanoseconds(1e9 * answer_seconds(one)) + " ns";
+      const double seconds = answer_seconds(one);
+      return seconds > 0.0 ? format_nanoseconds(1e9 * seconds) + " ns" : "–";
     });
   }
   for (const Limit& limit : limits()) {
