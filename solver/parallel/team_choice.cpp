@@ -37,13 +37,11 @@ const Team* TeamChoice::begin_step() {
 void TeamChoice::end_step() {
   if (!timed_) return;
   timed_ = false;
-  if (step_ % kInARow >= kUntimed) {
-    const double seconds = clock_() - begun_;
-    if (by_team()) {
-      together_[together_count_++] = seconds;
-    } else {
-      alone_[alone_count_++] = seconds;
-    }
+  const int turn = step_ / kInARow, timed = step_ % kInARow - kUntimed;
+  if (timed >= 0) {
+    const int place =
+        turn / 2 * (kInARow - kUntimed) + timed;  // of each two turns one is of either
+    (by_team() ? together_ : alone_)[static_cast<std::size_t>(place)] = clock_() - begun_;
   }
   if (++step_ == kTrial) choose();
 }
@@ -54,7 +52,6 @@ void TeamChoice::choose() {
   pays_ = pays;
   wait_ = hold_;
   step_ = 0;
-  together_count_ = alone_count_ = 0;
 }
 
 }  // namespace stiction

@@ -59,7 +59,6 @@ class TeamChoice {
   bool timed_ = false;       // the step that has begun
   double begun_ = 0.0;       // s
   Times together_{}, alone_{};
-  std::size_t together_count_ = 0, alone_count_ = 0;
 };
 
 }  // namespace stiction
