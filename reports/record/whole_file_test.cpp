@@ -74,10 +74,13 @@ TEST_F(WholeFileTest, APipeIsWrittenTo) {
 // A program without a handler writes until it is told to end.
 TEST_F(WholeFileTest, ASignalLeavesNoFileThatIsNotWhole) {
   for (int k = 0; k < 10; ++k) {
+    fs::remove(folder_ / "file");
     const pid_t child = fork();
     if (child == 0) {
       while (true) write_whole(folder_ / "file", std::string(100000, 'x'), Wait::kNo);
     }
+    // On a busy machine it may be a while until the child has its turn.
+    while (!fs::exists(folder_ / "file")) std::this_thread::yield();
     std::this_thread::sleep_for(std::chrono::microseconds(5000 + 700 * k));
     kill(child, SIGTERM);
     int status = 0;
