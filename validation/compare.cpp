@@ -336,8 +336,8 @@ int compare(Arguments& arguments) {
     show(job_list_json(portion));
     return kHolds;
   }
-  RecordStore store = RecordStore::create(arguments.out);
-  const reference::LastWords words([&store] { return store.last_words(); });
+  reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(arguments.out); });
+  RecordStore& store = *run;
   std::vector<Record> records(jobs.size());
   Tables tables(jobs, records, arguments.verbose);
   portion.run(store, arguments.jobs, 1.0, [&](std::size_t index, Record record) {

@@ -188,9 +188,9 @@ int sweep(const Arguments& arguments) {
   std::set<std::filesystem::path> earlier;
   if (!arguments.fresh && !parts) earlier = record_files(folder, arguments.share);
 
-  RecordStore store = RecordStore::create(folder);
+  reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(folder); });
+  RecordStore& store = *run;
   write_plan(store, {"sweep", arguments.portion.command, plan, points.size(), shard});
-  const reference::LastWords words([&store] { return store.last_words(); });
   store.wait_for_disk_every(1.0);
   Results results(points.size());
   std::vector<std::size_t> own = shuffled_share(shard, points.size());

@@ -327,8 +327,8 @@ int validate(Arguments& arguments) {
   if (!portion.is_whole()) tell(portion.text());
   tell_long_runs(problems, jobs);
 
-  RecordStore store = RecordStore::create(arguments.out);
-  const reference::LastWords words([&store] { return store.last_words(); });
+  reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(arguments.out); });
+  RecordStore& store = *run;
   const Screen screen = screen_of(STDOUT_FILENO);
   std::vector<Record> records(jobs.size());
   Console console(jobs, screen,

@@ -175,8 +175,8 @@ int bench(const Arguments& arguments) {
   }
   if (!arguments.out_file.empty()) demand_folder_of(arguments.out_file);
   reference::end_in_order("stiction bench");
-  RecordStore store = RecordStore::create(arguments.out);
-  const reference::LastWords words([&store] { return store.last_words(); });
+  reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(arguments.out); });
+  RecordStore& store = *run;
   const MachinePeak machine = [] {
     const reference::OnFastestProcessor here;
     return measure_peak();

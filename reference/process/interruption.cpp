@@ -23,7 +23,7 @@ constexpr auto kToEnd = std::chrono::seconds(2);  // for children, before they a
 constexpr auto kTick = std::chrono::milliseconds(10);
 
 struct Shared {
-  std::mutex mutex;  // of what follows
+  std::recursive_mutex mutex;  // of what follows
   std::set<pid_t> children;
   std::function<std::string()> words = [] { return ""; };
   std::function<void()> afterwards = [] {};

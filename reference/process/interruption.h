@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 /// How a program with children ends when it is told to: Ctrl-C, kill, a terminal that is closed.
 namespace stiction::reference {
@@ -30,12 +31,8 @@ class LastWords {
   LastWords& operator=(const LastWords&) = delete;
 };
 
-/// Starts a child that is ended with this program: `start` gives its process, or one not above 0. Never
-/// returns once the program is being ended.
-pid_t start_child(const std::function<pid_t()>& start);
-
 /// While it lives the program is not ended: for the moments in which a file has a name that is not its own.
-/// No child may be started meanwhile.
+/// No other thread may start a child meanwhile.
 class Uninterrupted {
  public:
   Uninterrupted();
@@ -43,6 +40,31 @@ class Uninterrupted {
   Uninterrupted(const Uninterrupted&) = delete;
   Uninterrupted& operator=(const Uninterrupted&) = delete;
 };
+
+/// What `make` makes, and its last_words() as LastWords: the program is not ended between the two, so that
+/// nothing is left on disk that nobody tells of.
+template <typename Made>
+class WithLastWords {
+ public:
+  template <typename Make>
+  explicit WithLastWords(
+      const Make& make, std::function<void()> afterwards = [] {})
+      : WithLastWords(Uninterrupted(), make, std::move(afterwards)) {}
+
+  Made& operator*() { return made_; }
+
+ private:
+  template <typename Make>
+  WithLastWords(const Uninterrupted&, const Make& make, std::function<void()> afterwards)
+      : made_(make()), words_([this] { return made_.last_words(); }, std::move(afterwards)) {}
+
+  Made made_;
+  LastWords words_;
+};
+
+/// Starts a child that is ended with this program: `start` gives its process, or one not above 0. Never
+/// returns once the program is being ended.
+pid_t start_child(const std::function<pid_t()>& start);
 
 /// It has ended, by itself or not. Never returns once the program is being ended: what becomes of its
 /// children then is nobody's result.

@@ -234,8 +234,10 @@ int track_sizes(const Arguments& arguments) {
   const std::vector<Way> ways = ways_of(before, now, arguments.threads);
   const std::vector<Workload> workloads =
       workloads_of(now, arguments.scope.benchmarks, arguments.full);
-  RecordStore store = RecordStore::create(arguments.out.empty() ? "sizes-report" : arguments.out);
-  const reference::LastWords words([&store] { return store.last_words(); }, Scratch::remove_all);
+  const std::string out = arguments.out.empty() ? "sizes-report" : arguments.out;
+  reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(out); },
+                                            Scratch::remove_all);
+  RecordStore& store = *run;
   std::vector<SizeResult> results, of_family;
   ProgressLine progress(workloads.size());
   bool holds = true;

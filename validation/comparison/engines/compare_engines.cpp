@@ -131,8 +131,8 @@ ExitCode compare_engines(const EngineComparison& asked) {
     return kHolds;
   }
 
-  RecordStore store = RecordStore::create(asked.out);
-  const reference::LastWords words([&store] { return store.last_words(); });
+  reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(asked.out); });
+  RecordStore& store = *run;
   std::vector<Record> records(jobs.size());
   const auto began = std::chrono::steady_clock::now();
   std::size_t done = 0;
