@@ -219,11 +219,9 @@ int bench(const Arguments& arguments) {
   }
   std::string machine_gain;
   if (team.size() > 1) {
-    const TeamPeak peak = measure_team_peak(team);
     machine_gain = fmt::format(
-        "{} threads that share nothing do arithmetic {:.2f} times as fast as one here, and memory "
-        "{:.2f} times.",
-        team.size(), peak.arithmetic, peak.memory);
+        "{} threads that share nothing go through memory {:.2f} times as fast as one here.",
+        team.size(), memory_gain(team));
     console.add(machine_gain + "\n");
   }
   console.finished();

@@ -24,13 +24,15 @@ Record new_record(const std::string& name, const std::string& title) {
 }
 
 void add_speed_up(const std::string& part, const SpeedUp& speed_up, Record& record) {
+  const auto& [before, after] = speed_up.together;
   record.figures.push_back(
       {fmt::format("speed-up by {} threads, {}", speed_up.threads, part), "1",
        fmt::format("wall-clock time of one over that of all, in turn; half of the ratios lie from "
                    "{:.2f} to {:.2f}; an answer of another processor took {:.0f} ns before, {:.0f} "
-                   "ns after",
-                   speed_up.ratio.lower, speed_up.ratio.upper, 1e9 * speed_up.answers[0],
-                   1e9 * speed_up.answers[1]),
+                   "ns after; at arithmetic the processors were {:.2f} and {:.2f} times as fast as "
+                   "the fastest alone",
+                   speed_up.ratio.lower, speed_up.ratio.upper, 1e9 * before.answer_seconds,
+                   1e9 * after.answer_seconds, before.arithmetic, after.arithmetic),
        speed_up.ratio.median});
   record.checks.push_back(judge({.quantity = "batches that threads leave in another state, " + part,
                                  .unit = "1",

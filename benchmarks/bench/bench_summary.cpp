@@ -63,12 +63,23 @@ std::string exponent(const std::vector<Scaling>& fits, const std::string& family
   return "–";
 }
 
-// How much faster threads do a whole step, and how far apart their processors were; none where that was not measured.
+// "55", or "55–480" where it has changed by half.
+std::string range_text(double one, double other, int places) {
+  const auto [least, most] = std::minmax(one, other);
+  std::string text = fmt::format("{:.{}f}", least, places);
+  if (most > 1.5 * least) text += fmt::format("–{:.{}f}", most, places);
+  return text;
+}
+
+// How much faster threads do a whole step, and what their processors were to each other; none where that was not
+// measured.
 Cells speed_up_rows(const std::vector<Result>& results, const std::string& family,
                     const std::set<int>& sizes) {
-  std::vector<std::string> row = {""}, answers = {"           ns for an answer, core to core"};
+  std::vector<std::string> row = {""}, arithmetic = {"           × faster, arithmetic"},
+                           answers = {"           ns for an answer, core to core"};
   for (const int size : sizes) {
     row.emplace_back("–");
+    arithmetic.emplace_back("–");
     answers.emplace_back("–");
     for (const Result& one : results) {
       if (one.chosen.family.name != family || one.chosen.size != size ||
@@ -77,16 +88,16 @@ Cells speed_up_rows(const std::vector<Result>& results, const std::string& famil
       }
       row.front() = fmt::format("  {:<6}… {} threads, × faster", family, one.speed_up->threads);
       row.back() = fmt::format("{:.2f}", one.speed_up->ratio.median);
-      const auto [least, most] =
-          std::minmax_element(std::begin(one.speed_up->answers), std::end(one.speed_up->answers));
-      answers.back() = fmt::format("{:.0f}", 1e9 * *least);
-      if (*most > 1.5 * *least) answers.back() += fmt::format("–{:.0f}", 1e9 * *most);
+      const auto& [before, after] = one.speed_up->together;
+      arithmetic.back() = range_text(before.arithmetic, after.arithmetic, 2);
+      answers.back() = range_text(1e9 * before.answer_seconds, 1e9 * after.answer_seconds, 0);
     }
   }
   if (row.front().empty()) return {};
   row.emplace_back("");
+  arithmetic.emplace_back("");
   answers.emplace_back("");
-  return {std::move(row), std::move(answers)};
+  return {std::move(row), std::move(arithmetic), std::move(answers)};
 }
 
 std::vector<std::string> families_of(const std::vector<Result>& results) {

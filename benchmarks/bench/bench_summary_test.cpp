@@ -57,13 +57,16 @@ TEST(BenchSummary, TellsHowMuchFasterThreadsDoAWholeStep) {
     one.chosen.timed.whole_step = one.chosen.timed.name == "step";
     const double ratio = one.chosen.timed.whole_step ? 1.9 : 1.2;
     if (one.chosen.size > 100)
-      one.speed_up = SpeedUp{4, {ratio - 0.1, ratio, ratio + 0.1}, true, {55e-9, 480e-9}};
-    if (one.chosen.size > 1000) one.speed_up->answers[1] = 58e-9;
+      one.speed_up =
+          SpeedUp{4, {ratio - 0.1, ratio, ratio + 0.1}, true, {{55e-9, 1.9}, {480e-9, 1.2}}};
+    if (one.chosen.size > 1000) one.speed_up->together[1] = {58e-9, 1.95};
   }
   EXPECT_THAT(bench_summary(results, {}, {}, {}, Screen{}),
               testing::ContainsRegex("slab +… 4 threads, × faster +– +1.90 +1.90"));
   EXPECT_THAT(bench_summary(results, {}, {}, {}, Screen{}),
               testing::ContainsRegex("ns for an answer, core to core +– +55–480 +55"));
+  EXPECT_THAT(bench_summary(results, {}, {}, {}, Screen{}),
+              testing::ContainsRegex("× faster, arithmetic +– +1.20–1.90 +1.90"));
 }
 
 TEST(BenchSummary, OfPartsAloneEachIsTold) {

@@ -61,20 +61,6 @@ double least_seconds(const Work& work) {
   return least;
 }
 
-// One thread's time for all pieces over the team's.
-template <class Work>
-double times_as_fast(const Team& team, const Work& piece) {
-  const auto seconds_with = [&](const Team* with) {
-    const auto start = std::chrono::steady_clock::now();
-    for_each(with, static_cast<std::size_t>(team.size()), piece);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  seconds_with(&team);  // wakes the threads
-  const auto alone = [&] { return seconds_with(nullptr); };
-  const auto together = [&] { return seconds_with(&team); };
-  return ratio_in_turn(alone, together).median;
-}
-
 }  // namespace
 
 double clock_overhead() {
@@ -92,13 +78,20 @@ MachinePeak measure_peak() {
           2.0 * kChains * kRounds / least_seconds(run_chains)};
 }
 
-TeamPeak measure_team_peak(const Team& team) {
+double memory_gain(const Team& team) {
   Triad triad;
   const auto count = static_cast<std::size_t>(team.size());
-  return {times_as_fast(team, [](std::size_t) { run_chains(); }),
-          times_as_fast(team, [&](std::size_t k) {
-            triad.run(Triad::kCount * k / count, Triad::kCount * (k + 1) / count);
-          })};
+  const auto seconds_with = [&](const Team* with) {
+    const auto start = std::chrono::steady_clock::now();
+    for_each(with, count, [&](std::size_t k) {
+      triad.run(Triad::kCount * k / count, Triad::kCount * (k + 1) / count);
+    });
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  seconds_with(&team);  // wakes the threads
+  const auto alone = [&] { return seconds_with(nullptr); };
+  const auto together = [&] { return seconds_with(&team); };
+  return ratio_in_turn(alone, together).median;
 }
 
 }  // namespace stiction::bench

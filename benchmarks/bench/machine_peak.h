@@ -15,15 +15,9 @@ struct MachinePeak {
 /// Measures both, best of several; takes about half a second.
 MachinePeak measure_peak();
 
-/// How many times as fast as one thread a team does work that shares nothing, piece by piece: what the
-/// machine has to give to threads inside a step.
-struct TeamPeak {
-  double arithmetic = 1.0;  ///< chains as above
-  double memory = 1.0;      ///< a = b + s c as above
-};
-
-/// Measures both by the clock on the wall, one thread and the team in turn.
-TeamPeak measure_team_peak(const Team& team);
+/// How many times as fast as one thread a team goes through memory of which each has a piece of its own,
+/// a = b + s c as above: by the clock on the wall, in turn. (Of arithmetic: reference::measure_together.)
+double memory_gain(const Team& team);
 
 /// What reading the thread's clock twice adds to a difference, s: the smallest of many.
 double clock_overhead();

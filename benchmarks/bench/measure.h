@@ -14,6 +14,7 @@
 #include "benchmarks/bench/batch.h"
 #include "benchmarks/bench/cost_model.h"
 #include "benchmarks/bench/machine_peak.h"
+#include "reference/process/processors.h"
 #include "reference/statistics/two_samples.h"
 #include "solver/parallel/team.h"
 
@@ -30,10 +31,9 @@ struct Chosen {
 /// How much faster threads do the same batches, which they do in turn with one alone.
 struct SpeedUp {
   int threads = 1;
-  reference::Quartiles ratio{};  ///< of the wall-clock times, dimensionless
-  bool same_hash = true;         ///< both have written the same bits
-  /// How long one processor waits for an answer of another, before and after, s (reference/process/processors.h).
-  double answers[2] = {0.0, 0.0};
+  reference::Quartiles ratio{};          ///< of the wall-clock times, dimensionless
+  bool same_hash = true;                 ///< both have written the same bits
+  reference::Together together[2] = {};  ///< before and after
 };
 
 /// What was measured of one.

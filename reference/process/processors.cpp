@@ -9,23 +9,66 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <thread>
 
 namespace stiction::reference {
 
 namespace {
 
-// Of independent chains, so that what a neighbour takes of a core shows: some 2 ms.
-double seconds_of_arithmetic() {
+// Rounds of arithmetic a second, in some milliseconds. Of independent chains, so that what a neighbour takes of a
+// core shows.
+double arithmetic_rate() {
+  constexpr double kSeconds = 2e-3;
+  constexpr int kRounds = 2000;  // between two looks at the clock, some microseconds
   const auto begun = std::chrono::steady_clock::now();
   std::array<std::uint64_t, 8> x{1, 2, 3, 4, 5, 6, 7, 8};
-  for (int round = 0; round < 500'000; ++round) {
-    for (std::uint64_t& value : x) value = value * 6364136223846793005U + 1442695040888963407U;
+  double done = 0.0, seconds = 0.0;
+  while (seconds < kSeconds) {
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::uint64_t& value : x) value = value * 6364136223846793005U + 1442695040888963407U;
+    }
+    done += kRounds;
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   }
   std::uint64_t sum = 0;
   for (const std::uint64_t value : x) sum += value;
   [[maybe_unused]] const volatile std::uint64_t seen = sum;  // it must be reckoned
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  return done / seconds;
+}
+
+struct Processor {
+  int number;
+  double rate;  // of arithmetic, alone
+};
+
+// The fastest first.
+std::vector<Processor> by_rate(const std::vector<int>& numbers) {
+  std::vector<Processor> all;
+  for (const int one : numbers) {
+    stay_on({one});
+    all.push_back({one, arithmetic_rate()});
+  }
+  stay_on(numbers);
+  std::sort(all.begin(), all.end(),
+            [](const Processor& a, const Processor& b) { return a.rate > b.rate; });
+  return all;
+}
+
+// Of all at once, those that they are.
+double rate_together(const std::vector<Processor>& processors) {
+  std::atomic<std::size_t> ready = 0;
+  std::vector<double> rates(processors.size());
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < processors.size(); ++k) {
+    threads.emplace_back([&, k] {
+      stay_on({processors[k].number});
+      for (++ready; ready.load() < processors.size();) std::this_thread::yield();
+      rates[k] = arithmetic_rate();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  return std::accumulate(rates.begin(), rates.end(), 0.0);
 }
 
 }  // namespace
@@ -51,18 +94,7 @@ void stay_on(const std::vector<int>& processors) {
 int fastest_processor() {
   const std::vector<int> all = own_processors();
   if (all.size() < 2) return all.empty() ? -1 : all.front();
-  int fastest = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (const int one : all) {
-    stay_on({one});
-    const double seconds = seconds_of_arithmetic();
-    if (seconds < least) {
-      least = seconds;
-      fastest = one;
-    }
-  }
-  stay_on(all);
-  return fastest;
+  return by_rate(all).front().number;
 }
 
 double answer_seconds() {
@@ -98,6 +130,14 @@ double answer_seconds() {
   other.join();
   stay_on(all);
   return least;
+}
+
+Together measure_together(int threads) {
+  const std::vector<int> all = own_processors();
+  if (all.size() < 2 || threads < 2) return {};
+  std::vector<Processor> fastest = by_rate(all);
+  fastest.resize(std::min(fastest.size(), static_cast<std::size_t>(threads)));
+  return {answer_seconds(), rate_together(fastest) / fastest.front().rate};
 }
 
 OnFastestProcessor::OnFastestProcessor() : before_(own_processors()) {

@@ -24,6 +24,16 @@ int fastest_processor();
 /// 480 in the next.
 double answer_seconds();
 
+/// What the processors of a machine are to threads that share a work, now.
+struct Together {
+  double answer_seconds = 0.0;  ///< as above
+  /// The arithmetic that as many processors as there are threads, the fastest, do at once, over that of the
+  /// fastest alone: no work that they share gains more. 1 where there is one alone, 2 of two that take nothing
+  /// from each other, less of halves of one core, or where one has a neighbour at work; dimensionless.
+  double arithmetic = 1.0;
+};
+Together measure_together(int threads);
+
 /// While it lives, the thread that made it, and what that starts, stay on the processor that was the
 /// fastest then: what is timed in turn is timed on the same one.
 class OnFastestProcessor {

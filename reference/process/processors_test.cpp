@@ -49,6 +49,25 @@ TEST(Processors, OfOneAloneThereIsNoAnswer) {
   stay_on(before);
 }
 
+TEST(Processors, TogetherTheyDoAsMuchAsOneOrMore) {
+  const std::vector<int> before = own_processors();
+  const Together all = measure_together(static_cast<int>(before.size()));
+  // A neighbour may come or go between the two measurements, which take milliseconds.
+  EXPECT_GT(all.arithmetic, 0.5);
+  EXPECT_LT(all.arithmetic, 2.0 * static_cast<double>(before.size()));
+  EXPECT_EQ(all.answer_seconds > 0.0, before.size() > 1);
+  EXPECT_EQ(own_processors(), before);
+}
+
+TEST(Processors, AThreadAloneSharesNothing) {
+  EXPECT_EQ(measure_together(1).arithmetic, 1.0);
+  EXPECT_EQ(measure_together(1).answer_seconds, 0.0);
+  const std::vector<int> before = own_processors();
+  stay_on({before.front()});
+  EXPECT_EQ(measure_together(2).arithmetic, 1.0);
+  stay_on(before);
+}
+
 TEST(Processors, OfNoneNothingChanges) {
   const std::vector<int> before = own_processors();
   stay_on({});

@@ -106,14 +106,16 @@ void add_turns(SizeResult& result) {
   for (std::size_t k = 0; k < settled.size(); ++k) result.times[k].settled = settled[k].get();
   result.limits = yardsticks[1]->limits();
   for (const std::unique_ptr<Yardstick>& one : yardsticks) one->steps();  // allocates
-  const bool shared = std::any_of(result.ways.begin(), result.ways.end(),
-                                  [](const Way& way) { return way.threads > 1; });
+  const int threads =
+      std::max_element(result.ways.begin(), result.ways.end(), [](const Way& a, const Way& b) {
+        return a.threads < b.threads;
+      })->threads;
   for (std::size_t turn = 0; turn < kTurns; ++turn) {
-    if (shared) result.answers.push_back(reference::answer_seconds());
-    // All of a turn that run on one thread are timed on the same processor.
+    if (threads > 1) result.together.push_back(reference::measure_together(threads));
+    // All of a turn are timed on the same processor; others that help stay where the system has them.
     const int fastest = reference::fastest_processor();
-    for (std::size_t k = 0; k < yardsticks.size(); ++k) {
-      if (fastest >= 0 && result.ways[k].threads == 1) yardsticks[k]->stay_on(fastest);
+    for (const std::unique_ptr<Yardstick>& one : yardsticks) {
+      if (fastest >= 0) one->stay_on(fastest);
     }
     for (std::size_t k = 0; k < yardsticks.size(); ++k) {
       const std::size_t at = turn % 2 == 0 ? k : yardsticks.size() - 1 - k;
@@ -125,7 +127,7 @@ void add_turns(SizeResult& result) {
 }  // namespace
 
 SizeResult measure_size(const Workload& workload, const std::vector<Way>& ways) {
-  SizeResult result{.workload = workload, .ways = ways, .times = {}, .limits = {}, .answers = {}};
+  SizeResult result{.workload = workload, .ways = ways, .times = {}, .limits = {}, .together = {}};
   result.times.resize(ways.size());
   const double begun = seconds_now();
   for (std::size_t start = 0; start < kMostStarts; ++start) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "benchmarks/track/sizes/yardstick.h"
+#include "reference/process/processors.h"
 #include "reference/statistics/two_samples.h"
 
 namespace stiction::track {
@@ -29,9 +30,8 @@ struct SizeResult {
   std::vector<Way> ways;         ///< the first is before, the second now
   std::vector<StepTimes> times;  ///< as many
   Yardstick::Limits limits;      ///< of the second
-  /// Of each turn, how long one processor waited for an answer of another, s
-  /// (0: there is one alone); none where no way has threads.
-  std::vector<double> answers;
+  /// Of each turn, what the processors were to threads; none where no way has threads.
+  std::vector<reference::Together> together;
 
   const StepTimes& before() const { return times[0]; }
   const StepTimes& now() const { return times[1]; }

@@ -60,8 +60,18 @@ double gain(const SizeResult& result, std::size_t way) {
   return ratio(result.now(), result.times[way], true).median;
 }
 
-// What one processor waits for an answer of another, s: the median of the turns, 0 where there is one processor.
-double answer_seconds(const SizeResult& result) { return reference::median(result.answers); }
+// What the processors were to threads: medians of the turns.
+double together(const SizeResult& result, double reference::Together::*of) {
+  std::vector<double> turns;
+  for (const reference::Together& one : result.together) turns.push_back(one.*of);
+  return reference::median(std::move(turns));
+}
+double answer_seconds(const SizeResult& result) {
+  return together(result, &reference::Together::answer_seconds);
+}
+double arithmetic_gain(const SizeResult& result) {
+  return together(result, &reference::Together::arithmetic);
+}
 
 // Of two threads and more by the clock on the wall, which is what they save.
 double step_of(const SizeResult& result, std::size_t way) {
@@ -163,6 +173,9 @@ std::vector<Told> told(const std::vector<Way>& ways) {
     }
   }
   if (!std::all_of(ways.begin(), ways.end(), is_of_one_thread)) {
+    lines.emplace_back("… arithmetic, × faster", [](const SizeResult& one) {
+      return fmt::format("{:.2f}", arithmetic_gain(one));
+    });
     lines.emplace_back("… an answer, core to core", [](const SizeResult& one) {
       const double seconds = answer_seconds(one);
       return seconds > 0.0 ? format_nanoseconds(1e9 * seconds) + " ns" : "–";
@@ -279,6 +292,8 @@ std::vector<Record> family_records(const std::vector<SizeResult>& results, const
     if (!is_of_one_thread(ways[k])) {
       record.series.push_back(series_of("times as fast as one thread", "1", results,
                                         [&](const SizeResult& one) { return gain(one, k); }));
+      record.series.push_back(
+          series_of("arithmetic, times as fast as one", "1", results, arithmetic_gain));
       record.series.push_back(
           series_of("answer of another processor", "s", results, answer_seconds));
     }

@@ -32,7 +32,7 @@ SizeResult result_of() {
                     times_of(11.0, {3.3e-6, 3.3e-6, 3.3e-6}, {3.3e-6, 3.3e-6, 3.3e-6}),
                     times_of(11.0, {2.2e-6, 2.2e-6, 2.2e-6}, {1e-6, 0.5e-6, 2e-6})},
           .limits = {1.1e-6, 2.2e-6},
-          .answers = {55e-9, 480e-9, 60e-9}};
+          .together = {{55e-9, 1.9}, {480e-9, 1.5}, {60e-9, 1.8}}};
 }
 
 const Tree kOld{.label = "old", .revision = "0123", .build = {}};
@@ -88,6 +88,8 @@ TEST(Sizes, RecordsHaveEachWayAndWhatTheMachineAllows) {
   EXPECT_NEAR(value(record_of(records, "now"), "whole step, now ÷ before"), 4e9 / 9.0, 1e-3);
   EXPECT_NEAR(value(record_of(records, "2 threads"), "times as fast as one thread"), 2e9, 1e-3);
   EXPECT_NEAR(value(record_of(records, "2 threads"), "answer of another processor"), 60.0, 1e-9);
+  EXPECT_NEAR(value(record_of(records, "2 threads"), "arithmetic, times as fast as one"), 1.8e9,
+              1e-3);
 }
 
 TEST(Sizes, AnotherStateOfThreadsFails) {
