@@ -13,7 +13,6 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 
 sys.dont_write_bytecode = True
 from box_study import faults, hold, plain_environment, problem, study  # noqa: E402
@@ -36,14 +35,13 @@ class Folder:
         (self.path / f"{name}.toml").write_text(study(across, up, engines=["plain"]))
 
     def run(self, *words):
-        """Wall time, s, and peak memory, bytes, of a program that must end well."""
-        began = time.monotonic()
+        """CPU time, s, and peak memory, bytes, of a program that must end well. (A clock on the wall would tell of what else runs.)"""
         started = subprocess.Popen([self.build / words[0], *words[1:], "--no-page"], cwd=self.path, env=self.plain, stdout=subprocess.DEVNULL)
         _, status, used = os.wait4(started.pid, 0)
         started.returncode = os.waitstatus_to_exitcode(status)
         if started.returncode != 0:
             raise RuntimeError(f"{words} ended with exit code {started.returncode}")
-        return time.monotonic() - began, used.ru_maxrss * 1024
+        return used.ru_utime + used.ru_stime, used.ru_maxrss * 1024
 
     def records(self, run):
         return (self.path / run / "latest/records.jsonl").read_text().splitlines()
@@ -57,7 +55,7 @@ def measured(folder):
     took, memory = folder.run("sweep", "many.toml", "--jobs", "1", "--out", "whole")
     lines = folder.records("whole/many")
     simulated = sum(json.loads(line)["cost"]["cpu_seconds"] for line in lines)
-    hold(len(lines) == POINTS, f"{POINTS} points in {took:.2g} s")
+    hold(len(lines) == POINTS, f"{POINTS} points in {took:.2g} s of CPU time")
     overhead = (took - simulated) / POINTS
     hold(overhead <= MOST_OVERHEAD, f"{overhead * 1e3:.2g} ms a point beyond its simulation (at most {MOST_OVERHEAD * 1e3:g})")
     a_point = max(0.0, (memory - least) / POINTS)
@@ -76,10 +74,10 @@ def table(found):
     jobs = round(MILLION * POINT_SECONDS / JOB_SECONDS)
     hours = MILLION * POINT_SECONDS / 3600
     slots = min(jobs, NODES * CPUS)
-    rows = [("measured here: time a point beyond its simulation", f"{found['overhead'] * 1e3:.2g} ms"),
+    rows = [("measured here: CPU time of a point beyond its simulation", f"{found['overhead'] * 1e3:.2g} ms"),
             ("… record of a point", f"{found['record'] / 1e3:.2g} kB"),
-            ("… merging, a point", f"{found['merge'] * 1e3:.2g} ms"),
-            (f"… start of a part of {MILLION:.0e} points", f"{found['part']:.2g} s"),
+            ("… of merging, a point", f"{found['merge'] * 1e3:.2g} ms"),
+            (f"… of the start of a part of {MILLION:.0e} points", f"{found['part']:.2g} s"),
             ("… its memory", f"{found['part_memory'] / 2**20:.0f} MiB"),
             ("on paper: simulation", f"{hours:.0f} CPU hours"),
             ("… jobs", f"{jobs}"),
