@@ -100,33 +100,41 @@ int fastest_processor() {
 double answer_seconds() {
   const std::vector<int> all = own_processors();
   if (all.size() < 2) return 0.0;
-  constexpr int kAnswers = 2000, kRounds = 5;
+  // Few a round, so that some are not interrupted however busy the machine is, and those find an end.
+  constexpr int kAnswers = 32, kRounds = 200, kEnough = -1;
+  constexpr std::chrono::milliseconds kLongest(300);
   alignas(64) std::atomic<int> asked = 0;
   alignas(64) std::atomic<int> answered = 0;
   // Who waits for one that isn't running lets others run.
-  const auto wait_for = [](const std::atomic<int>& line, int what) {
-    for (int looks = 1; line.load(std::memory_order_acquire) != what; ++looks) {
+  const auto wait_while = [](const std::atomic<int>& line, int what) {
+    for (int looks = 1;; ++looks) {
+      const int now = line.load(std::memory_order_acquire);
+      if (now != what) return now;
       if (looks % 10'000 == 0) std::this_thread::yield();
     }
   };
   std::thread other([&] {
     stay_on({all[1]});
-    for (int k = 1; k <= kAnswers * kRounds; ++k) {
-      wait_for(asked, k);
+    for (int k = 0; k != kEnough;) {
+      k = wait_while(asked, k);
       answered.store(k, std::memory_order_release);
     }
   });
   stay_on({all[0]});
   double least = std::numeric_limits<double>::infinity();
-  for (int round = 0, k = 0; round < kRounds; ++round) {
-    const auto begun = std::chrono::steady_clock::now();
-    for (int answer = 0; answer < kAnswers; ++answer) {
-      asked.store(++k, std::memory_order_release);
-      wait_for(answered, k);
+  const auto first = std::chrono::steady_clock::now();
+  auto begun = first;
+  for (int round = 0; round < kRounds && begun < first + kLongest; ++round) {
+    for (int k = 0; k < kAnswers; ++k) {
+      const int before = asked.load(std::memory_order_relaxed);
+      asked.store(before + 1, std::memory_order_release);
+      wait_while(answered, before);
     }
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    least = std::min(least, took.count() / kAnswers);
+    const auto ended = std::chrono::steady_clock::now();
+    least = std::min(least, std::chrono::duration<double>(ended - begun).count() / kAnswers);
+    begun = ended;
   }
+  asked.store(kEnough, std::memory_order_release);
   other.join();
   stay_on(all);
   return least;

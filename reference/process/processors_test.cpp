@@ -51,11 +51,15 @@ TEST(Processors, OfOneAloneThereIsNoAnswer) {
 
 TEST(Processors, TogetherTheyDoAsMuchAsOneOrMore) {
   const std::vector<int> before = own_processors();
-  const Together all = measure_together(static_cast<int>(before.size()));
-  // A neighbour may come or go between the two measurements, which take milliseconds.
-  EXPECT_GT(all.arithmetic, 0.5);
-  EXPECT_LT(all.arithmetic, 2.0 * static_cast<double>(before.size()));
-  EXPECT_EQ(all.answer_seconds > 0.0, before.size() > 1);
+  const auto count = static_cast<double>(before.size());
+  // A neighbour may come or go while it is measured, for some milliseconds: seldom each time.
+  bool seen = false;
+  for (int tries = 0; !seen && tries < 100; ++tries) {
+    const Together all = measure_together(static_cast<int>(before.size()));
+    seen = all.arithmetic > 0.9 && all.arithmetic < 1.1 * count;
+    EXPECT_EQ(all.answer_seconds > 0.0, before.size() > 1);
+  }
+  EXPECT_TRUE(seen);
   EXPECT_EQ(own_processors(), before);
 }
 

@@ -78,7 +78,7 @@ refuses "sizes of nothing" "compared with --against REF" "$build/track" sizes
 holds 2 "no threads" "${sizes[@]}" --threads 0
 STICTION_TEST_NEVER=wall "${sizes[@]}" --out "$work/ended" 2>"$work/ended.err" &
 child=$!
-for _ in {1..100}; do
+for _ in {1..600}; do # a minute, on a busy machine
   [ "$(cat "$work"/ended/*/records.jsonl 2>/dev/null | wc -l)" -ge 7 ] && break
   sleep 0.1
 done
