@@ -17,6 +17,10 @@ constexpr std::size_t asks_until(std::size_t contacts) {
   return contacts < kFarApart ? 0 : contacts - kAskedAhead;
 }
 
+/// Whether those of so many contacts lie so far apart that what is read of their vertices doesn't stay in a
+/// second-level cache either: the records alone have 2 MiB.
+constexpr bool lie_far_apart(std::size_t contacts) { return contacts >= 16384; }
+
 /// Asks for the memory that an object begins in, and waits for nothing.
 inline void ask_for(const void* object) {
   __builtin_prefetch(object);

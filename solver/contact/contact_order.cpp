@@ -18,9 +18,6 @@ std::size_t chunk_of(std::size_t contacts) {
   return std::clamp<std::size_t>(contacts / 32, 64, 512);
 }
 
-// Records of fewer, 2 MiB, stay in a second or third cache.
-constexpr std::size_t kFew = 16384;
-
 // Vertices of a contact as they lie in its record: its own in front of the four partners.
 template <class Contact>
 constexpr std::size_t kCorners = 4 + sizeof(Contact::vertex) / sizeof(std::int32_t);
@@ -129,7 +126,7 @@ void ContactOrder::put_apart(std::size_t vertices) {
   // Those of a round side by side, a contact a lane, was tried with the same bits: 24 ns each by eights where one at a
   // time takes 30, but on plates a round of the order of keys has some four, and friction took 0.94 of its time there,
   // 0.95 in piles, where nearly all go by eights, and no less at 10 000.
-  const std::size_t window = contacts_ < kFew ? 256 : 16;
+  const std::size_t window = lie_far_apart(contacts_) ? 16 : 256;
   round_.assign(vertices, 0);
   std::int32_t rounds = 0;
   for (const Chunk& chunk : chunk_) {

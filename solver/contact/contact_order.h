@@ -93,25 +93,40 @@ class ContactOrder {
     std::size_t contact(std::size_t place) const {
       return static_cast<std::size_t>(contact_[place]);
     }
-    /// For what a sweep will read of contacts at places after this one, where records don't stay in
-    /// the nearer caches: out of their order the processor doesn't ask by itself.
-    void ask_ahead(const PairContact* contacts, std::size_t place) const {
+    /// For what a sweep will read of contacts at places after this one, and of what there is of each of their
+    /// vertices, where it doesn't stay in the nearer caches: out of its order the processor doesn't ask by itself.
+    template <class... OfVertex>
+    void ask_ahead(const PairContact* contacts, std::size_t place,
+                   const OfVertex*... of_vertex) const {
       if (place >= asks_until_) return;
       const auto* const far =
           reinterpret_cast<const char*>(&contacts[contact(place + kAskedAhead)]);
       ask_for(far);
       ask_for(far + alignof(PairContact));
+      if (!far_apart_) return;
+      const PairContact& near = contacts[contact(place + kAskedAhead / 2)];
+      (ask_for_vertices(near, of_vertex), ...);
     }
 
    private:
     friend class ContactOrder;
+
+    // Of three partners, which are all that a triangle has.
+    template <class OfVertex>
+    static void ask_for_vertices(const PairContact& contact, const OfVertex* of_vertex) {
+      ask_for(of_vertex + contact.vertex);
+      for (int k = 0; k < 3; ++k) ask_for(of_vertex + contact.partner[k]);
+    }
+
     const std::int32_t* contact_ = nullptr;
     std::size_t asks_until_ = 0;
+    bool far_apart_ = false;
   };
   Sequence sequence() const {
     Sequence sequence;
     sequence.contact_ = contact_.data();
     sequence.asks_until_ = asks_until(contact_.size());
+    sequence.far_apart_ = lie_far_apart(contact_.size());
     return sequence;
   }
 

@@ -249,6 +249,13 @@ void expect_same_bits_at_each_width(const Scene& scene, const State& state) {
   EXPECT_EQ(forces(scene, state), narrow);
 }
 
+// So many vertices that elements ask for those of others before they come to them.
+TEST(ElasticForces, OfManyVerticesAreTheSameBitsAtEachWidth) {
+  const Separate separate(std::vector<bool>(8200, false));
+  ASSERT_GE(separate.scene.mass.size(), 32768U);
+  expect_same_bits_at_each_width(separate.scene, separate.state);
+}
+
 // Inverted and undamped elements beside others, in groups that are full and not.
 TEST(ElasticForces, AreTheSameBitsAtEachWidth) {
   for (std::size_t count = 1; count < 40; ++count) {

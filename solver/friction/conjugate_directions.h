@@ -99,7 +99,7 @@ class ConjugateSide {
       const ForceChange* const change = scratch_.change.data();
       const auto [begin, end] = chunk;
       for (std::size_t place = begin; place < end; ++place) {
-        side.ask_ahead(place);
+        side.ask_ahead(place, velocity);
         const std::size_t c = side.contact(place);
         const Vector force = side.force(c);
         const Vector step = factor * got<Vector>(direction[c]);

@@ -78,7 +78,7 @@ void warm_start(const Rule& rule, const Side& side, const FrictionMemory& memory
     const std::span<Velocity> velocities = velocity;
     const auto [begin, end] = chunk;
     for (std::size_t place = begin; place < end; ++place) {
-      here.ask_ahead(place);
+      here.ask_ahead(place, velocities);
       const std::size_t c = here.contact(place);
       Vector force = Vector::Zero();
       if constexpr (Rule::kWarmStart) {
@@ -161,7 +161,7 @@ void sweep(const Rule& rule, const Side& side, bool first, FrictionMemory& memor
     const auto [begin, end] = chunk;
     hears.start(k);
     for (std::size_t place = begin; place < end; ++place) {
-      here.ask_ahead(place);
+      here.ask_ahead(place, velocities);
       const std::size_t c = here.contact(place);
       own_before(c);
       Real* const own = value + c * static_cast<std::size_t>(Rule::kValues);

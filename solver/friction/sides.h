@@ -19,7 +19,7 @@ namespace stiction::friction_phase {
 //   order, size()             of its contacts, and how many they are
 //   Vector                    what its forces and slips are reckoned in
 //   kInOrder                  whether its contacts come in the order of their keys
-//   contact(place)            which stands there, and ask_ahead(place) for what comes later
+//   contact(place)            which stands there, and ask_ahead(place, velocity) for what comes later
 //   keys()                    of all, in their order
 //   normal(c), bound(c), inverse_mass(c, velocity): Δt w
 //   force(c), set_force(c, f) friction, N
@@ -50,7 +50,7 @@ struct ObstacleSide {
   static constexpr bool kInOrder = true;
   std::size_t size() const { return contacts.size(); }
   std::size_t contact(std::size_t place) const { return place; }
-  void ask_ahead(std::size_t) const {}
+  void ask_ahead(std::size_t, std::span<const Velocity>) const {}
   const std::vector<ContactKey>& keys() const { return contacts.key; }
   Vec3 force(std::size_t c) const { return contacts.friction_force[c]; }
   void set_force(std::size_t c, const Vec3& force) const { contacts.friction_force[c] = force; }
@@ -134,7 +134,9 @@ class PairSide : public RecordSide<PairContact> {
                     : 1) {}
 
   std::size_t contact(std::size_t place) const { return sequence_.contact(place); }
-  void ask_ahead(std::size_t place) const { sequence_.ask_ahead(contacts_, place); }
+  void ask_ahead(std::size_t place, std::span<const Velocity> velocity) const {
+    sequence_.ask_ahead(contacts_, place, velocity.data());
+  }
   Real bound(std::size_t c) const {
     const PairContact& contact = contacts_[c];
     return mu_.between(contact.vertex, contact.partner[0]) * bounds_ * contact.normal_force;
@@ -163,7 +165,7 @@ class EdgeSide : public RecordSide<EdgeContact> {
       : RecordSide(dt, edges, contacts_order), mu_(mu), sequence_(contacts_order.sequence()) {}
 
   std::size_t contact(std::size_t place) const { return sequence_.contact(place); }
-  void ask_ahead(std::size_t) const {}
+  void ask_ahead(std::size_t, std::span<const Velocity>) const {}
   Real bound(std::size_t c) const {
     const EdgeContact& contact = contacts_[c];
     return mu_.between(contact.vertex[0], contact.partner[0]) * contact.normal_force;

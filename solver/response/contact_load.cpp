@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "solver/prefetch.h"
+
 namespace stiction {
 
 namespace {
@@ -13,12 +15,17 @@ void accumulate(const PairContacts& pairs, std::span<const std::int32_t> chunk, 
                 bool count_kept, std::vector<Real>& load) {
   const PairContact* const contacts = pairs.data();
   Real* const of_vertex = load.data();
-  for (const std::int32_t c : chunk) {
-    const PairContact& contact = contacts[static_cast<std::size_t>(c)];
+  const auto at = [&](std::size_t k) -> const PairContact& {
+    return contacts[static_cast<std::size_t>(chunk[k])];
+  };
+  const std::size_t ahead = lie_far_apart(pairs.size()) ? kAskedAhead : chunk.size();
+  for (std::size_t k = 0; k < chunk.size(); ++k) {
+    if (k + ahead < chunk.size()) ask_for(&at(k + ahead));
+    const PairContact& contact = at(k);
     if (!count_kept && contact.depth == 0.0) continue;  // asked last: it is in another line
     if (count_vertex) of_vertex[static_cast<std::size_t>(contact.vertex)] += 1;
-    for (int k = 0; k < 4; ++k) {
-      of_vertex[static_cast<std::size_t>(contact.partner[k])] += contact.weight[k];
+    for (int j = 0; j < 4; ++j) {
+      of_vertex[static_cast<std::size_t>(contact.partner[j])] += contact.weight[j];
     }
   }
 }

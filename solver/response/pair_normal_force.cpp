@@ -97,6 +97,7 @@ class PairForce {
     if (harmonic_) return harmonic_force(gain_, dt_, vertices_, contact);
     return transmitted_ * paper_force(dt_, vertices_, contact);
   }
+  const Vertices& vertices() const { return vertices_; }
 
  private:
   Vertices vertices_;
@@ -160,7 +161,7 @@ void reckon_and_transmit(const PairForce& force, const Options& options, Workspa
             const std::size_t first = next;
             next = std::min(next + kAtOnce, end);
             for (std::size_t place = first; place < next; ++place) {
-              sequence.ask_ahead(contacts, place);
+              sequence.ask_ahead(contacts, place, velocity.data(), own_force.vertices().load);
               PairContact& contact = contacts[sequence.contact(place)];
               contact.normal_force = own_force(contact);
             }
