@@ -16,7 +16,7 @@ namespace stiction::reference {
 
 namespace {
 
-// Rounds of arithmetic a second, in some milliseconds. Of independent chains, so that what a neighbour takes of a
+// Rounds of arithmetic a second, found in some milliseconds. Of independent chains, so that what a neighbour takes of a
 // core shows.
 double arithmetic_rate() {
   constexpr double kSeconds = 2e-3;
@@ -55,7 +55,7 @@ std::vector<Processor> by_rate(const std::vector<int>& numbers) {
   return all;
 }
 
-// Of all at once, those that they are.
+// Of all of these at once.
 double rate_together(const std::vector<Processor>& processors) {
   std::atomic<std::size_t> ready = 0;
   std::vector<double> rates(processors.size());
@@ -63,7 +63,8 @@ double rate_together(const std::vector<Processor>& processors) {
   for (std::size_t k = 0; k < processors.size(); ++k) {
     threads.emplace_back([&, k] {
       stay_on({processors[k].number});
-      for (++ready; ready.load() < processors.size();) std::this_thread::yield();
+      ++ready;
+      while (ready < processors.size()) std::this_thread::yield();
       rates[k] = arithmetic_rate();
     });
   }

@@ -28,8 +28,9 @@ double answer_seconds();
 struct Together {
   double answer_seconds = 0.0;  ///< as above
   /// The arithmetic that as many processors as there are threads, the fastest, do at once, over that of the
-  /// fastest alone: no work that they share gains more. 1 where there is one alone, 2 of two that take nothing
-  /// from each other, less of halves of one core, or where one has a neighbour at work; dimensionless.
+  /// fastest alone. 1 where there is one alone, 2 of two that take nothing from each other, less of halves of one
+  /// core, or where one has a neighbour at work; dimensionless. What waits for memory may gain more, as each has
+  /// caches of its own.
   double arithmetic = 1.0;
 };
 Together measure_together(int threads);

@@ -63,9 +63,9 @@ def measured(folder):
     for number in range(1, PARTS + 1):
         folder.run("sweep", "many.toml", "--jobs", "1", "--out", f"parts/{number}", "--shard", f"{number}/{PARTS}")
     merge, _ = folder.run("merge", "parts", "--out", "merged")
-    hold(len(folder.records("merged/many")) == POINTS, f"merged from {PARTS} parts in {merge:.2g} s")
+    hold(len(folder.records("merged/many")) == POINTS, f"merged from {PARTS} parts in {merge:.2g} s of CPU time")
     part, part_memory = folder.run("sweep", "million.toml", "--out", "empty", "--shard", f"{MILLION + 1}/{MILLION + 1}")
-    hold(part_memory < 2**30, f"a part of {MILLION} points begins with {part_memory / 2**20:.0f} MiB, {part:.2g} s")
+    hold(part_memory < 2**30, f"a part of {MILLION} points begins with {part_memory / 2**20:.0f} MiB, {part:.2g} s of CPU time")
     return {"overhead": overhead, "memory": memory, "record": sum(map(len, lines)) / POINTS, "merge": merge / POINTS, "part": part,
             "part_memory": part_memory}
 
@@ -76,8 +76,8 @@ def table(found):
     slots = min(jobs, NODES * CPUS)
     rows = [("measured here: CPU time of a point beyond its simulation", f"{found['overhead'] * 1e3:.2g} ms"),
             ("… record of a point", f"{found['record'] / 1e3:.2g} kB"),
-            ("… of merging, a point", f"{found['merge'] * 1e3:.2g} ms"),
-            (f"… of the start of a part of {MILLION:.0e} points", f"{found['part']:.2g} s"),
+            ("… CPU time of merging, a point", f"{found['merge'] * 1e3:.2g} ms"),
+            (f"… CPU time of the start of a part of {MILLION:.0e} points", f"{found['part']:.2g} s"),
             ("… its memory", f"{found['part_memory'] / 2**20:.0f} MiB"),
             ("on paper: simulation", f"{hours:.0f} CPU hours"),
             ("… jobs", f"{jobs}"),
