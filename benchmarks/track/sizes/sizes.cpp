@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <memory>
 
@@ -37,6 +38,17 @@ double per_contact(const std::vector<double>& seconds, const StepTimes& times) {
   return 1e9 * reference::median(seconds) / std::max(1.0, times.settled.contacts);
 }
 
+// Turn by turn.
+std::vector<double> ratios(const StepTimes& one, const StepTimes& other, bool by_wall) {
+  const std::vector<double>& a = by_wall ? one.wall : one.cpu;
+  const std::vector<double>& b = by_wall ? other.wall : other.cpu;
+  std::vector<double> all;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    all.push_back(a[k] / b[k] * (other.settled.contacts / one.settled.contacts));
+  }
+  return all;
+}
+
 bool wanted(const Workload& workload, const std::vector<std::string>& globs) {
   return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
            return fnmatch(glob.c_str(), workload.name().c_str(), 0) == 0;
@@ -59,13 +71,19 @@ double phase_nanoseconds(const StepTimes& times, const std::vector<std::string>&
 }
 
 reference::Quartiles ratio(const StepTimes& one, const StepTimes& other, bool by_wall) {
-  const std::vector<double>& a = by_wall ? one.wall : one.cpu;
-  const std::vector<double>& b = by_wall ? other.wall : other.cpu;
-  std::vector<double> ratios;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    ratios.push_back(a[k] / b[k] * (other.settled.contacts / one.settled.contacts));
+  return reference::quartiles(ratios(one, other, by_wall));
+}
+
+double ratio_near(const SizeResult& result, const StepTimes& one, const StepTimes& other) {
+  constexpr std::size_t kFewest = 3;
+  const std::vector<double> all = ratios(one, other, true);
+  std::vector<double> near;
+  for (std::size_t k = 0; k < std::min(all.size(), result.together.size()); ++k) {
+    const auto [least, most] =
+        std::minmax(result.together[k][0].answer_seconds, result.together[k][1].answer_seconds);
+    if (least > 0.0 && most < kNear) near.push_back(all[k]);
   }
-  return reference::quartiles(std::move(ratios));
+  return near.size() < kFewest ? std::nan("") : reference::median(std::move(near));
 }
 
 std::vector<Way> ways_of(const Tree& before, const Tree& now, int threads) {
@@ -106,12 +124,7 @@ void add_turns(SizeResult& result) {
   for (std::size_t k = 0; k < settled.size(); ++k) result.times[k].settled = settled[k].get();
   result.limits = yardsticks[1]->limits();
   for (const std::unique_ptr<Yardstick>& one : yardsticks) one->steps();  // allocates
-  const int threads =
-      std::max_element(result.ways.begin(), result.ways.end(), [](const Way& a, const Way& b) {
-        return a.threads < b.threads;
-      })->threads;
   for (std::size_t turn = 0; turn < kTurns; ++turn) {
-    if (threads > 1) result.together.push_back(reference::measure_together(threads));
     // All of a turn are timed on the same processor; others that help stay where the system has them.
     const int fastest = reference::fastest_processor();
     for (const std::unique_ptr<Yardstick>& one : yardsticks) {
@@ -119,7 +132,14 @@ void add_turns(SizeResult& result) {
     }
     for (std::size_t k = 0; k < yardsticks.size(); ++k) {
       const std::size_t at = turn % 2 == 0 ? k : yardsticks.size() - 1 - k;
+      const int threads = result.ways[at].threads;
+      if (threads == 1) {
+        add(yardsticks[at]->steps(), result.times[at]);
+        continue;
+      }
+      const reference::Together before = reference::measure_together(threads);
       add(yardsticks[at]->steps(), result.times[at]);
+      result.together.push_back({before, reference::measure_together(threads)});
     }
   }
 }

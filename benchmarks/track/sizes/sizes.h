@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,8 +31,9 @@ struct SizeResult {
   std::vector<Way> ways;         ///< the first is before, the second now
   std::vector<StepTimes> times;  ///< as many
   Yardstick::Limits limits;      ///< of the second
-  /// Of each turn, what the processors were to threads; none where no way has threads.
-  std::vector<reference::Together> together;
+  /// Of each turn, what the processors were to threads before the steps of these and after; none where no way
+  /// has threads.
+  std::vector<std::array<reference::Together, 2>> together;
 
   const StepTimes& before() const { return times[0]; }
   const StepTimes& now() const { return times[1]; }
@@ -47,6 +49,12 @@ double phase_nanoseconds(const StepTimes& times, const std::vector<std::string>&
 /// Time of one over time of another, turn by turn: by their clocks of CPU time, or by that on the wall where
 /// threads are compared. Each per contact.
 reference::Quartiles ratio(const StepTimes& one, const StepTimes& other, bool by_wall = false);
+
+/// The same of the turns in which a processor waited less than `kNear` for an answer of another, before the
+/// threads' steps and after; NaN of fewer than three.
+double ratio_near(const SizeResult& result, const StepTimes& one, const StepTimes& other);
+/// Two processors that share a cache answer in some 60 ns, others of the same machine took 450 to 750, s.
+inline constexpr double kNear = 150e-9;
 
 /// The ways of a comparison: another revision, the present one, that in each narrower register, and on so
 /// many threads if that is more than one.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <utility>
@@ -60,10 +61,18 @@ double gain(const SizeResult& result, std::size_t way) {
   return ratio(result.now(), result.times[way], true).median;
 }
 
+// And in those turns in which their processors were near each other.
+double gain_near(const SizeResult& result, std::size_t way) {
+  return ratio_near(result, result.now(), result.times[way]);
+}
+
 // What the processors were to threads: medians of the turns.
 double together(const SizeResult& result, double reference::Together::*of) {
   std::vector<double> turns;
-  for (const reference::Together& one : result.together) turns.push_back(one.*of);
+  for (const auto& [before, after] : result.together) {
+    turns.push_back(before.*of);
+    turns.push_back(after.*of);
+  }
   return reference::median(std::move(turns));
 }
 double answer_seconds(const SizeResult& result) {
@@ -170,6 +179,11 @@ std::vector<Told> told(const std::vector<Way>& ways) {
       lines.emplace_back(way.name + ", × faster", [k](const SizeResult& one) {
         return fmt::format("{:.2f}", gain(one, k));
       });
+      lines.emplace_back(fmt::format("… an answer < {:.0f} ns", 1e9 * kNear),
+                         [k](const SizeResult& one) {
+                           const double near = gain_near(one, k);
+                           return std::isnan(near) ? "–" : fmt::format("{:.2f}", near);
+                         });
     }
   }
   if (!std::all_of(ways.begin(), ways.end(), is_of_one_thread)) {
@@ -292,6 +306,9 @@ std::vector<Record> family_records(const std::vector<SizeResult>& results, const
     if (!is_of_one_thread(ways[k])) {
       record.series.push_back(series_of("times as fast as one thread", "1", results,
                                         [&](const SizeResult& one) { return gain(one, k); }));
+      record.series.push_back(series_of("times as fast as one thread, near each other", "1",
+                                        results,
+                                        [&](const SizeResult& one) { return gain_near(one, k); }));
       record.series.push_back(
           series_of("arithmetic, times as fast as one", "1", results, arithmetic_gain));
       record.series.push_back(

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "benchmarks/track/sizes/sizes_output.h"
@@ -32,7 +33,9 @@ SizeResult result_of() {
                     times_of(11.0, {3.3e-6, 3.3e-6, 3.3e-6}, {3.3e-6, 3.3e-6, 3.3e-6}),
                     times_of(11.0, {2.2e-6, 2.2e-6, 2.2e-6}, {1e-6, 0.5e-6, 2e-6})},
           .limits = {1.1e-6, 2.2e-6},
-          .together = {{55e-9, 1.9}, {480e-9, 1.5}, {60e-9, 1.8}}};
+          .together = {{{{55e-9, 1.9}, {60e-9, 1.8}}},
+                       {{{480e-9, 1.5}, {61e-9, 1.8}}},
+                       {{{60e-9, 1.8}, {60e-9, 1.9}}}}};
 }
 
 const Tree kOld{.label = "old", .revision = "0123", .build = {}};
@@ -67,6 +70,25 @@ TEST(Sizes, RatiosAreOfTheSameTurnAndPerContact) {
   EXPECT_NEAR(ratio(result.now(), result.times[3], true).median, 2.0, 1e-12);
 }
 
+TEST(Sizes, WhatThreadsGainNearEachOtherIsOfTurnsThatBeganAndEndedSo) {
+  SizeResult result = result_of();
+  const auto near = [&] { return ratio_near(result, result.now(), result.times[3]); };
+  EXPECT_TRUE(std::isnan(near()));  // two turns alone
+  const auto turn = [&](double wall, double before, double after) {
+    result.times[1].wall.push_back(2e-6);
+    result.times[3].wall.push_back(wall);
+    result.together.push_back({{{before, 1.9}, {after, 1.9}}});
+  };
+  turn(0.5e-6, 60e-9, 480e-9);
+  EXPECT_TRUE(std::isnan(near()));
+  turn(0.5e-6, 0.0, 0.0);  // of one processor
+  EXPECT_TRUE(std::isnan(near()));
+  turn(0.8e-6, 60e-9, 149e-9);
+  EXPECT_NEAR(near(), 2.0, 1e-12);  // of 2, 2 and 2.5
+  turn(0.8e-6, 55e-9, 60e-9);
+  EXPECT_NEAR(near(), 2.25, 1e-12);
+}
+
 TEST(Sizes, RecordsHaveEachWayAndWhatTheMachineAllows) {
   const std::vector<Record> records = family_records({result_of()}, kOld, {});
   ASSERT_EQ(records.size(), 6U);
@@ -87,6 +109,8 @@ TEST(Sizes, RecordsHaveEachWayAndWhatTheMachineAllows) {
   EXPECT_NEAR(value(record_of(records, "before"), "detection and depth per contact"), 400.0, 1e-9);
   EXPECT_NEAR(value(record_of(records, "now"), "whole step, now ÷ before"), 4e9 / 9.0, 1e-3);
   EXPECT_NEAR(value(record_of(records, "2 threads"), "times as fast as one thread"), 2e9, 1e-3);
+  EXPECT_TRUE(std::isnan(
+      value(record_of(records, "2 threads"), "times as fast as one thread, near each other")));
   EXPECT_NEAR(value(record_of(records, "2 threads"), "answer of another processor"), 60.0, 1e-9);
   EXPECT_NEAR(value(record_of(records, "2 threads"), "arithmetic, times as fast as one"), 1.8e9,
               1e-3);
