@@ -306,9 +306,11 @@ std::vector<Record> family_records(const std::vector<SizeResult>& results, const
     if (!is_of_one_thread(ways[k])) {
       record.series.push_back(series_of("times as fast as one thread", "1", results,
                                         [&](const SizeResult& one) { return gain(one, k); }));
-      record.series.push_back(series_of("times as fast as one thread, near each other", "1",
-                                        results,
-                                        [&](const SizeResult& one) { return gain_near(one, k); }));
+      Series near = series_of("times as fast as one thread, near each other", "1", results,
+                              [&](const SizeResult& one) { return gain_near(one, k); });
+      const bool ever =
+          !std::all_of(near.y.begin(), near.y.end(), [](double y) { return std::isnan(y); });
+      if (ever) record.series.push_back(std::move(near));
       record.series.push_back(
           series_of("arithmetic, times as fast as one", "1", results, arithmetic_gain));
       record.series.push_back(
