@@ -81,7 +81,7 @@ double ratio_near(const SizeResult& result, const StepTimes& one, const StepTime
   for (std::size_t k = 0; k < std::min(all.size(), result.together.size()); ++k) {
     const auto [least, most] =
         std::minmax(result.together[k][0].answer_seconds, result.together[k][1].answer_seconds);
-    if (least > 0.0 && most < kNear) near.push_back(all[k]);
+    if (least > 0.0 && most < kNear) near.push_back(all[k]);  // 0: there is one alone
   }
   return near.size() < kFewest ? std::nan("") : reference::median(std::move(near));
 }

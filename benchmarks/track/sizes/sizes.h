@@ -50,12 +50,12 @@ double phase_nanoseconds(const StepTimes& times, const std::vector<std::string>&
 /// threads are compared. Each per contact.
 reference::Quartiles ratio(const StepTimes& one, const StepTimes& other, bool by_wall = false);
 
-/// The same of the turns in which a processor waited less than `kNear` for an answer of another, before the
-/// threads' steps and after; NaN of fewer than three.
-double ratio_near(const SizeResult& result, const StepTimes& one, const StepTimes& other);
-/// On a machine shared with others two processors answered each other in 57 to 330 ns for minutes, and then for
-/// minutes in 490 to 750, s.
+/// Below this processors are near each other, s: of a machine shared with others two took 57 to 377 ns for an
+/// answer in one minute and 490 to 770 in others.
 inline constexpr double kNear = 400e-9;
+/// The median of such ratios by the clock on the wall, of the turns in which processors were near each other
+/// before the threads' steps and after; NaN of fewer than three.
+double ratio_near(const SizeResult& result, const StepTimes& one, const StepTimes& other);
 
 /// The ways of a comparison: another revision, the present one, that in each narrower register, and on so
 /// many threads if that is more than one.
