@@ -14,6 +14,7 @@
 #include "solver/contact/pair_contacts.h"
 #include "solver/contact/pair_options.h"
 #include "solver/depth/consistent_scratch.h"
+#include "solver/depth/outlets.h"
 #include "solver/detection/box_arrays.h"
 #include "solver/detection/element_boxes.h"
 #include "solver/detection/spatial_hash.h"
@@ -60,7 +61,7 @@ struct PairSearch {
   Real skin = 0.0;              ///< m
   std::vector<Vec3> reference;  ///< x* that a body's lists were made at, per vertex, m
   std::vector<Real> moved;      ///< per body: bound on |x* − reference| of its vertices, m
-  std::vector<double> path;  ///< per body: bound on how far a vertex has gone since its lists, m,
+  std::vector<double> path;  ///< per body: bound on how far a vertex has gone in this scene, m,
                              ///< summed from one x* to the next
   double stride = 0.0;       ///< the longest way of a vertex from the last x* to this one, m
   double strides = 0.0;      ///< summed over the steps of this scene, m
@@ -121,6 +122,7 @@ struct PairSearch {
     std::int32_t triangle;
   };
   std::vector<Near> near;          ///< of each group: by distance, then triangle
+  std::vector<Outlets> outlets;    ///< per vertex, once consistent depth has asked for them
   std::vector<TriangleBall> ball;  ///< per triangle; infinite while its body can meet no other
 
   // Scratch of making lists: what they were before, a meeting's elements and vertices, and where each

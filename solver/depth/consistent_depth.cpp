@@ -3,34 +3,14 @@
 
 #include <algorithm>
 
-#include "solver/depth/edge_exit.h"
+#include "solver/depth/border_average.h"
+#include "solver/depth/find_outlets.h"
+#include "solver/detection/lasting.h"
+#include "solver/lanes/lane_width.h"
 
 namespace stiction {
 
 namespace {
-
-// Normals whose mean is this short cancel out: its direction would be rounding.
-constexpr Real kCancelled = by_precision(1e-12, 1e-5);
-
-// Weighted means over what surrounds a vertex.
-struct Average {
-  Real weight = 0.0;
-  Real depth = 0.0;
-  Vec3 normal = Vec3::Zero();
-
-  void add(Real w, Real d, const Vec3& n) {
-    weight += w;
-    depth += w * d;
-    normal += w * n;
-  }
-  bool write_to(PairContact& contact) const {
-    const Real length = normal.norm();
-    if (!(weight > 0.0) || !(length > kCancelled * weight)) return false;
-    contact.depth = std::max(Real(0), depth / weight);
-    contact.normal = normal / length;
-    return true;
-  }
-};
 
 std::uint32_t body_of(const PairContact& contact) {
   return static_cast<std::uint32_t>(contact.other);
@@ -42,9 +22,11 @@ class Pass {
  public:
   Pass(const Scene& scene, Workspace& workspace)
       : scene_(scene),
+        search_(workspace.search),
         x_(workspace.search.predicted),
         pairs_(workspace.pairs),
-        scratch_(workspace.consistent) {}
+        scratch_(workspace.consistent),
+        width_(lane_width()) {}
 
   void run() {
     begin();
@@ -62,6 +44,7 @@ class Pass {
       build_links(scene_, scratch_.links);
       scratch_.first_contact.assign(scene_.mass.size(), -1);
     }
+    search_.outlets.resize(scene_.mass.size());
     scratch_.walk.begin(scene_.elements.size(), scene_.topology.triangle.size());
     scratch_.level.assign(pairs_.size(), 0);
     scratch_.front.clear();
@@ -99,17 +82,22 @@ class Pass {
 
   bool set_border(std::size_t c) {
     PairContact& contact = pairs_[c];
-    const std::int32_t element = pairs_.site(c).element;
-    const Vec3& p = x(contact.vertex);
-    const Real thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
-    Average average;
-    for_each_neighbour(contact.vertex, [&](std::int32_t v) {
-      Exit exit;
-      if (!find_exit(scene_, scratch_.links, x_, p, x(v), element, thin, scratch_.walk, exit)) {
-        return;
-      }
-      const Vec3 away = exit.t * (x(v) - p);
-      average.add(1 / (away.squaredNorm() + thin * thin), away.dot(exit.normal), exit.normal);
+    const Border border{scene_,
+                        scratch_.links,
+                        x_,
+                        contact.vertex,
+                        pairs_.site(c).element,
+                        kConsistentThin * scratch_.links.longest_edge[body_of(contact)]};
+    Outlets& outlets = search_.outlets[static_cast<std::size_t>(contact.vertex)];
+    const double path = paths(scene_.topology, search_, contact.key());
+    const bool same = outlets.element == border.element;
+    if (same && path < outlets.until) {
+      return average_by_outlets(border, outlets, width_, scratch_.walk).write_to(contact);
+    }
+    const Average average = average_by_walks(border, scratch_.walk);
+    outlets.element = border.element;
+    note_lasting(same, path, outlets.steps, outlets.until, [&] {
+      return find_outlets(border, static_cast<Real>(search_.stride), scratch_.walk, outlets);
     });
     return average.write_to(contact);
   }
@@ -154,9 +142,11 @@ class Pass {
   }
 
   const Scene& scene_;
+  PairSearch& search_;
   const std::vector<Vec3>& x_;
   PairContacts& pairs_;
   ConsistentScratch& scratch_;
+  int width_;  // of registers, in doubles
 };
 
 }  // namespace

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cfenv>
 #include <cmath>
 
+#include "solver/detection/lasting.h"
 #include "solver/testing/test_pairs.h"
 
 namespace stiction {
@@ -190,6 +193,95 @@ TEST(ConsistentDepth, InAThinPlateWeighsBothItsSides) {
   }
   EXPECT_NEAR(contacts[0].depth, depth / weights, kRounding);
   EXPECT_LT((contacts[0].normal - std::copysign(1.0, normal) * Vec3::UnitZ()).norm(), kRounding);
+}
+
+Options consistent_options(const Scene& scene) {
+  Options options = Depths::options();
+  options.time_step = 0.1 * scene.stable_time_step;
+  return options;
+}
+
+void expect_same_contacts(const PairContacts& one, const PairContacts& other) {
+  EXPECT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                         [&](const PairContact& a, const PairContact& b) {
+                           return test::numbers_of(one, a) == test::numbers_of(other, b);
+                         }));
+}
+
+// In how many contacts of the last step all outlets were known.
+std::size_t known_outlets(const Scene& scene, const Workspace& workspace) {
+  const PairSearch& search = workspace.search;
+  std::size_t known = 0;
+  for (const PairContact& contact : workspace.pairs) {
+    const Outlets& outlets = search.outlets[static_cast<std::size_t>(contact.vertex)];
+    known += outlets.element == workspace.pairs.site_of(contact).element &&
+             paths(scene.topology, search, contact.key()) < outlets.until;
+  }
+  return known;
+}
+
+// A cube goes its way over another and trembles. Each step is measured by what is known of outlets, and without.
+std::size_t expect_what_walks_find(double depth, const Vec3& shift, const Vec3& each_step,
+                                   double tremble) {
+  const Scene scene = build_scene(test::stacked_cubes(depth, shift));
+  const Options options = consistent_options(scene);
+  State state = initial_state(scene);
+  Workspace kept;
+  kept.velocity = state.velocity;
+  std::size_t known = 0;
+  for (unsigned k = 0; k < 300 && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE(k);
+    state.position = test::on_its_way(scene, k, each_step, tremble).position;
+    detect_pairs(scene, options, state, kept);
+    Workspace forgotten = kept;
+    forgotten.search.outlets.clear();
+    depths(scene, options, state, kept);
+    depths(scene, options, state, forgotten);
+    expect_same_contacts(kept.pairs, forgotten.pairs);
+    known += known_outlets(scene, kept);
+  }
+  return known;
+}
+
+TEST(ConsistentDepth, IsTheSameWhateverIsKnownOfOutlets) {
+  std::feclearexcept(FE_ALL_EXCEPT);
+  std::size_t known = 0;
+  for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(0.21, 0.13, 0), Vec3(-0.004, 0.003, 0)}) {
+    for (const Vec3& way :
+         {Vec3(0, 0, 0), Vec3(1e-6, 0, 0), Vec3(2e-5, 1e-5, 0), Vec3(-3e-4, 1e-4, 1e-6)}) {
+      for (const double tremble : {0.0, 1e-9, 1e-6}) {
+        known += expect_what_walks_find(1e-3, shift, way, tremble);
+        known += expect_what_walks_find(1e-6, shift, Real(1e-3) * way, 1e-3 * tremble);
+      }
+    }
+  }
+  EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
+  EXPECT_GT(known, 50000u);
+}
+
+// Paths begin anew with a scene: what was known in one doesn't hold after another.
+TEST(ConsistentDepth, KnowsNothingOfASceneAfterAnother) {
+  const Scene scenes[] = {build_scene(test::stacked_cubes(1e-3)),
+                          build_scene(test::stacked_cubes(1e-3, Vec3(0.35, 0.4, 0)))};
+  Workspace kept;
+  const auto measure = [](const Scene& scene, int steps, double by, Workspace& workspace) {
+    State state = initial_state(scene);
+    for (Position& at : state.position) at.x.x() += static_cast<Real>(by) * at.x.z();
+    workspace.velocity = state.velocity;
+    for (int k = 0; k < steps; ++k) {
+      detect_pairs(scene, consistent_options(scene), state, workspace);
+      depths(scene, consistent_options(scene), state, workspace);
+    }
+  };
+  for (const double by : {0.0, 0.1, 0.2}) {
+    for (const Scene& scene : scenes) {
+      measure(scene, 8, by, kept);
+      Workspace fresh;
+      measure(scene, 1, by, fresh);
+      expect_same_contacts(kept.pairs, fresh.pairs);
+      EXPECT_GT(known_outlets(scene, kept), 0u);
+    }
+  }
 }
 
 }  // namespace

@@ -75,7 +75,6 @@ bool follow(const Scene& scene, Real dt, const State& state, const std::vector<V
     search.stride = std::max(search.stride, way);
     // Rounded up: what a body trembles adds up however far it has come.
     if (way > 0.0) search.path[b] = std::nextafter(search.path[b] + way, HUGE_VAL);
-    if (renewed) search.path[b] = 0.0;
     any = any || renewed;
   }
   if (search.stride > 0.0) {

@@ -37,7 +37,9 @@ void note_lasting(bool same, double path, std::int8_t& steps, double& until, con
     const double since = path - until;  // infinite where there was no answer
     const bool in_vain = std::isfinite(since) && more < since;
     steps = in_vain ? -kStepsToPause : 0;
-    until = in_vain ? -std::numeric_limits<double>::infinity() : path + more;
+    // Rounded down.
+    until = in_vain ? -std::numeric_limits<double>::infinity()
+                    : std::nextafter(path + more, -std::numeric_limits<double>::infinity());
   }
 }
 

@@ -49,6 +49,7 @@ void begin_scene(const Scene& scene, std::size_t vertices, PairSearch& search) {
   search.found.clear();
   search.group.clear();
   search.near.clear();
+  search.outlets.clear();
   search.ball.assign(scene.topology.triangle.size(),
                      {Vec3::Zero(), std::numeric_limits<Real>::infinity()});
 }
