@@ -61,10 +61,10 @@ struct PairSearch {
   Real skin = 0.0;              ///< m
   std::vector<Vec3> reference;  ///< x* that a body's lists were made at, per vertex, m
   std::vector<Real> moved;      ///< per body: bound on |x* − reference| of its vertices, m
-  std::vector<double> path;  ///< per body: bound on how far a vertex has gone in this scene, m,
-                             ///< summed from one x* to the next
-  double stride = 0.0;       ///< the longest way of a vertex from the last x* to this one, m
-  double strides = 0.0;      ///< summed over the steps of this scene, m
+  std::vector<double> path;     ///< per body: bound on how far a vertex has gone in this scene, m,
+                                ///< summed from one x* to the next
+  double stride = 0.0;          ///< the longest way of a vertex from the last x* to this one, m
+  double strides = 0.0;         ///< summed over the steps of this scene, m
   std::vector<Real> farthest, longest;  ///< scratch of those two, per body
   std::vector<char> renewed;            ///< per body: its lists are made anew in this step
   std::vector<Box3> box;                ///< per body

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "solver/depth/edge_exit.h"
 #include "solver/lanes/in_registers.h"
@@ -31,8 +34,8 @@ void add_walk(const Border& border, std::int32_t neighbour, WalkScratch& scratch
 // What edges of a vertex add to the mean: a bit each in the order of its neighbours.
 struct Leaving {
   static constexpr int kRoom = Outlets::kMostEdges + kMostLanes;
-  std::uint32_t leave = 0;   // through one outlet
-  std::uint32_t unsure = 0;  // … or it takes a walk to know
+  std::uint32_t leave = 0;   // or may
+  std::uint32_t unsure = 0;  // of these, what takes a walk to know
   Real weight[kRoom];
   FourNumbers times_weight[kRoom];  // normal and depth
 };
@@ -42,15 +45,15 @@ STICTION_LANES_INLINE LaneVector<Number> in_all_lanes(const Vec3& a) {
   return {Number(a.x()), Number(a.y()), Number(a.z())};
 }
 
-// No less than the length of a vector, and in no time.
+// No less than the length of a vector, and found in no time.
 template <class Number>
-STICTION_LANES_INLINE Number at_most(const LaneVector<Number>& a) {
+STICTION_LANES_INLINE Number length_bound(const LaneVector<Number>& a) {
   return greater(a.x, -a.x) + greater(a.y, -a.y) + greater(a.z, -a.z);
 }
-Real at_most(const Vec3& a) { return std::abs(a.x()) + std::abs(a.y()) + std::abs(a.z()); }
+Real length_bound(const Vec3& a) { return std::abs(a.x()) + std::abs(a.y()) + std::abs(a.z()); }
 
-// Times what `find_exit` takes for touching, at least: what is farther apart it doesn't take for that, whatever
-// rounding does.
+// Times what `find_exit` takes for touching, at least: heights and sides have the bits that they have there,
+// and what is farther off than this it doesn't take for that.
 constexpr Real kOver = 2;
 
 // Of as many edges as there are lanes, from the `first` on; each as `find_exit` and `add_walk` do, with their bits.
@@ -66,27 +69,32 @@ STICTION_LANES_INLINE void leave_by_outlets(const Border& border, const Outlets&
   const Vec3& p = border.at();
   const LaneVector<Number> along = q - in_all_lanes<Number>(p);
   const Number zero(Real(0)), one(Real(1)), thin(border.thin);
-  const Number far = at_most(along);
+  const Number far = length_bound(along);
   Number t = zero;
   LaneVector<Number> normal{zero, zero, zero};
   Mask leaves = Mask::of(0), unsure = Mask::of(0);
+  const Mask ends_outside = ~Mask::of(outlets.may_end_in >> first);
   for (int k = 0; k < outlets.count; ++k) {
     const Outlets::Outlet& outlet = outlets.outlet[static_cast<std::size_t>(k)];
     const unsigned asked = outlet.edges >> first;
     if (asked == 0) continue;
-    const auto& corner =
-        border.scene.topology.triangle[static_cast<std::size_t>(outlet.triangle)].vertex;
+    const Topology::Triangle& triangle =
+        border.scene.topology.triangle[static_cast<std::size_t>(outlet.triangle)];
+    const auto& corner = triangle.vertex;
     const Vec3 &a = border.x[static_cast<std::size_t>(corner[0])],
                &b = border.x[static_cast<std::size_t>(corner[1])],
                &c = border.x[static_cast<std::size_t>(corner[2])];
     const Vec3 ab = b - a, ac = c - a, up = ab.cross(ac), pa = a - p, pb = b - p, pc = c - p;
-    const Real p_height = up.dot(p - a), slack = kOver * border.thin * at_most(up);
+    const Real p_height = up.dot(p - a), slack = kOver * border.thin * length_bound(up);
     if (!(p_height <= slack)) continue;
     const Number q_height = dot_as_eigen(in_all_lanes<Number>(up), q - in_all_lanes<Number>(a));
     // What may leave here, and what surely does.
-    Mask may = Mask::of(asked) & (zero < q_height), does = may & (Number(slack) < q_height);
+    Mask may = Mask::of(asked) & (zero < q_height);
     if (none(may)) continue;
-    const Number touches = Number(kOver * border.thin * (at_most(ab) + at_most(ac))) * far;
+    Mask does = may & (Number(slack) < q_height);
+    if (triangle.element != border.element) does = does & ends_outside;
+    const Number touches =
+        Number(kOver * border.thin * (length_bound(ab) + length_bound(ac))) * far;
     for (const Vec3& area : {pa.cross(pb), pb.cross(pc), pc.cross(pa)}) {
       const Number side = dot_as_eigen(along, in_all_lanes<Number>(area));
       may = may & (-touches <= side);
@@ -134,6 +142,7 @@ Average average_by_walks(const Border& border, WalkScratch& scratch) {
 Average average_by_outlets(const Border& border, const Outlets& outlets, int width,
                            WalkScratch& scratch) {
   const auto neighbours = border.neighbours();
+  assert(neighbours.size() <= Outlets::kMostEdges);
   Leaving leaving;
   in_lanes(
       static_cast<int>(neighbours.size()), width, [&](auto bytes) __attribute__((always_inline)) {

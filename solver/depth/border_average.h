@@ -26,8 +26,9 @@ struct Average {
 Average average_by_walks(const Border& border, WalkScratch& scratch);
 
 /// The same to the bit, where these are its outlets: several edges side by side in registers of `width`
-/// doubles are asked through which of them they leave. Only those that touch an edge of a triangle, or seem to
-/// leave through two, are walked along.
+/// doubles are asked through which of them they leave. Walked along is only what comes within some ε of the
+/// border or the plane of one, seems to leave through two, or through one of another element than the vertex's
+/// own though it may end in the body.
 Average average_by_outlets(const Border& border, const Outlets& outlets, int width,
                            WalkScratch& scratch);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/depth/consistent_depth.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "solver/depth/border_average.h"
 #include "solver/depth/find_outlets.h"
@@ -20,13 +21,14 @@ std::uint32_t body_of(const PairContact& contact) {
 // those of the level in work.
 class Pass {
  public:
-  Pass(const Scene& scene, Workspace& workspace)
+  Pass(const Scene& scene, const PairOptions& options, Workspace& workspace)
       : scene_(scene),
         search_(workspace.search),
         x_(workspace.search.predicted),
         pairs_(workspace.pairs),
         scratch_(workspace.consistent),
-        width_(lane_width()) {}
+        width_(lane_width()),
+        is_in_its_element_(options.tie_margin == 0.0) {}
 
   void run() {
     begin();
@@ -88,6 +90,7 @@ class Pass {
                         contact.vertex,
                         pairs_.site(c).element,
                         kConsistentThin * scratch_.links.longest_edge[body_of(contact)]};
+    if (!is_in_its_element_) return average_by_walks(border, scratch_.walk).write_to(contact);
     Outlets& outlets = search_.outlets[static_cast<std::size_t>(contact.vertex)];
     const double path = paths(scene_.topology, search_, contact.key());
     const bool same = outlets.element == border.element;
@@ -147,10 +150,15 @@ class Pass {
   PairContacts& pairs_;
   ConsistentScratch& scratch_;
   int width_;  // of registers, in doubles
+  // With a margin of ties a vertex may be said to be in an element that it has left. A walk from there may come
+  // to nothing, though its edges leave through an outlet.
+  bool is_in_its_element_;
 };
 
 }  // namespace
 
-void consistent_depths(const Scene& scene, Workspace& workspace) { Pass(scene, workspace).run(); }
+void consistent_depths(const Scene& scene, const PairOptions& options, Workspace& workspace) {
+  Pass(scene, options, workspace).run();
+}
 
 }  // namespace stiction

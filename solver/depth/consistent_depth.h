@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "solver/contact/pair_options.h"
 #include "solver/scene/scene.h"
 #include "solver/workspace.h"
 
@@ -35,6 +36,6 @@ inline constexpr Real kConsistentThin = by_precision(4e-12, 8e-6);
 ///  5. A negative depth is none. Where the normals cancel out there is no direction: the vertex
 ///     waits for its neighbours. What no level reaches keeps its projection: no edge of it leaves
 ///     (the whole body is inside), or it has none (a point mass).
-void consistent_depths(const Scene& scene, Workspace& workspace);
+void consistent_depths(const Scene& scene, const PairOptions& options, Workspace& workspace);
 
 }  // namespace stiction

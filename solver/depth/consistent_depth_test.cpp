@@ -8,6 +8,7 @@
 #include <cfenv>
 #include <cmath>
 
+#include "solver/depth/remember_pairs.h"
 #include "solver/detection/lasting.h"
 #include "solver/testing/test_pairs.h"
 
@@ -198,6 +199,7 @@ TEST(ConsistentDepth, InAThinPlateWeighsBothItsSides) {
 Options consistent_options(const Scene& scene) {
   Options options = Depths::options();
   options.time_step = 0.1 * scene.stable_time_step;
+  options.pairs.tie_margin = 0.0;
   return options;
 }
 
@@ -222,9 +224,10 @@ std::size_t known_outlets(const Scene& scene, const Workspace& workspace) {
 
 // A cube goes its way over another and trembles. Each step is measured by what is known of outlets, and without.
 std::size_t expect_what_walks_find(double depth, const Vec3& shift, const Vec3& each_step,
-                                   double tremble) {
+                                   double tremble, double tie_margin = 0.0) {
   const Scene scene = build_scene(test::stacked_cubes(depth, shift));
-  const Options options = consistent_options(scene);
+  Options options = consistent_options(scene);
+  options.pairs.tie_margin = static_cast<Real>(tie_margin);
   State state = initial_state(scene);
   Workspace kept;
   kept.velocity = state.velocity;
@@ -239,6 +242,7 @@ std::size_t expect_what_walks_find(double depth, const Vec3& shift, const Vec3& 
     depths(scene, options, state, forgotten);
     expect_same_contacts(kept.pairs, forgotten.pairs);
     known += known_outlets(scene, kept);
+    remember_pairs(kept.pairs, scene.topology, state.pair_geometry);
   }
   return known;
 }
@@ -257,6 +261,15 @@ TEST(ConsistentDepth, IsTheSameWhateverIsKnownOfOutlets) {
   }
   EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
   EXPECT_GT(known, 50000u);
+}
+
+// A vertex over a joint of elements is kept in the one that it has left, from where walks come to nothing.
+TEST(ConsistentDepth, IsTheSameWhateverIsKnownOfVerticesThatAMarginKeeps) {
+  for (const double beyond : {1e-6, 3e-5, 1e-4}) {
+    // Over a joint at x = ⅓, which it passes in the first of these steps, and stays.
+    const Vec3 shift(Real(1) / 3 - Real(0.5 * beyond), 0.1, 0);
+    EXPECT_EQ(expect_what_walks_find(1e-3, shift, Vec3(Real(0.01 * beyond), 0, 0), 0.0, 1e-3), 0u);
+  }
 }
 
 // Paths begin anew with a scene: what was known in one doesn't hold after another.

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/depth/edge_exit.h"
+#include "solver/depth/edge_walk.h"
 #include "solver/mesh/mesh_links.h"
 
 namespace stiction {

@@ -374,7 +374,9 @@ void depths(const Scene& scene, const Options& options, const State& state, Work
   if (all.dropped) {
     pairs.drop([](const PairContact& c) { return c.vertex == kDropped; });
   }
-  if (options.pairs.depth == DepthRule::kConsistent) consistent_depths(scene, workspace);
+  if (options.pairs.depth == DepthRule::kConsistent) {
+    consistent_depths(scene, options.pairs, workspace);
+  }
   // A vertex that nothing can move on partners that nothing can move takes no force.
   if (all.immovable) {
     pairs.drop([](const PairContact& c) { return c.inverse_mass == 0.0; });

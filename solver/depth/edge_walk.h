@@ -164,8 +164,9 @@ STICTION_LANES_INLINE Real smallest(const FacePlanes::Four& of) {
 }
 
 /// Walks from the tetrahedron `element`, which p is in, along the segment through all that come within
-/// `thin` of it before `first`, in [0, 1]. Calls `enters(e, planes)` with each, and `meets(t)` with each
-/// triangle of the surface near which the part of the segment in one of them comes.
+/// `thin` of it before `first`, as a share of the segment: infinity, which `meets` may lower as it goes. Calls
+/// `enters(e, planes)` with each, and `meets(t)` with each triangle of the surface near which the part of the
+/// segment in one of them comes.
 template <class Enters, class Meets>
 STICTION_LANES_INLINE void walk_along(const EdgeWalk& walk, std::int32_t element, const Real& first,
                                       WalkScratch& scratch, const Enters& enters,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "solver/lanes/in_registers.h"
@@ -11,14 +13,17 @@ namespace stiction {
 
 namespace {
 
-// Of the least altitude of an element.
-constexpr Real kShare = Real(1) / 60;
-// Times ε: less is not worth knowing.
-constexpr Real kLeast = 10;
-// Each outlet takes its time in each step. More than these are for vertices whose outlets would not last for so
-// many steps: to find them takes as long as some tens of steps with them.
+// What may move, of the least altitude of an element; and at least, of ε: that and the two factors below are
+// what find_outlets.h proves with.
+constexpr Real kShare = Real(1) / 60, kLeast = 10;
+static_assert(kLeast / kShare >= 599);
+constexpr Real kOfThin = Real(1.2), kOfMoved = Real(1.1);
+
+// Each outlet takes its time in each step: more than these are for where they will last for longer. To find them
+// takes as long as some tens of steps with them.
 constexpr int kFew = 2;
 constexpr Real kStepsToLast = 300;
+constexpr int kRounds = 6;  // each for a quarter of the motion of the one before
 
 // Least altitude of an element, m; not above 0 if it is inverted or flat.
 STICTION_LANES_INLINE Real least_altitude(const Border& border, std::size_t e,
@@ -35,11 +40,12 @@ class Outward {
       : border_(border), scratch_(scratch), outlets_(outlets) {}
 
   // The outlets while ends and corners move by no more than `within`, m. Returns for how much of that it is
-  // sure. False in `fits` if there are more than have room.
-  Real collect(Real within, bool& fits) {
+  // sure; 0 if there are more than have room.
+  Real collect(Real within) {
     outlets_.count = 0;
-    fits = true;
-    const Real wide = Real(1.2) * border_.thin + Real(1.1) * within;
+    outlets_.may_end_in = 0;
+    bool fits = true;
+    const Real wide = kOfThin * border_.thin + kOfMoved * within;
     const Real never = std::numeric_limits<Real>::infinity();
     int edge = 0;
     for (const std::int32_t neighbour : border_.neighbours()) {
@@ -51,12 +57,14 @@ class Outward {
                 walk, border_.element, never, scratch_,
                 [&](std::size_t e, const FacePlanes& planes) __attribute__((always_inline)) {
                   within = std::min(within, kShare * least_altitude(border_, e, planes));
+                  const auto above = FacePlanes::Four(wide) * planes.length < planes.height(q);
+                  if (none(above)) outlets_.may_end_in |= std::uint32_t{1} << edge;
                 },
                 [&](std::size_t t) { fits = add(static_cast<std::int32_t>(t), edge) && fits; });
           });
       ++edge;
     }
-    return within;
+    return fits && within > kLeast * border_.thin ? within : Real(0);
   }
 
  private:
@@ -87,18 +95,20 @@ Real find_outlets(const Border& border, Real stride, WalkScratch& scratch, Outle
     const Real length = (border.x[static_cast<std::size_t>(v)] - border.at()).norm();
     if (!(length > 0.0 && std::isfinite(length))) return 0.0;
   }
-  Outward outward(border, scratch, outlets);
-  const Real least = kLeast * border.thin;
   const auto own = static_cast<std::size_t>(border.element);
   Real within =
       kShare * least_altitude(border, own, planes_at(own, border.scene, border.x, scratch));
-  for (; within > least; within /= 4) {
-    bool fits = true;
-    const Real sure = outward.collect(within, fits);
-    const bool shorter_helps = outlets.count > kFew && within / 4 > kStepsToLast * stride;
-    if (fits && !(shorter_helps && within / 4 > least)) return sure > least ? sure : Real(0);
+  Outlets found = outlets;
+  Outward outward(border, scratch, found);
+  Real best = 0.0;
+  for (int round = 0; round < kRounds && within > kLeast * border.thin; ++round, within /= 4) {
+    if (best > 0.0 && (outlets.count <= kFew || within <= kStepsToLast * stride)) break;
+    const Real sure = outward.collect(within);
+    if (!(sure > 0.0) || (best > 0.0 && found.count >= outlets.count)) continue;
+    outlets = found;
+    best = sure;
   }
-  return 0.0;
+  return best;
 }
 
 }  // namespace stiction
