@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "solver/depth/edge_exit.h"
 #include "solver/lanes/in_registers.h"
+#include "solver/lanes/lane_geometry.h"
 
 namespace stiction {
 
@@ -45,12 +45,11 @@ STICTION_LANES_INLINE LaneVector<Number> in_all_lanes(const Vec3& a) {
   return {Number(a.x()), Number(a.y()), Number(a.z())};
 }
 
-// No less than the length of a vector, and found in no time.
+// The sum of sizes (of single vectors lpNorm<1>), which is no less than the length and takes no root.
 template <class Number>
-STICTION_LANES_INLINE Number length_bound(const LaneVector<Number>& a) {
+STICTION_LANES_INLINE Number sum_of_sizes(const LaneVector<Number>& a) {
   return greater(a.x, -a.x) + greater(a.y, -a.y) + greater(a.z, -a.z);
 }
-Real length_bound(const Vec3& a) { return std::abs(a.x()) + std::abs(a.y()) + std::abs(a.z()); }
 
 // Times what `find_exit` takes for touching, at least: heights and sides have the bits that they have there,
 // and what is farther off than this it doesn't take for that.
@@ -69,7 +68,7 @@ STICTION_LANES_INLINE void leave_by_outlets(const Border& border, const Outlets&
   const Vec3& p = border.at();
   const LaneVector<Number> along = q - in_all_lanes<Number>(p);
   const Number zero(Real(0)), one(Real(1)), thin(border.thin);
-  const Number far = length_bound(along);
+  const Number far = sum_of_sizes(along);
   Number t = zero;
   LaneVector<Number> normal{zero, zero, zero};
   Mask leaves = Mask::of(0), unsure = Mask::of(0);
@@ -85,7 +84,7 @@ STICTION_LANES_INLINE void leave_by_outlets(const Border& border, const Outlets&
                &b = border.x[static_cast<std::size_t>(corner[1])],
                &c = border.x[static_cast<std::size_t>(corner[2])];
     const Vec3 ab = b - a, ac = c - a, up = ab.cross(ac), pa = a - p, pb = b - p, pc = c - p;
-    const Real p_height = up.dot(p - a), slack = kOver * border.thin * length_bound(up);
+    const Real p_height = up.dot(p - a), slack = kOver * border.thin * up.lpNorm<1>();
     if (!(p_height <= slack)) continue;
     const Number q_height = dot_as_eigen(in_all_lanes<Number>(up), q - in_all_lanes<Number>(a));
     // What may leave here, and what surely does.
@@ -93,8 +92,7 @@ STICTION_LANES_INLINE void leave_by_outlets(const Border& border, const Outlets&
     if (none(may)) continue;
     Mask does = may & (Number(slack) < q_height);
     if (triangle.element != border.element) does = does & ends_outside;
-    const Number touches =
-        Number(kOver * border.thin * (length_bound(ab) + length_bound(ac))) * far;
+    const Number touches = Number(kOver * border.thin * (ab.lpNorm<1>() + ac.lpNorm<1>())) * far;
     for (const Vec3& area : {pa.cross(pb), pb.cross(pc), pc.cross(pa)}) {
       const Number side = dot_as_eigen(along, in_all_lanes<Number>(area));
       may = may & (-touches <= side);

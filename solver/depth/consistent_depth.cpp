@@ -117,26 +117,17 @@ class Pass {
     return average.write_to(contact);
   }
 
-  template <class Use>
-  void for_each_neighbour(std::int32_t vertex, Use&& use) const {
-    const MeshLinks& links = scratch_.links;
-    const auto v = static_cast<std::size_t>(vertex);
-    for (std::int32_t k = links.neighbour_begin[v]; k < links.neighbour_begin[v + 1]; ++k) {
-      use(links.neighbour[static_cast<std::size_t>(k)]);
-    }
-  }
-
   // The contacts with the same body of the vertex's neighbours.
   template <class Use>
   void for_each_beside(const PairContact& contact, Use&& use) {
-    for_each_neighbour(contact.vertex, [&](std::int32_t v) {
+    for (const std::int32_t v : scratch_.links.neighbours_of(contact.vertex)) {
       const std::int32_t first = first_contact(v);
-      if (first < 0) return;
-      for (auto c = static_cast<std::size_t>(first); c < pairs_.size(); ++c) {
-        if (pairs_[c].vertex != v) return;
+      if (first < 0) continue;
+      for (auto c = static_cast<std::size_t>(first); c < pairs_.size() && pairs_[c].vertex == v;
+           ++c) {
         if (body_of(pairs_[c]) == body_of(contact) && !pairs_.site(c).open) use(c);
       }
-    });
+    }
   }
 
   const Vec3& x(std::int32_t v) const { return x_[static_cast<std::size_t>(v)]; }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/depth/edge_walk.h"
+#include "solver/depth/walk_scratch.h"
 #include "solver/mesh/mesh_links.h"
 
 namespace stiction {

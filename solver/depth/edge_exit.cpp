@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "solver/lanes/in_registers.h"
+#include "solver/lanes/lane_geometry.h"
+#include "solver/lanes/packed_vec3.h"
 
 namespace stiction {
 
@@ -24,6 +26,45 @@ Real angle_around(const std::array<Vec3, 3>& corner, const std::array<bool, 3>& 
   const std::size_t at = !touched[0] ? 2 : !touched[1] ? 0 : 1;
   const Vec3 one = corner[(at + 1) % 3] - corner[at], other = corner[(at + 2) % 3] - corner[at];
   return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+// The lengths of edges and normal are found side by side.
+STICTION_LANES_INLINE TrianglePlane triangle_plane(const std::array<Vec3, 3>& corner) {
+  using Four = FacePlanes::Four;
+  const PackedVec3 a(corner[0]), b(corner[1]), c(corner[2]);
+  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  const FourNumbers record[] = {(b - a).value, (c - b).value, (a - c).value,
+                                PackedVec3(normal).value};
+  const Real* records[4];
+  for (int k = 0; k < 4; ++k) records[k] = reinterpret_cast<const Real*>(&record[k]);
+  Four columns[4];
+  load_records(records, columns);
+  const LaneVector<Four> all{columns[0], columns[1], columns[2]};
+  const Four length = sqrt(dot_as_eigen(all, all));
+  const Real divisor = length[3] > 0 ? length[3] : Real(1);
+  TrianglePlane plane;
+  plane.normal = normal;
+  plane.unit = vector_cast<Vec3>(PackedVec3(PackedVec3(normal).value / divisor));
+  for (int k = 0; k < 4; ++k) plane.length[k] = length[k];
+  return plane;
+}
+
+STICTION_LANES_INLINE std::array<Vec3, 3> corners_of(std::size_t t, const Scene& scene,
+                                                     const std::vector<Vec3>& x) {
+  const auto& v = scene.topology.triangle[t].vertex;
+  return {x[static_cast<std::size_t>(v[0])], x[static_cast<std::size_t>(v[1])],
+          x[static_cast<std::size_t>(v[2])]};
+}
+
+// That of surface triangle t with these corners, found once for all at the present positions.
+STICTION_LANES_INLINE const TrianglePlane& plane_at(std::size_t t,
+                                                    const std::array<Vec3, 3>& corner,
+                                                    WalkScratch& scratch) {
+  if (scratch.triangle_at[t] != scratch.positions) {
+    scratch.triangle_at[t] = scratch.positions;
+    scratch.triangle[t] = triangle_plane(corner);
+  }
+  return scratch.triangle[t];
 }
 
 // `length`: of the segment p → q, m.
@@ -62,15 +103,6 @@ Exit merge(const std::vector<WalkScratch::Hit>& hits, Real first, Real same) {
 }
 
 }  // namespace
-
-void WalkScratch::begin(std::size_t elements, std::size_t triangles) {
-  ++positions;
-  triangle.resize(triangles);
-  triangle_at.resize(triangles, 0);
-  visited.resize(elements, 0);
-  planes.resize(elements);
-  planes_at.resize(elements, 0);
-}
 
 bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
                const Vec3& p, const Vec3& q, std::int32_t element, Real thin, WalkScratch& scratch,

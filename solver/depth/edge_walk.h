@@ -1,63 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "solver/lanes/lane_geometry.h"
-#include "solver/lanes/packed_vec3.h"
+#include "solver/depth/walk_scratch.h"
 #include "solver/mesh/mesh_links.h"
 #include "solver/scene/scene.h"
 
 namespace stiction {
-
-/// The planes of a tetrahedron's four faces side by side: of the face opposite corner k in lane k.
-/// Aligned as where registers are so wide, whoever keeps it.
-struct alignas(4 * sizeof(Real)) FacePlanes {
-  using Four = Lanes<4 * sizeof(Real)>;
-  LaneVector<Four> on;      ///< a corner of the face, m
-  LaneVector<Four> normal;  ///< outward, m²
-  Four length;              ///< of the normal, m²
-
-  /// Above the planes, times the lengths of their normals, m³.
-  STICTION_LANES_INLINE Four height(const Vec3& x) const {
-    return dot(normal, LaneVector<Four>{Four(x.x()), Four(x.y()), Four(x.z())} - on);
-  }
-};
-
-/// … and of a surface triangle.
-struct TrianglePlane {
-  Vec3 normal;     ///< outward, m²
-  Vec3 unit;       ///< the normal over its length
-  Real length[4];  ///< of its edges, m, and of the normal, m²
-};
-
-/// Scratch memory of walks.
-struct WalkScratch {
-  struct Hit {
-    Real t;       ///< on the segment, dimensionless
-    Vec3 normal;  ///< of the triangle, unit
-    Real angle;   ///< of the triangle around the point, rad
-  };
-  std::vector<std::uint64_t> visited;  ///< per element: the last walk that came by
-  std::uint64_t walk = 0;
-  std::vector<FacePlanes> planes;          ///< per element, at …
-  std::vector<std::uint64_t> planes_at;    ///< … these positions
-  std::vector<TrianglePlane> triangle;     ///< per surface triangle, at …
-  std::vector<std::uint64_t> triangle_at;  ///< … these
-  std::uint64_t positions = 0;             ///< number of times that they have changed
-  std::vector<std::int32_t> stack;
-  std::vector<Hit> hit;
-
-  /// Before the first walk at new positions, or in another scene, with so many elements and surface
-  /// triangles.
-  void begin(std::size_t elements, std::size_t triangles);
-};
 
 /// A vertex in an element of a body, whose edges may leave that.
 struct Border {
@@ -69,10 +23,7 @@ struct Border {
 
   const Vec3& at() const { return x[static_cast<std::size_t>(vertex)]; }
   /// The other ends of its edges.
-  std::span<const std::int32_t> neighbours() const {
-    const std::int32_t* const begin = &links.neighbour_begin[static_cast<std::size_t>(vertex)];
-    return {links.neighbour.data() + begin[0], links.neighbour.data() + begin[1]};
-  }
+  std::span<const std::int32_t> neighbours() const { return links.neighbours_of(vertex); }
 };
 
 /// A segment p → q, and what a walk along it needs.
@@ -101,45 +52,6 @@ STICTION_LANES_INLINE FacePlanes face_planes(const Vec3& a, const Vec3& b, const
                          third = of_faces(d, c, d, b);
   const LaneVector<Four> normal = cross(second - first, third - first);
   return {first, normal, sqrt(dot(normal, normal))};
-}
-
-/// The lengths of edges and normal are found side by side.
-STICTION_LANES_INLINE TrianglePlane triangle_plane(const std::array<Vec3, 3>& corner) {
-  using Four = FacePlanes::Four;
-  const PackedVec3 a(corner[0]), b(corner[1]), c(corner[2]);
-  const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  const FourNumbers record[] = {(b - a).value, (c - b).value, (a - c).value,
-                                PackedVec3(normal).value};
-  const Real* records[4];
-  for (int k = 0; k < 4; ++k) records[k] = reinterpret_cast<const Real*>(&record[k]);
-  Four columns[4];
-  load_records(records, columns);
-  const LaneVector<Four> all{columns[0], columns[1], columns[2]};
-  const Four length = sqrt(dot_as_eigen(all, all));
-  const Real divisor = length[3] > 0 ? length[3] : Real(1);
-  TrianglePlane plane;
-  plane.normal = normal;
-  plane.unit = vector_cast<Vec3>(PackedVec3(PackedVec3(normal).value / divisor));
-  for (int k = 0; k < 4; ++k) plane.length[k] = length[k];
-  return plane;
-}
-
-STICTION_LANES_INLINE std::array<Vec3, 3> corners_of(std::size_t t, const Scene& scene,
-                                                     const std::vector<Vec3>& x) {
-  const auto& v = scene.topology.triangle[t].vertex;
-  return {x[static_cast<std::size_t>(v[0])], x[static_cast<std::size_t>(v[1])],
-          x[static_cast<std::size_t>(v[2])]};
-}
-
-/// The plane of surface triangle t with these corners, found once for all at the present positions.
-STICTION_LANES_INLINE const TrianglePlane& plane_at(std::size_t t,
-                                                    const std::array<Vec3, 3>& corner,
-                                                    WalkScratch& scratch) {
-  if (scratch.triangle_at[t] != scratch.positions) {
-    scratch.triangle_at[t] = scratch.positions;
-    scratch.triangle[t] = triangle_plane(corner);
-  }
-  return scratch.triangle[t];
 }
 
 /// The planes of an element, found once for all at the present positions.

@@ -81,10 +81,7 @@ void measure_edges(const Scene& scene, MeshLinks& links) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-      const auto begin = links.neighbour_begin[static_cast<std::size_t>(v)];
-      const auto end = links.neighbour_begin[static_cast<std::size_t>(v) + 1];
-      for (std::int32_t k = begin; k < end; ++k) {
-        const int w = links.neighbour[static_cast<std::size_t>(k)];
+      for (const std::int32_t w : links.neighbours_of(v)) {
         const Real length = (scene.rest_position.col(w) - scene.rest_position.col(v)).norm();
         links.longest_edge[b] = std::max(links.longest_edge[b], length);
       }

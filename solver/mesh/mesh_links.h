@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solver/real.h"
@@ -24,6 +26,11 @@ struct MeshLinks {
   /// neighbour[neighbour_begin[v] … neighbour_begin[v + 1]).
   std::vector<std::int32_t> neighbour_begin;
   std::vector<std::int32_t> neighbour;
+
+  std::span<const std::int32_t> neighbours_of(std::int32_t vertex) const {
+    const std::int32_t* const begin = &neighbour_begin[static_cast<std::size_t>(vertex)];
+    return {neighbour.data() + begin[0], neighbour.data() + begin[1]};
+  }
 
   std::vector<Real> longest_edge;  ///< per body, at rest, m
 };
