@@ -170,11 +170,38 @@ export async function turn_to(page, hash) {
   await turned(page);
 }
 
+/**
+ * Scrolls to an element. Unlike Playwright's own way it waits for no frame of the page: in one run of CI the browser
+ * gave a page none for half a minute.
+ */
+export const scroll_to = (locator) =>
+  locator.evaluate((element) => element.scrollIntoView({ block: "nearest" }));
+
+/** Frames that a page draws in a second, some 60 of them; in none are plots drawn. */
+const frames_of = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        let frames = 0;
+        const count = () => {
+          ++frames;
+          requestAnimationFrame(count);
+        };
+        requestAnimationFrame(count);
+        setTimeout(() => resolve(frames), 1000);
+      }),
+  );
+
 /** Waits until every plot in view, after scrolling to it, has been drawn. Gives their marks' counts. */
 export async function draw_plots(page) {
   for (const plot of await page.locator(".plot-canvas").all()) {
-    await plot.scrollIntoViewIfNeeded();
-    await plot.locator("svg, canvas").waitFor({ timeout: 10_000 });
+    await scroll_to(plot);
+    try {
+      await plot.locator("svg, canvas").waitFor({ timeout: 10_000 });
+    } catch (cause) {
+      const frames = await frames_of(page);
+      throw new Error(`a plot is not drawn; the page draws ${frames} frames a second`, { cause });
+    }
   }
   return page
     .locator(".plot-canvas")

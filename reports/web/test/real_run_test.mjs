@@ -4,7 +4,14 @@ import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { axe_source, draw_plots, open_within, start_browser, turn_to } from "./browser.mjs";
+import {
+  axe_source,
+  draw_plots,
+  open_within,
+  scroll_to,
+  start_browser,
+  turn_to,
+} from "./browser.mjs";
 import { make_page } from "./report.mjs";
 
 const run = process.env.STICTION_TEST_RUN;
@@ -84,7 +91,7 @@ test(
     assert.ok(recorded, "no case was recorded");
     await turn_to(page, `#case=${encodeURIComponent(recorded.case)}`);
     for (const marks of await draw_plots(page)) assert.ok(marks > 0, recorded.case);
-    await page.locator(".player").scrollIntoViewIfNeeded();
+    await scroll_to(page.locator(".player"));
     await page.locator(".player[data-loaded]").waitFor();
     const positions = () =>
       page.locator(".player").evaluate((player) => player.stiction_positions()[0].join());
