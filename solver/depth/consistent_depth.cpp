@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "solver/depth/border_average.h"
+#include "solver/depth/edge_exit.h"
 #include "solver/depth/find_outlets.h"
 #include "solver/detection/lasting.h"
 #include "solver/lanes/lane_width.h"
@@ -84,13 +85,13 @@ class Pass {
 
   bool set_border(std::size_t c) {
     PairContact& contact = pairs_[c];
-    const Border border{scene_,
-                        scratch_.links,
-                        x_,
-                        contact.vertex,
-                        pairs_.site(c).element,
-                        kConsistentThin * scratch_.links.longest_edge[body_of(contact)]};
-    if (!is_in_its_element_) return average_by_walks(border, scratch_.walk).write_to(contact);
+    const Real thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
+    std::int32_t element = pairs_.site(c).element;
+    if (!is_in_its_element_) {
+      element =
+          element_at(scene_, scratch_.links, x_, x(contact.vertex), element, thin, scratch_.walk);
+    }
+    const Border border{scene_, scratch_.links, x_, contact.vertex, element, thin};
     Outlets& outlets = search_.outlets[static_cast<std::size_t>(contact.vertex)];
     const double path = paths(scene_.topology, search_, contact.key());
     const bool same = outlets.element == border.element;
@@ -141,8 +142,8 @@ class Pass {
   PairContacts& pairs_;
   ConsistentScratch& scratch_;
   int width_;  // of registers, in doubles
-  // With a margin of ties a vertex may be said to be in an element that it has left. A walk from there may come
-  // to nothing, though its edges leave through an outlet.
+  // With a margin of ties a vertex may be said to be in an element that it has left. A walk from there would come
+  // to nothing where edges lead away from it.
   bool is_in_its_element_;
 };
 

@@ -102,6 +102,13 @@ Exit merge(const std::vector<WalkScratch::Hit>& hits, Real first, Real same) {
   return exit;
 }
 
+// Of a tetrahedron's four corners.
+Vec3 middle_of(const Element& element, const std::vector<Vec3>& x) {
+  Vec3 sum = Vec3::Zero();
+  for (const std::int32_t v : element.vertex) sum += x[static_cast<std::size_t>(v)];
+  return sum / 4;
+}
+
 }  // namespace
 
 bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
@@ -126,6 +133,24 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
   if (scratch.hit.empty()) return false;
   exit = merge(scratch.hit, first, kSameCrossing * thin / length);
   return true;
+}
+
+std::int32_t element_at(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
+                        const Vec3& p, std::int32_t element, Real thin, WalkScratch& scratch) {
+  const Vec3 middle = middle_of(scene.elements[static_cast<std::size_t>(element)], x);
+  const Real length = (p - middle).norm();
+  if (!(length > 0.0 && std::isfinite(length))) return element;
+  std::int32_t found = -1;
+  Real last = std::numeric_limits<Real>::infinity();  // of the walk, which ends once it is found
+  walk_along(
+      {scene, links, x, middle, p, thin, length}, element, last, scratch,
+      [&](std::size_t e, const FacePlanes& face) {
+        if (found >= 0 || !none(FacePlanes::Four(thin) * face.length < face.height(p))) return;
+        found = static_cast<std::int32_t>(e);
+        last = -std::numeric_limits<Real>::infinity();
+      },
+      [](std::size_t) {});
+  return found >= 0 ? found : element;
 }
 
 }  // namespace stiction
