@@ -180,8 +180,8 @@ int main(int argc, char** argv) {
   stiction::Arguments arguments;
   app.add_option(
          "--update", arguments.update,
-         "Renew the extracts from these runs first: folders of ./stiction validate, compare or "
-         "bench; of what several runs have measured, the last counts")
+         "Renew the extracts from these runs first: folders of ./stiction validate, compare, "
+         "bench or track sizes; of what several runs have measured, the last counts")
       ->type_name("RUN…")
       ->group("What is done");
   app.add_option("--against", arguments.against,

@@ -222,10 +222,11 @@ std::size_t known_outlets(const Scene& scene, const Workspace& workspace) {
   return known;
 }
 
-// A cube goes its way over another and trembles. Each step is measured by what is known of outlets, and without.
-std::size_t expect_what_walks_find(double depth, const Vec3& shift, const Vec3& each_step,
+// The last body goes its way over others and all tremble. Each step is measured by what is known of outlets, and
+// without.
+std::size_t expect_what_walks_find(const SceneDescription& description, const Vec3& each_step,
                                    double tremble, double tie_margin = 0.0) {
-  const Scene scene = build_scene(test::stacked_cubes(depth, shift));
+  const Scene scene = build_scene(description);
   Options options = consistent_options(scene);
   options.pairs.tie_margin = static_cast<Real>(tie_margin);
   State state = initial_state(scene);
@@ -247,7 +248,7 @@ std::size_t expect_what_walks_find(double depth, const Vec3& shift, const Vec3& 
   return known;
 }
 
-// The same, with a margin that keeps vertices in elements and without. Gives how many were kept in one that they
+// With a margin that keeps vertices in elements and without. Gives how many were kept in one that they
 // had left.
 std::size_t expect_the_same_where_a_margin_keeps(double depth, const Vec3& shift,
                                                  const Vec3& each_step) {
@@ -286,13 +287,39 @@ TEST(ConsistentDepth, IsTheSameWhateverIsKnownOfOutlets) {
     for (const Vec3& way :
          {Vec3(0, 0, 0), Vec3(1e-6, 0, 0), Vec3(2e-5, 1e-5, 0), Vec3(-3e-4, 1e-4, 1e-6)}) {
       for (const double tremble : {0.0, 1e-9, 1e-6}) {
-        known += expect_what_walks_find(1e-3, shift, way, tremble);
-        known += expect_what_walks_find(1e-6, shift, Real(1e-3) * way, 1e-3 * tremble);
+        known += expect_what_walks_find(test::stacked_cubes(1e-3, shift), way, tremble);
+        known += expect_what_walks_find(test::stacked_cubes(1e-6, shift), Real(1e-3) * way,
+                                        1e-3 * tremble);
       }
     }
   }
   EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
   EXPECT_GT(known, 50000u);
+}
+
+TEST(ConsistentDepth, IsTheSameWhateverIsKnownOfOutletsOfANotch) {
+  std::size_t known = 0;
+  for (const double depth : {1e-3, 0.2, 0.7}) {
+    SceneDescription description =
+        two_bodies(test::notched_cube(), test::cube_mesh(2), Vec3(0.21, 0.13, Real(1 - depth)));
+    description.bodies[0].point_mass = 1.0;  // of vertices that the notch left alone
+    for (const Vec3& way : {Vec3(1e-6, 0, 0), Vec3(-3e-4, 1e-4, 1e-6)}) {
+      known += expect_what_walks_find(description, way, 1e-9);
+    }
+  }
+  EXPECT_GT(known, 10000u);
+}
+
+TEST(ConsistentDepth, IsTheSameWhateverIsKnownOfVerticesThatGoFromBodyToBody) {
+  SceneDescription description = two_bodies(test::cube_mesh(3), test::cube_mesh(3), Vec3(1, 0, 0));
+  description.bodies.push_back(test::elastic_body(test::cube_mesh(2)));
+  description.bodies[2].name = "upper";
+  description.bodies[2].mesh.vertices.colwise() += Vec3(0.45, 0.13, 0.999);
+  std::size_t known = 0;
+  for (const double way : {1e-5, 4e-4, -4e-4}) {
+    known += expect_what_walks_find(description, Vec3(Real(way), 0, 0), 1e-9);
+  }
+  EXPECT_GT(known, 1000u);
 }
 
 // A vertex over a joint of elements is kept in the one that it has left.
@@ -301,7 +328,7 @@ TEST(ConsistentDepth, IsTheSameForVerticesThatAMarginKeeps) {
     // Over a joint at x = ⅓, which it passes in the first of these steps, and stays.
     const Vec3 shift(Real(1) / 3 - Real(0.5 * beyond), 0.1, 0);
     const Vec3 each_step(Real(0.01 * beyond), 0, 0);
-    expect_what_walks_find(1e-3, shift, each_step, 0.0, 1e-3);
+    expect_what_walks_find(test::stacked_cubes(1e-3, shift), each_step, 0.0, 1e-3);
     EXPECT_GT(expect_the_same_where_a_margin_keeps(1e-3, shift, each_step), 100u);
   }
 }

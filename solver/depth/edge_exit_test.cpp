@@ -18,19 +18,8 @@ constexpr double kThin = 1e-12;
 constexpr double kLengthRounding =
     100 * test::kEpsilon;  // some thirty roundings of lengths about 1
 
-// A cube of 3³ cells, or the same with a notch along y: without the cells of x in (⅓, ⅔), z > ⅓.
 TetMesh cube_or_notched(bool notched) {
-  TetMesh mesh = test::cube_mesh(3);
-  if (!notched) return mesh;
-  Eigen::Index kept = 0;
-  for (Eigen::Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
-    Vec3 middle = Vec3::Zero();
-    for (int k = 0; k < 4; ++k) middle += 0.25 * mesh.vertices.col(mesh.tetrahedra(k, e));
-    if (middle.z() > 1.0 / 3.0 && std::abs(middle.x() - 0.5) < 1.0 / 6.0) continue;
-    mesh.tetrahedra.col(kept++) = mesh.tetrahedra.col(e);
-  }
-  mesh.tetrahedra.conservativeResize(4, kept);
-  return mesh;
+  return notched ? test::notched_cube() : test::cube_mesh(3);
 }
 
 /// A scene of one such body and a body far away, so that two could touch.

@@ -79,6 +79,21 @@ inline TetMesh cube_mesh(int n, double edge = 1.0) {
   return grid_mesh(Eigen::Vector3i::Constant(n), edge / n);
 }
 
+/// The cube [0, 1]³ of 3³ cells with a notch along y: without the cells of x in (⅓, ⅔), z > ⅓. Vertices that
+/// were in these alone are left.
+inline TetMesh notched_cube() {
+  TetMesh mesh = cube_mesh(3);
+  Eigen::Index kept = 0;
+  for (Eigen::Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 4; ++k) middle += 0.25 * mesh.vertices.col(mesh.tetrahedra(k, e));
+    if (middle.z() > 1.0 / 3.0 && std::abs(middle.x() - 0.5) < 1.0 / 6.0) continue;
+    mesh.tetrahedra.col(kept++) = mesh.tetrahedra.col(e);
+  }
+  mesh.tetrahedra.conservativeResize(4, kept);
+  return mesh;
+}
+
 inline BodyDescription elastic_body(TetMesh mesh, const Material& material = {}) {
   BodyDescription body;
   body.name = "cube";
