@@ -192,7 +192,7 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--max-seconds", arguments.max_seconds,
                  "A case whose steps take more CPU time is given up, and its record says so")
       ->type_name("S")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_seconds())
       ->group("How it runs");
   app.add_option("--jobs", arguments.jobs, "Cases to run at a time")
       ->type_name("N")
@@ -273,6 +273,9 @@ int validate(Arguments& arguments) {
   set_program_limits(arguments.limits);
   set_heap_count(heap_counter());
   if (arguments.quick && arguments.full) throw InputError("--quick and --full exclude each other");
+  if (arguments.lines && arguments.verbose) {
+    throw InputError("--lines and --verbose exclude each other");
+  }
   if (!arguments.show_expectations.empty()) {
     const RecordFile file = read_records(std::filesystem::path(arguments.show_expectations));
     show(show_expectations(file.records, find_engine(arguments.selection.engine)));
@@ -290,6 +293,8 @@ int validate(Arguments& arguments) {
   const std::vector<UserCase> problems = read_user_problems(arguments.problems);
   std::vector<Case> cases;
   for (const UserCase& one : problems) cases.push_back(one.which);
+  // Which of the built-in ones are wanted says nothing of what is named.
+  if (!problems.empty()) selection.set = CaseSet::kFull;
   if (cases.empty()) cases = cases_for(find_engine(selection.engine));
   if (arguments.list && !arguments.json) {
     if (!arguments.quick) selection.set = CaseSet::kFull;
@@ -325,6 +330,10 @@ int validate(Arguments& arguments) {
     return kHolds;
   }
   if (!portion.is_whole()) tell(portion.text());
+  if (arguments.tolerance_scale != 1.0) {
+    tell(fmt::format("verdicts multiply each tolerance by {:g} (--tolerance-scale)",
+                     arguments.tolerance_scale));
+  }
   tell_long_runs(problems, jobs);
 
   reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(arguments.out); });
@@ -355,6 +364,9 @@ int validate(Arguments& arguments) {
   store.write_file("junit.xml", junit_xml(records));
   store.write_file("records.csv", csv_table(records));
   store.finish();
+  if (exit_code(records) == kDoesNotHold && !selection.settings.empty()) {
+    tell("with --set no shortfall is expected: what falls short fails");
+  }
   if (arguments.lines) {
     if (!arguments.no_page) store.tell_caller();
     return exit_code(records);

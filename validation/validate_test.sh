@@ -20,11 +20,17 @@ export COLUMNS=200 # sentences are looked for, which a narrow screen breaks
 # ---- exit codes 0 and 1 -----------------------------------------------------------------------
 holds 0 "the quick set passes" "$validate" --quick --jobs 2 --out quick
 holds 0 "the example problem passes" "$validate" "$example" --out example
+holds 0 "a problem that is named runs with --quick too" "$validate" "$example" --quick --out example
+grep -q '"verdict":"pass"' example/latest/records.jsonl || failed "a problem with --quick" "it did not run"
 holds 1 "tolerance scale 0 fails a case that is not exact" \
   "$validate" --case half-space/free-fall --tolerance-scale 0 --out zero
 grep -q 'height after 0.1 s: measured' out || failed "tolerance scale 0" "no residual is shown"
 holds 0 "a large tolerance scale passes it" \
   "$validate" --case half-space/free-fall --tolerance-scale 10 --out ten
+grep -qF 'verdicts multiply each tolerance by 10 (--tolerance-scale)' err ||
+  failed "a large tolerance scale" "no sentence says so"
+grep -qF 'verdicts multiply each tolerance by 10 (--tolerance-scale)' ten/latest/records.jsonl ||
+  failed "a large tolerance scale" "its record does not say so"
 holds 0 "--help is a page" "$validate" --help
 for word in --case --list --quick --out --jobs --tolerance-scale --set 'EXIT STATUS'; do
   grep -qF -- "$word" out || failed "--help is a page" "it lacks $word"
@@ -61,6 +67,9 @@ refuses "an unknown setting" "engine 'stiction' has no setting 'sped'; there are
 refuses "a setting that is no number" "setting 'dt' needs a finite number, not 'fast'" \
   "$validate" --set dt=fast
 refuses "a setting without a value" "--set needs NAME=VALUE, not 'dt'" "$validate" --set dt
+refuses "--lines with --verbose" "--lines and --verbose exclude each other" "$validate" --quick --lines --verbose
+holds 2 "a time that is no number" "$validate" --max-seconds nan
+grep -qF "must be a finite number above 0, not 'nan'" err || failed "a time that is no number" "no sentence says so"
 refuses "--quick with --full" "--quick and --full exclude each other" "$validate" --quick --full
 refuses "a missing problem" "cannot read 'missing.toml'" "$validate" missing.toml
 refuses "a report folder that cannot be" "/dev/null/reports" \
@@ -314,6 +323,7 @@ grep -q 'better than known \[.*raise the bar' out || failed "better than known" 
 passed "a method that is better than known turns the case red until its band is drawn anew"
 exits 1 "settings of one's own" "$validate" "${short[@]}" --set method=paper --set gain=0.6 --out own
 ! grep -q 'expected in \|than expected\|than known' out || failed "settings of one's own" "a band holds"
+grep -qF 'with --set no shortfall is expected' err || failed "settings of one's own" "no sentence says why"
 exits 1 "a tolerance of one's own" "$validate" "${short[@]}" --tolerance-scale 2 --out own
 ! grep -q 'expected in \|than expected\|than known' out || failed "a tolerance of one's own" "a band holds"
 passed "bands hold for the catalog's variants and tolerances only"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/formats/summary_table.h"
 #include "reports/formats/verdict_word.h"
@@ -20,6 +21,8 @@ std::string failure_words(const Judgement& check) {
   if (check.band) return band_text(check);
   // A scaled tolerance is not in the record.
   if (check.of_tolerance <= 1.0) return ": beyond its scaled tolerance";
+  if (std::isnan(check.value)) return ": no number";
+  if (!std::isfinite(check.of_tolerance)) return ": endlessly beyond its tolerance";
   return fmt::format(": {} its tolerance", share_text(check.of_tolerance));
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/scene/scene_check.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "solver/demand.h"
 
@@ -69,6 +73,23 @@ void check_tetrahedra(const std::string& who, const TetMesh& mesh) {
   }
 }
 
+// Given twice it would be as heavy and stiff as two, and none of its faces would belong to the surface.
+void check_that_none_is_given_twice(const std::string& who, const TetMesh& mesh) {
+  std::vector<std::pair<std::array<int, 4>, Eigen::Index>> all;
+  for (Eigen::Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
+    std::array<int, 4> corner;
+    std::copy_n(mesh.tetrahedra.col(e).data(), 4, corner.begin());
+    std::sort(corner.begin(), corner.end());
+    all.emplace_back(corner, e);
+  }
+  std::sort(all.begin(), all.end());
+  const auto same = std::adjacent_find(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (same == all.end()) return;
+  refuse(who, ": tetrahedra ", same->second, " and ", std::next(same)->second,
+         " have the same corners");
+}
+
 void check_keyframes(const std::string& who, const char* values, const std::vector<double>& time,
                      const std::vector<Eigen::Vector3d>& value) {
   if (time.size() != value.size()) {
@@ -123,6 +144,7 @@ void check_body(const BodyDescription& body) {
   check_motion(who, body.motion);
   if (mesh.tetrahedra.cols() > 0) check_material(who, body.material);
   check_tetrahedra(who, mesh);
+  check_that_none_is_given_twice(who, mesh);
   std::vector<bool> carried(static_cast<std::size_t>(mesh.vertices.cols()), false);
   for (const int v : mesh.tetrahedra.reshaped()) carried[static_cast<std::size_t>(v)] = true;
   for (std::size_t v = 0; v < carried.size(); ++v) {

@@ -72,6 +72,12 @@ const Mistake kMistakes[] = {
      "body 'cube': tetrahedron 0 is flat (volume 0 m³, longest edge 1.41421356 m)"},
     {"AlmostFlatTetrahedron", [](S& s) { mesh(s).vertices.col(3) = Vec3(0.25, 0.25, 1e-13); },
      "body 'cube': tetrahedron 0 is flat (volume 1.66666667e-14 m³, longest edge 1.41421356 m)"},
+    {"TetrahedronGivenTwice",
+     [](S& s) {
+       mesh(s).tetrahedra.conservativeResize(4, 2);
+       mesh(s).tetrahedra.col(1) << 1, 2, 0, 3;
+     },
+     "body 'cube': tetrahedra 0 and 1 have the same corners"},
     {"FrequencyBeyondNumbers",
      [](S& s) {
        material(s).density = 1e-200;

@@ -49,6 +49,7 @@ const std::vector<Row>& rows() {
       {"incline/threshold/mu=0.5/azimuth=45/yaw=0", kRules},
       {"paper/appendix-a-momentum/crossed-bars", {kQuiet}},  // the others have no contacts of edges
       {"paper/appendix-a-momentum/*", kMethods},
+      {"paper/fig3-clamped-box/half-step", {kQuiet}},
       {"paper/fig3-clamped-box/threshold", {kPaper, kQuiet}},
       {"paper/fig3-clamped-box/threshold/flush", {kQuiet}},
       {"paper/fig3-clamped-box/threshold/offset", {kQuiet}},

@@ -32,6 +32,9 @@ void run_threshold(CaseRun& run, const InclineSetup& setup) {
 
 // Stopping distance of a point mass whose last step is cut at a generic place.
 void run_stop(CaseRun& run, InclineSetup setup) {
+  if (run.settings().contains("dt")) {
+    throw NotApplicable("it compares time steps, of which a set dt leaves one");
+  }
   setup.shape = PointShape{};
   setup.speed = 1.0;
   setup.tan_slope = 0.3;
