@@ -132,6 +132,7 @@ constexpr CaseCost kCosts[] = {
     {"paper/fig3-clamped-box/fine", "paper, fixed point", 1.8},
     {"paper/fig3-clamped-box/fine", "paper, secant", 1.7},
     {"paper/fig3-clamped-box/fine", "quiet", 1.1},
+    {"paper/fig3-clamped-box/half-step", "quiet", 0.67},
     {"paper/fig3-clamped-box/threshold", "paper, fixed point", 2.8},
     {"paper/fig3-clamped-box/threshold", "quiet", 2.3},
     {"paper/fig3-clamped-box/threshold/flush", "quiet", 7.1},
