@@ -96,7 +96,7 @@ void define_engines(CLI::App& app, EngineComparison& asked) {
   app.add_option("--cpu-limit", asked.cpu_limit,
                  "CPU time for an answer, s; what takes longer is told as broken")
       ->type_name("S")
-      ->check(positive_seconds())
+      ->check(finite_number(false))
       ->capture_default_str()
       ->group(how);
   for (CLI::Option* const option : add_engine_limits(app, asked.limits)) option->group(how);

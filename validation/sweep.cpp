@@ -119,7 +119,7 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--max-seconds", arguments.max_seconds,
                  "A point whose steps take more CPU time is given up, and its record says so")
       ->type_name("S")
-      ->check(positive_seconds())
+      ->check(finite_number(false))
       ->group("How it runs");
   for (CLI::Option* const option : add_engine_limits(app, arguments.limits))
     option->group("How it runs");

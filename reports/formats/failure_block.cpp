@@ -19,7 +19,7 @@ bool is_bad(Verdict verdict) { return verdict == Verdict::kFail || verdict == Ve
 
 std::string failure_words(const Judgement& check) {
   if (check.band) return band_text(check);
-  // A scaled tolerance is not in the record.
+  // That of the record is not scaled.
   if (check.of_tolerance <= 1.0) return ": beyond its scaled tolerance";
   if (std::isnan(check.value)) return ": no number";
   if (!std::isfinite(check.of_tolerance)) return ": endlessly beyond its tolerance";

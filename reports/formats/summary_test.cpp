@@ -83,6 +83,20 @@ TEST(Summary, NamesWhatFails) {
   EXPECT_THAT(text, HasSubstr("worse than expected [0.305, 0.32] m"));
 }
 
+TEST(Summary, TellsOfFailuresThatNoNumberMeasures) {
+  const auto told = [](double value, double of_tolerance) {
+    Record record = test::failing_record();
+    for (Judgement& check : record.checks) {
+      check.value = value;
+      check.of_tolerance = of_tolerance;
+    }
+    return summary_screen({record}, {.width = 200});
+  };
+  EXPECT_THAT(told(test::kNan, test::kInf), HasSubstr("stopping distance: no number"));
+  EXPECT_THAT(told(1.0, test::kInf),
+              HasSubstr("stopping distance: endlessly beyond its tolerance"));
+}
+
 TEST(Summary, OfManyFailuresNamesTheFirst) {
   const std::vector<Record> records(30, test::failing_record());
   const auto lines = lines_of(summary_screen(records, {.width = 80, .height = 24}));

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <sstream>
@@ -11,6 +15,19 @@
 #include "reports/text/exit_code.h"
 
 namespace stiction {
+
+/// Refuses what is no finite number above 0, or from 0 on.
+inline CLI::Validator finite_number(bool may_be_zero) {
+  return {[may_be_zero](const std::string& text) {
+            char* end = nullptr;
+            const double value = std::strtod(text.c_str(), &end);
+            const bool is_large_enough = may_be_zero ? value >= 0.0 : value > 0.0;
+            if (is_large_enough && std::isfinite(value) && *end == '\0') return std::string();
+            return fmt::format("must be a finite number {}, not '{}'",
+                               may_be_zero ? "from 0 on" : "above 0", text);
+          },
+          ""};
+}
 
 /// Lets `parse` read the words of a program. A code ends it: --help was asked for and is printed,
 /// or the words are refused and it is said why.

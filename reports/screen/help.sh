@@ -93,7 +93,7 @@ FILES
 
 EXAMPLES
        ./stiction test
-              everything, four to eight minutes; some half an hour with the first build
+              everything, four to eight minutes; some forty with the first build
        ./stiction test -R '^solver\.'
               the solver's unit tests
        ./stiction test --rerun-failed

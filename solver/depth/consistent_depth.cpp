@@ -85,13 +85,13 @@ class Pass {
 
   bool set_border(std::size_t c) {
     PairContact& contact = pairs_[c];
-    const Real thin = kConsistentThin * scratch_.links.longest_edge[body_of(contact)];
-    std::int32_t element = pairs_.site(c).element;
-    if (!is_in_its_element_) {
-      element =
-          element_at(scene_, scratch_.links, x_, x(contact.vertex), element, thin, scratch_.walk);
-    }
-    const Border border{scene_, scratch_.links, x_, contact.vertex, element, thin};
+    Border border{scene_,
+                  scratch_.links,
+                  x_,
+                  contact.vertex,
+                  pairs_.site(c).element,
+                  kConsistentThin * scratch_.links.longest_edge[body_of(contact)]};
+    if (!is_in_its_element_) border.element = element_at(border, scratch_.walk);
     Outlets& outlets = search_.outlets[static_cast<std::size_t>(contact.vertex)];
     const double path = paths(scene_.topology, search_, contact.key());
     const bool same = outlets.element == border.element;

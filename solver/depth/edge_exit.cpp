@@ -135,22 +135,25 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
   return true;
 }
 
-std::int32_t element_at(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
-                        const Vec3& p, std::int32_t element, Real thin, WalkScratch& scratch) {
-  const Vec3 middle = middle_of(scene.elements[static_cast<std::size_t>(element)], x);
+std::int32_t element_at(const Border& border, WalkScratch& scratch) {
+  const Vec3 &p = border.at(),
+             middle = middle_of(border.scene.elements[static_cast<std::size_t>(border.element)],
+                                border.x);
   const Real length = (p - middle).norm();
-  if (!(length > 0.0 && std::isfinite(length))) return element;
+  if (!(length > 0.0 && std::isfinite(length))) return border.element;
   std::int32_t found = -1;
   Real last = std::numeric_limits<Real>::infinity();  // of the walk, which ends once it is found
   walk_along(
-      {scene, links, x, middle, p, thin, length}, element, last, scratch,
+      {border.scene, border.links, border.x, middle, p, border.thin, length}, border.element, last,
+      scratch,
       [&](std::size_t e, const FacePlanes& face) {
-        if (found >= 0 || !none(FacePlanes::Four(thin) * face.length < face.height(p))) return;
+        if (found >= 0 || !none(FacePlanes::Four(border.thin) * face.length < face.height(p)))
+          return;
         found = static_cast<std::int32_t>(e);
         last = -std::numeric_limits<Real>::infinity();
       },
       [](std::size_t) {});
-  return found >= 0 ? found : element;
+  return found >= 0 ? found : border.element;
 }
 
 }  // namespace stiction

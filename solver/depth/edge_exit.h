@@ -32,9 +32,8 @@ bool find_exit(const Scene& scene, const MeshLinks& links, const std::vector<Vec
                const Vec3& p, const Vec3& q, std::int32_t element, Real thin, WalkScratch& scratch,
                Exit& exit);
 
-/// The tetrahedron that p is in, or beyond by no more than `thin`, m: `element`, which is one of the same body, or
-/// what a walk from there comes to; `element` if that leads out of the body.
-std::int32_t element_at(const Scene& scene, const MeshLinks& links, const std::vector<Vec3>& x,
-                        const Vec3& p, std::int32_t element, Real thin, WalkScratch& scratch);
+/// The tetrahedron that a vertex is in, or beyond by no more than `border.thin`: `border.element`, or what a straight
+/// walk comes to from the middle of that; `border.element` if the walk leads out of the body.
+std::int32_t element_at(const Border& border, WalkScratch& scratch);
 
 }  // namespace stiction

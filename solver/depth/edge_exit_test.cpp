@@ -75,18 +75,21 @@ TEST(MeshLinks, EveryFaceLeadsThereAndBack) {
 
 TEST(ElementAt, IsWhereAWalkFromAnotherElementComesTo) {
   Walked body(cube_or_notched(true));
+  const auto vertex = static_cast<std::int32_t>(body.x.size());
+  body.x.emplace_back();
   const auto found_from = [&](int element, const Vec3& p) {
-    return element_at(body.scene, body.links, body.x, p, element, kThin, body.scratch);
+    body.x.back() = p;
+    return element_at({body.scene, body.links, body.x, vertex, element, kThin}, body.scratch);
   };
   const auto count = static_cast<int>(body.scene.bodies[0].element_count);
   int left = 0;
   for (const Vec3& p : {Vec3(0.21, 0.4, 0.13), Vec3(0.27, 0.61, 0.8), Vec3(0.9, 0.05, 0.72)}) {
     const int own = body.element_at(p);
+    const auto& behind = body.links.behind[static_cast<std::size_t>(own)];
     for (int element = 0; element < count; ++element) {
       const int found = found_from(element, p);
       EXPECT_TRUE(found == own || found == element) << element;
       left += found != own;
-      const auto& behind = body.links.behind[static_cast<std::size_t>(own)];
       if (std::count(behind.begin(), behind.end(), element) > 0) {
         EXPECT_EQ(found, own) << element;
       }

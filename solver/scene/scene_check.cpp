@@ -76,6 +76,7 @@ void check_tetrahedra(const std::string& who, const TetMesh& mesh) {
 // Given twice it would be as heavy and stiff as two, and none of its faces would belong to the surface.
 void check_that_none_is_given_twice(const std::string& who, const TetMesh& mesh) {
   std::vector<std::pair<std::array<int, 4>, Eigen::Index>> all;
+  all.reserve(static_cast<std::size_t>(mesh.tetrahedra.cols()));
   for (Eigen::Index e = 0; e < mesh.tetrahedra.cols(); ++e) {
     std::array<int, 4> corner;
     std::copy_n(mesh.tetrahedra.col(e).data(), 4, corner.begin());

@@ -42,10 +42,7 @@ CaseRun::CaseRun(const Case& which, EngineKind engine, Settings settings, double
   const CalledConfiguration called = called_configuration(engine_, which.name, settings_);
   record_.configuration = called.name;
   record_.differs = called.differs;
-  if (tolerance_scale_ != 1.0) {
-    note(fmt::format("verdicts multiply each tolerance by {:g} (--tolerance-scale)",
-                     tolerance_scale_));
-  }
+  if (tolerance_scale_ != 1.0) note(scale_sentence(tolerance_scale_));
   const std::vector<Settings> variants = variants_of(which, engine_, true);
   if (std::find(variants.begin(), variants.end(), settings_) == variants.end()) return;
   configuration_.contrast = configuration_.contrast || for_contrast(which, engine_, settings_);

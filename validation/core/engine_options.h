@@ -2,25 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdlib>
-#include <string>
 #include <vector>
 
 #include "validation/engine/protocol/program_kind.h"
 
 namespace stiction {
-
-/// A time that may be taken, s.
-inline CLI::Validator positive_seconds() {
-  return {[](const std::string& text) {
-            char* end = nullptr;
-            const double seconds = std::strtod(text.c_str(), &end);
-            const bool is_time = seconds > 0.0 && std::isfinite(seconds) && *end == '\0';
-            return is_time ? std::string() : "must be a finite number above 0, not '" + text + "'";
-          },
-          ""};
-}
 
 /// The options of every program that starts engines which are programs.
 inline std::vector<CLI::Option*> add_engine_limits(CLI::App& app, ProgramLimits& limits) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/judge/verdict.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -37,6 +39,11 @@ Judgement judge(Claim claim, double value, double tolerance_scale,
   const bool inside = value >= known->band.low && value <= known->band.high;
   found.verdict = inside && !holds ? known->verdict : Verdict::kFail;
   return found;
+}
+
+std::string scale_sentence(double tolerance_scale) {
+  return fmt::format("verdicts multiply each tolerance by {:g} (--tolerance-scale)",
+                     tolerance_scale);
 }
 
 }  // namespace stiction

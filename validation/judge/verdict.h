@@ -24,6 +24,9 @@ struct KnownShortfall {
 Judgement judge(Claim claim, double value, double tolerance_scale = 1.0,
                 const std::optional<KnownShortfall>& known = {});
 
+/// What is told of a scale that is not 1.
+std::string scale_sentence(double tolerance_scale);
+
 /// The same numbers, judged by nobody: the verdict is kForInformation.
 Judgement for_information(Claim claim, double value);
 
