@@ -29,7 +29,7 @@ const QUESTIONS = [
     question: "Who creeps, and how fast?",
     clicks: [],
     where: on("tr", "Creeps at rest"),
-    answer: /no, 0 of \d+[\s\S]*yes, \d+ of \d+\s+≤ \S+ m\/s/,
+    answer: /Creeps at rest\s+(no, 0|yes, [1-9]\d*) of \d+[\s\S]*yes, \d+ of \d+\s+≤ \S+ m\/s/,
   },
   {
     question: "Does quiet hold flush stacks?",
