@@ -72,9 +72,11 @@ holds 2 "a time that is no number" "$validate" --max-seconds nan
 grep -qF "must be a finite number above 0, not 'nan'" err || failed "a time that is no number" "no sentence says so"
 holds 0 "time steps are compared where none is set" "$validate" --case incline/integrator/stop --set dt=1e-4 --out steps
 grep -q '"verdict":"not-applicable"' steps/latest/records.jsonl || failed "incline/integrator/stop" "it compares one step"
-# What README says of it.
-holds 0 "the clamped box rests at half the step with a wider hysteresis" \
-  "$validate" --case paper/fig3-clamped-box/half-step --set hysteresis=40 --out wider
+holds 0 "the clamped box rests at a quarter of its time step" \
+  "$validate" --case paper/fig3-clamped-box --configuration quiet --set dt=5e-5 --out quarter
+holds 1 "the clamped box at half its time step needs its hysteresis" \
+  "$validate" --case paper/fig3-clamped-box/half-step --set hysteresis=0 --out unkept
+grep -q '"fastest contact slip"' unkept/latest/records.jsonl || failed "the clamped box without hysteresis" "no slip"
 refuses "--quick with --full" "--quick and --full exclude each other" "$validate" --quick --full
 refuses "a missing problem" "cannot read 'missing.toml'" "$validate" missing.toml
 refuses "a report folder that cannot be" "/dev/null/reports" \

@@ -184,7 +184,7 @@ TEST(DetectPairs, LooksAtNoVertexThatIsKnownToBeClearAndMissesNoneThatComesIn) {
 TEST(DetectPairs, KnowsForHowLongAVertexIsHeldOrOpen) {
   std::size_t held = 0, open = 0, asleep = 0, tried = 0;
   const auto go = [&](double depth, double tie_margin, const Vec3& way, double tremble,
-                      bool suddenly, double hysteresis = 1e3) {
+                      bool suddenly, double hysteresis = 4.0) {
     if (++tried % test::kOneIn != 0) return;
     SceneDescription description = test::stacked_cubes(depth, Vec3(0.15, 0.0, 0.0));
     description.gravity = {{0.0}, {Vec3(0, 0, -9.81)}};
@@ -361,7 +361,8 @@ TEST(DetectPairs, KeepsAContactThatHasJustOpenedAndDropsItBeyondTheHysteresis) {
   const Scene scene = build_scene(description);
   Options options;
   options.time_step = 1e-3;
-  options.pairs.hysteresis = 1.0;  // gaps below |g|Δt² = 1e-5 m
+  ASSERT_LT(scene.swing_time, 1.0);
+  options.pairs.hysteresis = 1e-3 / scene.swing_time;  // gaps below |g|Δt · 1e-3 s = 1e-5 m
   test::Found touching(scene, options, initial_state(scene));
   const std::size_t count = touching.workspace.pairs.size();
   ASSERT_GT(count, 0u);

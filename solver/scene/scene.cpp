@@ -14,6 +14,7 @@
 #include "solver/mesh/numbering.h"
 #include "solver/scene/body_at_rest.h"
 #include "solver/scene/scene_check.h"
+#include "solver/scene/swing_time.h"
 #include "solver/scene/time_step_limit.h"
 
 namespace stiction {
@@ -157,6 +158,9 @@ void add_body(const BodyDescription& body, Scene& scene) {
                           .self_collision = body.self_collision,
                           .fixed = is_fixed(scene, first),
                           .motion = body.motion});
+  if (!scene.bodies.back().fixed) {
+    scene.swing_time = std::max(scene.swing_time, swing_time(body, mass));
+  }
 }
 
 FrictionTable own_friction(const Scene& scene, const std::vector<PairFriction>& pairs) {

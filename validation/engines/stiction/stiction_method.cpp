@@ -249,7 +249,9 @@ std::map<std::string, std::string> method_settings_help() {
       {"reaction", "friction on the partners: on (default) or off (old)"},
       {"bound", "μ times what force: transmitted (default) or literal"},
       {"order", "normals-first (quiet) or interleaved (paper)"},
-      {"hysteresis", "gap up to which a contact is kept, in |g|Δt² (quiet: 20; paper: 0)"},
+      {"hysteresis",
+       "gap up to which a contact is kept, in |g|Δt T, with T the time in which a wave passes the "
+       "scene's slowest body, at least 20 Δt (quiet: 1; paper: 0)"},
       {"depth-noise", "error of each depth in each step, of the depth (default 0)"},
       {"tie",
        "how much farther than the nearest a contact's triangle may be to be kept, of the "

@@ -53,7 +53,7 @@ std::vector<Ingredient> ingredients() {
     list.push_back({name, sum, share, share, effect, list.size() - 1});
   };
   with("+ harmonic gain", "normals", "harmonic", 0.0, Effect::kNone);
-  with("+ hysteresis", "hysteresis", "20", 0.0, Effect::kNone);
+  with("+ hysteresis", "hysteresis", "1", 0.0, Effect::kNone);
   with("+ normals first", "order", "normals-first", 0.0, Effect::kNone);
   with("+ stored vector", "rule", "stored-vector", 1.0, Effect::kBrings);
   with("+ tetrahedral weights", "weights", "tetrahedron", 1.0, Effect::kNone);

@@ -26,9 +26,8 @@ constexpr Cause kVertices{
 constexpr Cause kNotAssociated{
     "kNotAssociated",
     "limit analysis is necessary, not sufficient: Coulomb's sliding is not associated. When the "
-    "box gives, the pressure centres stand 0.169, 0.177 and 0.183 of the width apart at E, 4 E and "
-    "16 E, where an equilibrium with 0.083 would need less force; it holds without creep (8e-11 "
-    "m/s)",
+    "box gives, the pressure centres stand 0.173, 0.173 and 0.177 of the width apart at E, 4 E and "
+    "16 E, where an equilibrium with 0.083 would need less force; it holds without creep",
     kNotSufficient};
 constexpr Cause kCreeps{
     "kCreeps",
@@ -57,16 +56,6 @@ constexpr Cause kOldSlipsOut{
     "the paper's own contrast, Fig. 3: without post-correction and without friction's reaction the "
     "box's own contacts act 42 mm apart and would need 64 N, of which they carry 22 N",
     kNoCorrection};
-constexpr Cause kTouchAndGo{"kTouchAndGo",
-                            "a vertex of the box touches the right bar and leaves it again every "
-                            "42 steps. Once it counts, the harmonic "
-                            "gain of the crossing edges beside it halves their force, 3.36 to 1.77 "
-                            "N within a step, and once it is let go "
-                            "doubles it, 3.14 to 6.29 N. The swing that these kicks keep up falls "
-                            "with Δt, the gap up to which a contact is "
-                            "kept with Δt²: with hysteresis=40 the box rests at half the step "
-                            "(3e-21 J), not at a quarter, where it takes 80",
-                            kGainJumps};
 constexpr Words kThirdToThree{"kThirdToThree", "from a third to three times the 13° measured"};
 
 }  // namespace
@@ -94,10 +83,6 @@ Expectations expectations_clamp() {
       {"clamp/row/shear/n=3", "method=paper rule=secant", "fastest contact slip", {2.4e-07, 2.5e-06}, kRefuted, kRow, kFactorThree},
       {"clamp/row/threshold/n=3/half-step", "method=paper", "critical clamp force, rigid limit", {29.5, 33.8}, kShortfall, kNoThreshold, kUnsure},
       {"clamp/row/threshold/n=3/half-step", "method=paper", "creep of the clamp that holds, after twice the time", {2.6e-06, 2.4e-05}, kShortfall, kCreeps, kOneRun},
-      {"paper/fig3-clamped-box/half-step", "method=quiet", "drift at rest", {-4.1e-05, -4.4e-06}, kShortfall, kTouchAndGo, kOneRun},
-      {"paper/fig3-clamped-box/half-step", "method=quiet", "turn at rest", {0.0025, 0.023}, kShortfall, kTouchAndGo, kOneRun},
-      {"paper/fig3-clamped-box/half-step", "method=quiet", "kinetic energy at rest", {8.3e-08, 7.5e-07}, kShortfall, kTouchAndGo, kOneRun},
-      {"paper/fig3-clamped-box/half-step", "method=quiet", "fastest contact slip", {4.2e-06, 3.9e-05}, kShortfall, kTouchAndGo, kOneRun},
       {"paper/fig3-clamped-box/threshold", "method=paper", "critical clamp force, rigid limit", {9.811, 9.8193}, kShortfall, kCreepsBeside, kOneRun},
       {"paper/fig3-clamped-box/threshold", "method=paper", "creep of the clamp that holds, after twice the time", {6.4e-07, 5.8e-06}, kShortfall, kCreeps, kOneRun},
       {"paper/fig3-clamped-box/threshold/half-step", "method=paper", "critical clamp force, rigid limit", {9.811, 9.8193}, kShortfall, kCreepsBeside, kOneRun},
@@ -110,10 +95,10 @@ Expectations expectations_clamp() {
       {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper", "creep of the clamp that holds, after twice the time", {2.3e-07, 2.2e-06}, kShortfall, kCreeps, kOneRun},
       {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper rule=secant", "critical clamp force, rigid limit", {18.2, 19.2}, kShortfall, kVertices, kTwoPerCent},
       {"paper/fig3-clamped-box/threshold/offset/half-step", "method=paper rule=secant", "creep of the clamp that holds, after twice the time", {-2.6e-06, 1.9e-05}, kShortfall, kCreeps, kTwoRuns},
-      {"paper/fig3-clamped-box/threshold/offset/half-step", "method=quiet", "critical clamp force, rigid limit", {11.5, 12.1}, kShortfall, kNotAssociated, kTwoPerCent},
+      {"paper/fig3-clamped-box/threshold/offset/half-step", "method=quiet", "critical clamp force, rigid limit", {11.2, 11.7}, kShortfall, kNotAssociated, kTwoPerCent},
       {"paper/fig3-clamped-box/threshold/offset/vertices", "method=paper", "critical clamp force, rigid limit", {18.0, 18.9}, kShortfall, kVertices, kTwoPerCent},
       {"paper/fig3-clamped-box/threshold/offset/vertices", "method=paper", "creep of the clamp that holds, after twice the time", {2.3e-07, 2.2e-06}, kShortfall, kCreeps, kOneRun},
-      {"paper/fig3-clamped-box/threshold/offset", "method=quiet", "critical clamp force, rigid limit", {11.5, 12.1}, kShortfall, kNotAssociated, kTwoPerCent},
+      {"paper/fig3-clamped-box/threshold/offset", "method=quiet", "critical clamp force, rigid limit", {11.2, 11.7}, kShortfall, kNotAssociated, kTwoPerCent},
       {"paper/fig3-clamped-box", "method=old", "displacement", {-0.1, -0.05}, kShortfall, kOldSlipsOut, kLeaves},
       {"paper/fig3-clamped-box", "method=old", "rotation", {4.3, 40}, kShortfall, kOldSlipsOut, kThirdToThree},
   };

@@ -30,7 +30,6 @@ inline constexpr const char* kNotSufficient = "limit analysis bounds, it does no
 inline constexpr const char* kFacetsRoll = "balls are polyhedra, and go edge to edge";
 inline constexpr const char* kUnboundedGain = "the paper's normal gain has no bound";
 inline constexpr const char* kTwiceSaid = "two contacts that say the same pass slip on";
-inline constexpr const char* kGainJumps = "the normal gain jumps as a contact comes and goes";
 inline constexpr const char* kFreeTurn = "contacts at one point leave a couple";
 inline constexpr const char* kOutlastsShort = "elastic vibration outlasts the friction iteration";
 inline constexpr const char* kSwept = "the order of sweeps";
