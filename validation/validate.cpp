@@ -71,6 +71,7 @@ struct Arguments {
   std::string out = "validation-report";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   double tolerance_scale = 1.0;
+  int finer = 1;
   std::string show_expectations;
   ProgramLimits limits;
 };
@@ -116,6 +117,8 @@ HelpPage help_page() {
       .examples = {{"./stiction validate --quick", "one case of each kind, in seconds"},
                    {"./stiction validate --case 'slab/*' --set kappa=0.7",
                     "some cases with a setting changed"},
+                   {"./stiction validate --finer 2",
+                    "does what holds hold at half the time step too?"},
                    {"./stiction validate --engine \"python3 my_engine.py\"",
                     "an engine of your own in every case that it can take"}},
       .see_also = {"./stiction help compare", "./stiction help report", "./stiction help engine",
@@ -215,6 +218,14 @@ void define(CLI::App& app, Arguments& arguments) {
       ->capture_default_str()
       ->group("How it runs");
   app.add_option(
+         "--finer", arguments.finer,
+         "Time steps are 1/N of those that cases take else: does what holds still hold? What "
+         "is expected to fall short is then for information")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str()
+      ->group("How it runs");
+  app.add_option(
          "--show-expectations", arguments.show_expectations,
          "Run nothing: list what the engine is expected to fall short of beside what this "
          "run measured, and its failures, as rows of validation/engines/stiction/expectations/")
@@ -256,7 +267,8 @@ void refuse_settings(const std::vector<Job>& jobs) {
 std::string rerun(const Record& record, const Arguments& arguments) {
   const double scale = arguments.tolerance_scale;
   return rerun_command(record, arguments.problems, arguments.selection.engine) +
-         (scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale));
+         (scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale)) +
+         (arguments.finer == 1 ? "" : fmt::format(" --finer {}", arguments.finer));
 }
 
 std::filesystem::path earlier_records(const std::string& out) {
@@ -297,7 +309,10 @@ int validate(Arguments& arguments) {
   }
   if (arguments.json && !arguments.list) throw InputError("--json goes with --list");
   std::vector<Job> all = select_jobs(cases, selection);
-  for (Job& job : all) job.cpu_limit = arguments.max_seconds;
+  for (Job& job : all) {
+    job.cpu_limit = arguments.max_seconds;
+    job.finer = arguments.finer;
+  }
   refuse_settings(all);
   // What is put together was computed by an engine that spoke right.
   if (arguments.portion.parts.empty()) {
@@ -325,6 +340,7 @@ int validate(Arguments& arguments) {
   }
   if (!portion.is_whole()) tell(portion.text());
   if (arguments.tolerance_scale != 1.0) tell(scale_sentence(arguments.tolerance_scale));
+  if (arguments.finer != 1) tell(finer_sentence(arguments.finer));
   tell_long_runs(problems, jobs);
 
   reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(arguments.out); });

@@ -59,7 +59,9 @@ CaseRun::Running CaseRun::simulate_with(const Settings& over, const Problem& pro
                                         const Accuracy& accuracy) {
   const std::string lacking = missing(engine_.manifest, problem);
   if (!lacking.empty()) throw NotApplicable("the engine has no " + lacking);
-  Running running(new Simulation(engine_, merged(settings_, over), problem, accuracy,
+  Accuracy asked = accuracy;
+  asked.finer *= finer_;
+  Running running(new Simulation(engine_, merged(settings_, over), problem, asked,
                                  keeps_frames_ ? &may_record_ : nullptr),
                   {this});
   if (configuration_.contrast) running->shows_contrast();
@@ -80,7 +82,7 @@ std::optional<Settings> CaseRun::settings_without(Without what) const {
 
 void CaseRun::check(Claim claim, double value, std::string worst) {
   const Expectation* known = find_expectation(expectations_, claim.quantity);
-  if (known == nullptr && configuration_.contrast) {
+  if (known == nullptr ? configuration_.contrast : finer_ != 1) {
     return show(std::move(claim), value, std::move(worst));
   }
   quantities_.insert(claim.quantity);
@@ -95,6 +97,11 @@ void CaseRun::show(Claim claim, double value, std::string worst) {
   Judgement found = for_information(std::move(claim), value);
   found.worst = std::move(worst);
   record_.checks.push_back(std::move(found));
+}
+
+void CaseRun::refine_time(int finer) {
+  finer_ = finer;
+  note(finer_sentence(finer));
 }
 
 void CaseRun::demand_expected_checks() {
@@ -125,11 +132,14 @@ CaseRun CaseRun::part(const Settings& settings) const {
   CaseRun part({.name = record_.case_name, .title = record_.title}, engine_, settings,
                tolerance_scale_);
   part.passages_noted_ = passages_noted_;
+  part.finer_ = finer_;
   return part;
 }
 
 CaseRun CaseRun::nested(const Case& which, EngineKind engine, Settings settings) const {
-  return CaseRun(which, std::move(engine), std::move(settings), tolerance_scale_);
+  CaseRun run(which, std::move(engine), std::move(settings), tolerance_scale_);
+  run.finer_ = finer_;
+  return run;
 }
 
 void CaseRun::include(const Record& part, bool pays) {

@@ -60,6 +60,9 @@ class CaseRun {
   void passages_are_noted() { passages_noted_ = true; }
   /// Simulations end with an InputError when their steps have taken so much CPU time in all, s.
   void limit_cpu(double seconds) { cpu_limit_ = seconds; }
+  /// Simulations from now on take 1/finer of their time steps. What the engine is expected to fall
+  /// short of at its own step is then for information.
+  void refine_time(int finer);
   /// To be called once the case has run to its end: an expectation that no check met is a failing
   /// check, so that the table cannot rot.
   void demand_expected_checks();
@@ -96,6 +99,7 @@ class CaseRun {
   Settings settings_;
   Configuration configuration_;
   double tolerance_scale_;
+  int finer_ = 1;
   double cpu_limit_ = std::numeric_limits<double>::infinity();
   Expectations expectations_;         // of this case and variant
   std::set<std::string> quantities_;  // checked so far

@@ -101,6 +101,7 @@ std::vector<Job> select_jobs(const std::vector<Case>& cases, const Selection& se
 Record run_job(const Job& job, double tolerance_scale, std::optional<Recording>* recording) {
   CaseRun run(job.which, job.engine, job.settings, tolerance_scale, recording != nullptr);
   run.limit_cpu(job.cpu_limit);
+  if (job.finer != 1) run.refine_time(job.finer);
   std::string error, lacking;
   try {
     job.which.run(run);

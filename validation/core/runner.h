@@ -21,6 +21,7 @@ struct Job {
   Settings settings;
   /// CPU time of all its steps, s: what takes longer is an error that says so.
   double cpu_limit = std::numeric_limits<double>::infinity();
+  int finer = 1;  ///< its time steps are 1/finer of those that it takes else
 };
 
 /// * and ? as in a shell, * also across '/'.

@@ -129,5 +129,31 @@ TEST(RunJob, ExpectsNothingOfSettingsOrATolerancThatAreTheUsersOwn) {
   EXPECT_EQ(run_job(job_of({.drift = NAN}), 1e9).checks.size(), 1u) << "nor a row that is unmet";
 }
 
+TEST(RunJob, AtFinerStepsJudgesWhatHoldsAndTellsTheRest) {
+  Job job = job_of({});
+  job.finer = 2;
+  Problem still;
+  ProblemBody& point = still.bodies.emplace_back();
+  point.shape = PointShape{};
+  point.mass = 1.0;
+  double time_step = 0.0;
+  job.which.run = [&, measure = job.which.run](CaseRun& run) {
+    measure(run);
+    run.check({.quantity = "energy", .tolerance = 1e-9}, 1.0);
+    CaseRun part = run.part(run.settings());
+    time_step = part.simulate(still, {.time = 1e-3, .finer = 2.0})->engine().time_step();
+  };
+  const Record record = run_job(job, 1.0);
+  EXPECT_EQ(time_step, 2.5e-4);
+  ASSERT_EQ(record.checks.size(), 3u);
+  EXPECT_EQ(record.checks[0].verdict, Verdict::kForInformation)
+      << "it falls short at the usual step";
+  EXPECT_EQ(record.checks[1].verdict, Verdict::kForInformation);
+  EXPECT_EQ(record.checks[2].verdict, Verdict::kFail);
+  EXPECT_EQ(record.verdict, Verdict::kFail);
+  EXPECT_THAT(record.notes,
+              testing::ElementsAre(HasSubstr("time steps are 1/2 of the usual ones")));
+}
+
 }  // namespace
 }  // namespace stiction

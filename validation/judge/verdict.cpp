@@ -46,4 +46,11 @@ std::string scale_sentence(double tolerance_scale) {
                      tolerance_scale);
 }
 
+std::string finer_sentence(int finer) {
+  return fmt::format(
+      "time steps are 1/{} of the usual ones (--finer); what falls short at those is for "
+      "information",
+      finer);
+}
+
 }  // namespace stiction

@@ -127,7 +127,7 @@ std::string plan_of(const std::vector<Job>& jobs, const std::string& more) {
     }
     words += job.which.name + "\n" + engine + "\n";
     for (const auto& [name, value] : job.settings) words += name + "=" + value + "\n";
-    words += fmt::format("{}\n", job.cpu_limit);
+    words += fmt::format("{} {}\n", job.cpu_limit, job.finer);
   }
   return hash_of_words(words);
 }

@@ -176,17 +176,31 @@ void read_held(TomlTable& table, ProblemBody& body) {
   if (table.has("motion")) body.motion = read_motion(table.table("motion", problem_keys::motion()));
 }
 
+void read_material(TomlTable& table, ProblemBody& body) {
+  body.mass = table.number("mass");
+  if (!(body.mass > 0.0)) table.refuse("mass", "'mass' must be positive");
+  Elasticity& elasticity = body.elasticity;
+  elasticity.youngs_modulus = table.number("youngs_modulus", elasticity.youngs_modulus);
+  if (!(elasticity.youngs_modulus > 0.0)) {
+    table.refuse("youngs_modulus", "'youngs_modulus' must be positive");
+  }
+  elasticity.poisson_ratio = table.number("poisson_ratio", elasticity.poisson_ratio);
+  if (!(elasticity.poisson_ratio > -1.0 && elasticity.poisson_ratio < 0.5)) {
+    table.refuse("poisson_ratio", "'poisson_ratio' must lie between -1 and 0.5");
+  }
+  elasticity.damping_time = table.number("damping_time", elasticity.damping_time);
+  if (!(elasticity.damping_time >= 0.0)) {
+    table.refuse("damping_time", "'damping_time' must not be negative");
+  }
+}
+
 }  // namespace
 
 void read_body(TomlTable table, Reading& reading) {
   ProblemBody body;
   body.shape = read_shape(table);
   read_held(table, body);
-  body.mass = table.number("mass");
-  Elasticity& elasticity = body.elasticity;
-  elasticity.youngs_modulus = table.number("youngs_modulus", elasticity.youngs_modulus);
-  elasticity.poisson_ratio = table.number("poisson_ratio", elasticity.poisson_ratio);
-  elasticity.damping_time = table.number("damping_time", elasticity.damping_time);
+  read_material(table, body);
   body.self_collision = table.flag("self_collision", false);
   body.angular_velocity = table.vector("spin", Vector3d::Zero());
   if (table.has("spin") && std::holds_alternative<PointShape>(body.shape)) {

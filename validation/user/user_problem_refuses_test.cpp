@@ -54,6 +54,14 @@ const Mistake kMistakes[] = {
      "sweep"},
     {"ATextAsNumber", "mass = 2.0", "mass = \"2.0\"", 16,
      "'mass' must be a finite number, or a text of one and its unit: kg, g, mg, t"},
+    {"ANegativeMass", "mass = 2.0", "mass = -2.0", 16, "'mass' must be positive"},
+    {"ZeroMass", "mass = 2.0", "mass = 0", 16, "'mass' must be positive"},
+    {"ANegativeStiffness", "mass = 2.0", "mass = 2.0\nyoungs_modulus = -1", 17,
+     "'youngs_modulus' must be positive"},
+    {"AnIncompressibleBody", "mass = 2.0", "mass = 2.0\npoisson_ratio = 0.5", 17,
+     "'poisson_ratio' must lie between -1 and 0.5"},
+    {"NegativeDamping", "mass = 2.0", "mass = 2.0\ndamping_time = -1e-3", 17,
+     "'damping_time' must not be negative"},
     {"NaN", "friction = 0.5", "friction = nan", 11,
      "'friction' must be a finite number, or a text of one and its unit: 1, %"},
     {"ANegativeDuration", "duration = 0.1", "duration = -1", 2, "'duration' must be positive"},
@@ -147,9 +155,6 @@ constexpr const char* kBox =
     "shape = \"box\"\nsize = [0.2, 0.2, 0.1]\nmass = 1.0\nposition = [0, 0, 1]";
 
 const BadScene kBadScenes[] = {
-    {"NegativeMass", "mass = 2.0", "mass = -2.0",
-     "body 'point': mass must be positive and finite, not -2 kg"},
-    {"ZeroMass", "mass = 2.0", "mass = 0", "body 'point': mass must be positive and finite"},
     {"TooLongAStep", "shape = \"point\"\nmass = 2.0\nrests_on = \"ramp\"", kBox,
      "the time step 0.001 s is above the stability limit"},
     {"NegativeStep", "dt = 1e-3", "dt = -1e-3", "the time step must be positive and finite"},

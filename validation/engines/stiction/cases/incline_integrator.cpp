@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "reference/motion/incline.h"
 #include "validation/estimate/convergence.h"
@@ -48,10 +50,13 @@ void run_stop(CaseRun& run, InclineSetup setup) {
     return stopping.travel();
   };
   const double at_default_step = distance(2e-4);
-  // Steps of which the same fraction is left when it stops: the error then falls smoothly.
+  // Steps of which the same fraction is left when it stops: the error then falls smoothly. It is the
+  // golden one, of which no small multiple is near a whole number: with all steps N times as fine the
+  // fraction is N times as large.
+  constexpr double kLeft = 2.0 - std::numbers::phi;
   Series error{"distance error", "m", "time step", "s", {}, {}};
-  for (const double steps : {1000.25, 2000.25, 4000.25}) {
-    const double dt = time / steps;
+  for (const double steps : {1000.0, 2000.0, 4000.0}) {
+    const double dt = time / (steps + kLeft);
     error.x.push_back(dt);
     error.y.push_back(std::abs(distance(dt) - expected));
   }
@@ -66,17 +71,24 @@ void run_stop(CaseRun& run, InclineSetup setup) {
              .tolerance = 0.125 * deceleration * 2e-4 * 2e-4 / expected,
              .reason = "the step in which it stops: at most aΔt²/8"},
             at_default_step);
-  run.check(
-      {.quantity = "order in Δt of the stopping distance",
-       .unit = "1",
-       .statement = "positions are of second order",
-       .formula = "error ≤ aΔt²/8",
-       .source = "Störmer–Verlet",
-       .kind = ReferenceKind::kAnalytic,
-       .expected = 2.0,
-       .tolerance = 0.01,
-       .reason = "the error is a multiple of Δt² exactly; round-off of 1e-13 m beside 1e-9 m"},
-      observed_order(error.x, error.y));
+  constexpr double kRounding = 1e-13;  // m
+  const Claim order{.quantity = "order in Δt of the stopping distance",
+                    .unit = "1",
+                    .statement = "positions are of second order",
+                    .formula = "error ≤ aΔt²/8",
+                    .source = "Störmer–Verlet",
+                    .kind = ReferenceKind::kAnalytic,
+                    .expected = 2.0,
+                    .tolerance = 0.01,
+                    .reason =
+                        "the error is a multiple of Δt² exactly; round-off of 1e-13 m is at "
+                        "most a hundredth of the smallest"};
+  if (*std::min_element(error.y.begin(), error.y.end()) < 100.0 * kRounding) {
+    run.note("time steps are so fine that round-off hides the order");
+    run.show(order, observed_order(error.x, error.y));
+  } else {
+    run.check(order, observed_order(error.x, error.y));
+  }
   run.add(std::move(error));
 }
 
