@@ -47,6 +47,12 @@ Runs read_runs(const std::vector<std::string>& names) {
     if (fs::is_directory(file)) file /= "records.jsonl";
     RecordFile read = read_records(file);
     if (!read.unfinished.empty()) throw std::runtime_error(read.unfinished);
+    for (const Record& record : read.records) {
+      if (record.differs.contains(kFinerSetting)) {
+        throw std::runtime_error(fmt::format(
+            "{} was run with --finer, and documents tell of the usual time steps", file.string()));
+      }
+    }
     runs.push_back(std::move(read.records));
   }
   return runs;

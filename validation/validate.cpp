@@ -267,8 +267,7 @@ void refuse_settings(const std::vector<Job>& jobs) {
 std::string rerun(const Record& record, const Arguments& arguments) {
   const double scale = arguments.tolerance_scale;
   return rerun_command(record, arguments.problems, arguments.selection.engine) +
-         (scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale)) +
-         (arguments.finer == 1 ? "" : fmt::format(" --finer {}", arguments.finer));
+         (scale == 1.0 ? "" : fmt::format(" --tolerance-scale {}", scale));
 }
 
 std::filesystem::path earlier_records(const std::string& out) {
@@ -340,7 +339,12 @@ int validate(Arguments& arguments) {
   }
   if (!portion.is_whole()) tell(portion.text());
   if (arguments.tolerance_scale != 1.0) tell(scale_sentence(arguments.tolerance_scale));
-  if (arguments.finer != 1) tell(finer_sentence(arguments.finer));
+  if (arguments.finer != 1) {
+    const bool some_expected =
+        arguments.tolerance_scale == 1.0 && selection.settings.empty() && problems.empty();
+    tell(finer_sentence(arguments.finer) +
+         (some_expected ? "; what is expected to fall short at those is for information" : ""));
+  }
   tell_long_runs(problems, jobs);
 
   reference::WithLastWords<RecordStore> run([&] { return RecordStore::create(arguments.out); });

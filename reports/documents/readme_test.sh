@@ -20,7 +20,7 @@ record() {
 }
 
 folder=tree/reports/documents
-mkdir -p $folder/figures $folder/tables run other renamed elsewhere
+mkdir -p $folder/figures $folder/tables run other renamed elsewhere finer
 cat >$folder/figures/validate.toml <<'TOML'
 [figure.drift]
 case = "slab/rest"
@@ -45,6 +45,9 @@ grep -qF "'drift' is now 0.005" out || failed "a run that has left the band" "st
 refuses "a renamed quantity" "validate.toml:1: figure 'drift': the record of 'slab/rest' has no quantity 'drift'" \
   "$readme" --root tree --update renamed
 refuses "a missing record" "these runs have none of the documents' figures" "$readme" --root tree --against elsewhere
+sed 's/"settings":/"differs":{"finer":"2"},"settings":/' run/records.jsonl >finer/records.jsonl
+refuses "a run of finer steps" "was run with --finer, and documents tell of the usual time steps" \
+  "$readme" --root tree --against finer
 refuses "a run that isn't there" "nowhere" "$readme" --root tree --update nowhere
 
 sed -i 's/3e-7/4e-7/' tree/README.md

@@ -84,6 +84,8 @@ struct Environment {
 /// Among a record's settings, how the case was perturbed, which is none of its engine: "turned/1"
 /// (validation/stability/).
 inline constexpr const char* kPerturbedSetting = "perturbed";
+/// … and by how much its time steps are finer than those that the case takes else: "2" (--finer).
+inline constexpr const char* kFinerSetting = "finer";
 
 /// One record: case × engine × settings. Written as one line of JSON (reports/record/schema.json).
 struct Record {

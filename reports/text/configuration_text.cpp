@@ -52,8 +52,9 @@ std::string rerun_command(const Record& record, const std::vector<std::string>& 
     command += " --configuration " + quoted(record.configuration);
   }
   for (const auto& [name, value] : record.differs) {
-    // How a case was perturbed is no setting of the engine (validation/stability/).
+    // These are no settings of the engine.
     command += name == kPerturbedSetting ? " --perturb " + quoted(value)
+               : name == kFinerSetting   ? " --finer " + quoted(value)
                                          : " --set " + quoted(name + "=" + value);
   }
   return command;

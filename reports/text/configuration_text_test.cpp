@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/text/configuration_text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "reports/record/test_records.h"
@@ -29,6 +30,9 @@ TEST(RerunCommand, NamesCaseConfigurationAndWhatDiffers) {
       rerun_command(record),
       "./stiction validate --case 'slab/kappa' --configuration 'paper, fixed point' --perturb "
       "'turned/1'");
+  record.differs = {{"finer", "2"}};
+  EXPECT_THAT(rerun_command(record),
+              testing::HasSubstr("--configuration 'paper, fixed point' --finer '2'"));
   record.configuration = "default";
   record.differs.clear();
   record.engine = "bullet";

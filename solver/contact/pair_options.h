@@ -51,11 +51,8 @@ struct PairOptions {
   bool friction_reaction = true;  ///< friction acts on the partners too
   bool literal_bound = false;  ///< μ|F| instead of μ × the transmitted force: sticks up to 2μ
   bool normals_first = true;   ///< all normal forces, then friction; else pair by pair
-  /// Contacts are kept up to a gap of `hysteresis` · |g|Δt T, dimensionless, with F = 0; T is the
-  /// scene's swing time, at least 20 Δt. A contact that comes or goes changes the harmonic gain of
-  /// those beside it and so the velocity, by up to the load's share of gΔt; the elastic body swings
-  /// by that times T, however short the step is. With Δt² in place of Δt T a body that rests at one
-  /// step does not at half of it.
+  /// Contacts are kept with F = 0 up to a gap of `hysteresis` · |g|Δt T, at most a hundredth of a
+  /// mean edge (depth/open_limits.h); dimensionless.
   Real hysteresis = 1.0;
   /// A vertex that has slipped sideways over the border of the face that it lies on is kept up to
   /// this distance, in mean edges. Where borders coincide, rounding alone would choose.

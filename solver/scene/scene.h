@@ -128,7 +128,7 @@ struct Scene {
   BlocksOfConstants constants;    ///< of the elements
   std::vector<int> scene_vertex;  ///< scene vertex of the k-th described vertex (bodies in order)
 
-  double swing_time = 0.0;        ///< s, the longest of its bodies'; 0 when nothing is elastic
+  double swing_time = 0.0;        ///< s, the longest of bodies that can move; 0: nothing is elastic
   double stable_time_step = 0.0;  ///< s; infinite when nothing is elastic
   int stiffest_element = -1;      ///< described number, counted over bodies in order
   std::string stiffest_body;      ///< whose element that is

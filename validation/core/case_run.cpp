@@ -101,6 +101,9 @@ void CaseRun::show(Claim claim, double value, std::string worst) {
 
 void CaseRun::refine_time(int finer) {
   finer_ = finer;
+  record_.variant.clear();  // the steps are the user's own
+  record_.differs[kFinerSetting] = fmt::format("{}", finer);
+  record_.settings[kFinerSetting] = record_.differs[kFinerSetting];
   note(finer_sentence(finer));
 }
 
@@ -125,6 +128,7 @@ void CaseRun::started(const Engine& engine) {
     const auto found = settings_.find(name);
     if (found != settings_.end()) record_.settings[name] = found->second;
   }
+  if (finer_ != 1) record_.settings[kFinerSetting] = record_.differs[kFinerSetting];
   settings_resolved_ = true;
 }
 

@@ -22,7 +22,8 @@ class CaseRun {
  public:
   /// `settings` are the variant's with the user's over them. A tolerance is multiplied by
   /// `tolerance_scale` before it is compared. The engine's expectations hold where the settings are
-  /// those of one of the case's variants and the scale is 1.
+  /// those of one of the case's variants, the scale is 1 and time steps are the usual ones
+  /// (refine_time).
   CaseRun(const Case& which, EngineKind engine, Settings settings, double tolerance_scale,
           bool keeps_frames = false);
 
@@ -63,6 +64,7 @@ class CaseRun {
   /// Simulations from now on take 1/finer of their time steps. What the engine is expected to fall
   /// short of at its own step is then for information.
   void refine_time(int finer);
+  int finer() const { return finer_; }
   /// To be called once the case has run to its end: an expectation that no check met is a failing
   /// check, so that the table cannot rot.
   void demand_expected_checks();

@@ -29,7 +29,8 @@ struct Cause {
 /// Inside the band a check that misses its claim has the row's verdict, expected shortfall or refuted; one
 /// outside fails on either side, and so does one that meets the claim: then the row has to go.
 /// Rows hold for the catalog's own variants at tolerance scale 1 only. What a user's `--set` or
-/// `--tolerance-scale` makes of a case nobody has measured, so it passes or fails plainly.
+/// `--tolerance-scale` makes of a case nobody has measured, so it passes or fails plainly. With
+/// `--finer` the checks of these rows are for information.
 struct Expectation {
   const char* cases;     ///< name, or a glob in which * crosses '/'
   const char* variant;   ///< settings of the catalog's variant, e.g. "method=paper rule=secant"

@@ -47,10 +47,7 @@ std::string scale_sentence(double tolerance_scale) {
 }
 
 std::string finer_sentence(int finer) {
-  return fmt::format(
-      "time steps are 1/{} of the usual ones (--finer); what falls short at those is for "
-      "information",
-      finer);
+  return fmt::format("time steps are 1/{} of the usual ones (--finer)", finer);
 }
 
 }  // namespace stiction

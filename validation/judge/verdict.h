@@ -27,7 +27,7 @@ Judgement judge(Claim claim, double value, double tolerance_scale = 1.0,
 /// What is told of a scale that is not 1.
 std::string scale_sentence(double tolerance_scale);
 
-/// What is said of verdicts of runs with 1/finer of their time steps.
+/// What is said of runs with 1/finer of their time steps.
 std::string finer_sentence(int finer);
 
 /// The same numbers, judged by nobody: the verdict is kForInformation.

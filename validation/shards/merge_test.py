@@ -150,6 +150,10 @@ def files_that_changed(folder):
         folder.run("validate", "mesh.toml", "--shard", f"{number}/2", "--out", "meshes", "--no-page")
     merged = folder.run("merge", "meshes", "--out", "merged-meshes", "--no-page")
     hold(merged.returncode == 2 and "parts of different runs" in merged.stderr, "parts with another mesh are of another run")
+    for number, more in ((1, ()), (2, ("--finer", "2"))):
+        folder.run("validate", "--case", "half-space/*", "--shard", f"{number}/2", "--out", "steps", "--no-page", *more)
+    merged = folder.run("merge", "steps", "--out", "merged-steps", "--no-page")
+    hold(merged.returncode == 2 and "parts of different runs" in merged.stderr, "parts with other time steps are of another run")
     hostile = folder.path / "hostile/2026-01-01T00-00-00Z"
     hostile.mkdir(parents=True)
     (hostile / "records.jsonl").write_text((folder.path / "whole/latest/records.jsonl").read_text().splitlines(keepends=True)[0])

@@ -150,12 +150,13 @@ std::string time_text(double seconds) {
   return fmt::format("{:.3g} days", seconds / 86400.0);
 }
 
-UserEstimate estimate(const UserProblem& user, const EngineKind& kind, const Settings& settings) {
+UserEstimate estimate(const UserProblem& user, const EngineKind& kind, const Settings& settings,
+                      double finer) {
   constexpr double kTried = 0.1;  // s of CPU
   const std::string lacking = missing(kind.manifest, user.problem);
   if (!lacking.empty()) throw NotApplicable("the engine has no " + lacking);
   const std::unique_ptr<Engine> engine = kind.make(settings);
-  engine->load(user.problem, {});
+  engine->load(user.problem, {.finer = finer});
   UserEstimate out;
   out.time_step = engine->time_step();
   out.steps = steps_of(user, out.time_step);

@@ -24,7 +24,8 @@ std::string time_text(double seconds);
 
 /// Loads the problem and takes its first steps. Throws what the engine says when it refuses it, and
 /// InputError as steps_of does.
-UserEstimate estimate(const UserProblem& user, const EngineKind& engine, const Settings& settings);
+UserEstimate estimate(const UserProblem& user, const EngineKind& engine, const Settings& settings,
+                      double finer = 1.0);
 
 /// "10000 steps of 0.2 ms, about 3 s of CPU time".
 std::string estimate_text(const UserEstimate& estimate);

@@ -57,7 +57,7 @@ void show_problems(const std::vector<UserCase>& problems, const std::vector<Job>
     show_line(fmt::format("{}: {}", job.which.name, job.which.title));
     show(explained(*user, width));
     show(bullet(fmt::format("engine {}: {}", job.engine.name,
-                            estimate_text(estimate(*user, job.engine, job.settings))),
+                            estimate_text(estimate(*user, job.engine, job.settings, job.finer))),
                 width));
   }
   write_problems(problems, out / "check-only");
@@ -70,7 +70,7 @@ void tell_long_runs(const std::vector<UserCase>& problems, const std::vector<Job
     const UserProblem* const user = problem_of(problems, job);
     if (user == nullptr) continue;
     try {
-      const UserEstimate found = estimate(*user, job.engine, job.settings);
+      const UserEstimate found = estimate(*user, job.engine, job.settings, job.finer);
       if (found.cpu_seconds >= kLong) tell(job.which.name + ": " + estimate_text(found));
     } catch (const std::exception&) {
       continue;  // its record will say why it cannot run

@@ -51,13 +51,21 @@ function command_of(record, more = []) {
 /** The case with all its configurations, on the engine of a record. */
 export const case_command = (record) => command_of(record);
 
+// What differs and is no setting of the engine: the second as kFinerSetting in reports/record/record.h.
+const OPTIONS = new Map([
+  [PERTURBED, "--perturb"],
+  ["finer", "--finer"],
+]);
+
 // What chooses the record's configuration alone; none where nobody named it.
 const configuration_words = ({ configuration, differs = {} }) =>
   configuration
     ? [
         `--configuration ${quoted(configuration)}`,
         ...Object.entries(differs).map(([name, value]) =>
-          name === PERTURBED ? `--perturb ${quoted(value)}` : `--set ${quoted(`${name}=${value}`)}`,
+          OPTIONS.has(name)
+            ? `${OPTIONS.get(name)} ${quoted(value)}`
+            : `--set ${quoted(`${name}=${value}`)}`,
         ),
       ]
     : [];

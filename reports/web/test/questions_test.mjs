@@ -13,8 +13,7 @@ const run = process.env.STICTION_TEST_RUN;
 const skip = run ? false : "$STICTION_TEST_RUN names no run";
 const MOST_CLICKS = 2;
 
-const on = (selector, text) => (page) =>
-  page.locator(selector).filter({ hasText: text }).first();
+const on = (selector, text) => (page) => page.locator(selector).filter({ hasText: text }).first();
 const link = (name) => (page) => page.getByRole("link", { name, exact: true }).first();
 
 // {question, clicks: what is clicked, in order, where the answer then stands, and what it says}.
@@ -71,7 +70,8 @@ const QUESTIONS = [
     question: "Does a smaller step help?",
     clicks: [link("slab/effort"), on("main tbody a", "slab/effort")],
     where: on("main", "Results by configuration"),
-    answer: /paper, fixed point · dt=5e-05\s+refuted\s+2\.\d+e-05[\s\S]*quiet · dt=5e-05\s+holds\s+0\s/,
+    answer:
+      /paper, fixed point · dt=5e-05\s+refuted\s+2\.\d+e-05[\s\S]*quiet · dt=5e-05\s+holds\s+0\s/,
   },
   {
     question: "Which revision, on which machine?",

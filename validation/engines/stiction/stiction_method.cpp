@@ -251,7 +251,8 @@ std::map<std::string, std::string> method_settings_help() {
       {"order", "normals-first (quiet) or interleaved (paper)"},
       {"hysteresis",
        "gap up to which a contact is kept, in |g|Δt T, with T the time in which a wave passes the "
-       "scene's slowest body, at least 20 Δt (quiet: 1; paper: 0)"},
+       "slowest body that can move, at least 20 Δt; never over a hundredth of a mean edge (quiet: "
+       "1; paper: 0)"},
       {"depth-noise", "error of each depth in each step, of the depth (default 0)"},
       {"tie",
        "how much farther than the nearest a contact's triangle may be to be kept, of the "

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "reference/motion/incline.h"
 #include "validation/estimate/convergence.h"
@@ -44,21 +43,23 @@ void run_stop(CaseRun& run, InclineSetup setup) {
   const double expected = reference::stopping_distance(incline, setup.speed);
   const double time = reference::stopping_time(incline, setup.speed);
   const double deceleration = reference::deceleration(incline);
-  const auto distance = [&](double dt) {
+  struct Stop {
+    double time_step, distance;  // s, m
+  };
+  const auto stop = [&](double dt) -> Stop {
     InclineRun stopping(run, setup, incline_problem(setup), {.time = dt});
     stopping.advance_to(1.1 * time);
-    return stopping.travel();
+    return {stopping.time_step(), stopping.travel()};
   };
-  const double at_default_step = distance(2e-4);
-  // Steps of which the same fraction is left when it stops: the error then falls smoothly. It is the
-  // golden one, of which no small multiple is near a whole number: with all steps N times as fine the
-  // fraction is N times as large.
-  constexpr double kLeft = 2.0 - std::numbers::phi;
+  constexpr double kUsual = 2e-4;  // s
+  const Stop usual = stop(kUsual);
+  const double finer = std::round(kUsual / usual.time_step);
+  // Steps of which the same fraction is left when it stops: the error then falls smoothly.
   Series error{"distance error", "m", "time step", "s", {}, {}};
   for (const double steps : {1000.0, 2000.0, 4000.0}) {
-    const double dt = time / (steps + kLeft);
-    error.x.push_back(dt);
-    error.y.push_back(std::abs(distance(dt) - expected));
+    const Stop one = stop(finer * time / (finer * steps + 0.25));
+    error.x.push_back(one.time_step);
+    error.y.push_back(std::abs(one.distance - expected));
   }
   run.check({.quantity = "stopping distance",
              .unit = "m",
@@ -70,7 +71,7 @@ void run_stop(CaseRun& run, InclineSetup setup) {
              .relative = true,
              .tolerance = 0.125 * deceleration * 2e-4 * 2e-4 / expected,
              .reason = "the step in which it stops: at most aΔt²/8"},
-            at_default_step);
+            usual.distance);
   constexpr double kRounding = 1e-13;  // m
   const Claim order{.quantity = "order in Δt of the stopping distance",
                     .unit = "1",

@@ -98,9 +98,9 @@ void check_share(CaseRun& run, const Ingredient& one, const Outcome& seen, std::
       .reason =
           "a count: half a pose; without the bounded gain 39 of 60 poses rested, at most "
           "three quarters are claimed"};
-  if (one.effect == Effect::kStirs) {
-    // What the sweeps leave falls with the time step, and at a quarter of it below what counts as rest:
-    // the decades of slip tell.
+  if (one.effect == Effect::kStirs && run.finer() > 1) {
+    // What the sweeps leave falls with the time step, at a quarter of it below what counts as rest; the
+    // decades of slip tell.
     run.show(claim, seen.share);
   } else {
     run.check(claim, seen.share);
