@@ -47,6 +47,34 @@ exits 0 "--list --case" "$validate" --list --case 'half-space/b*'
 [ "$(wc -l <out)" -eq 2 ] || failed "--list --case 'half-space/b*'" "not the two cases"
 passed "--list --case shows those that match"
 
+# ---- time steps -------------------------------------------------------------------------------
+holds 0 "time steps are compared where none is set" "$validate" --case incline/integrator/stop --set dt=1e-4 --out steps
+grep -q '"verdict":"not-applicable"' steps/latest/records.jsonl || failed "incline/integrator/stop" "it compares one step"
+holds 0 "the clamped box rests at twice its time step" \
+  "$validate" --case paper/fig3-clamped-box --configuration quiet --set dt=4e-4 --out doubled_step
+holds 0 "the clamped box rests at a sixteenth of its time step" \
+  "$validate" --case paper/fig3-clamped-box --configuration quiet --finer 16 --out sixteenth
+holds 1 "the clamped box at half its time step needs its hysteresis" \
+  "$validate" --case paper/fig3-clamped-box/half-step --set hysteresis=0 --out unkept
+# finer RUN WHAT: the run says that its steps are finer, and WHAT in its record how fine.
+finer() {
+  for where in err "$1/latest/records.jsonl"; do
+    grep -qF 'time steps are 1/16 of the usual ones (--finer)' "$where" || failed "finer steps" "$where of $1 does not tell"
+  done
+  grep -q "$2" "$1/latest/records.jsonl" || failed "finer steps" "$1: no $2"
+}
+holds 0 "a case takes finer steps" "$validate" --case incline/below/stop/point --configuration quiet --finer 16 --out finer_case
+finer finer_case '"differs":{"finer":"16"}'
+holds 0 "a problem takes finer steps" "$validate" "$example" --finer 16 --out finer_problem
+finer finer_problem '"dt":"1.25e-05"'
+holds 0 "another engine takes finer steps" "$validate" --engine plain --case incline/below/stop/point --finer 16 --out finer_plain
+finer finer_plain '"finer":"16"'
+holds 0 "a perturbed case takes finer steps" \
+  "$validate" --case incline/below/stop/point --configuration quiet --perturb turned/1 --finer 16 --out finer_turned
+finer finer_turned '"dt":"1.25e-05"'
+holds 0 "a look at a problem tells its finer steps" "$validate" "$example" --finer 16 --check-only --out look
+grep -q 'steps of 0.0125 ms' out || failed "a look at a problem" "it tells other steps: $(cat out)"
+
 # ---- exit code 2: what cannot run -------------------------------------------------------------
 refuses "an unknown case" "no case matches 'nonsense/*'; --list shows them all" \
   "$validate" --case 'nonsense/*'
@@ -70,33 +98,6 @@ refuses "a setting without a value" "--set needs NAME=VALUE, not 'dt'" "$validat
 refuses "--lines with --verbose" "--lines and --verbose exclude each other" "$validate" --quick --lines --verbose
 holds 2 "a time that is no number" "$validate" --max-seconds nan
 grep -qF "must be a finite number above 0, not 'nan'" err || failed "a time that is no number" "no sentence says so"
-holds 0 "time steps are compared where none is set" "$validate" --case incline/integrator/stop --set dt=1e-4 --out steps
-grep -q '"verdict":"not-applicable"' steps/latest/records.jsonl || failed "incline/integrator/stop" "it compares one step"
-holds 0 "the clamped box rests at twice its time step" \
-  "$validate" --case paper/fig3-clamped-box --configuration quiet --set dt=4e-4 --out doubled_step
-holds 0 "the clamped box rests at a sixteenth of its time step" \
-  "$validate" --case paper/fig3-clamped-box --configuration quiet --finer 16 --out sixteenth
-holds 1 "the clamped box at half its time step needs its hysteresis" \
-  "$validate" --case paper/fig3-clamped-box/half-step --set hysteresis=0 --out unkept
-# ---- finer time steps -------------------------------------------------------------------------
-# finer RECORD WHAT: the run in RECORD says that it is finer, WHAT in its record says how fine.
-finer() {
-  for where in err "$1/latest/records.jsonl"; do
-    grep -qF 'time steps are 1/16 of the usual ones (--finer)' "$where" || failed "finer steps" "$where of $1 does not tell"
-  done
-  grep -q "$2" "$1/latest/records.jsonl" || failed "finer steps" "$1: no $2"
-}
-holds 0 "a case takes finer steps" "$validate" --case incline/below/stop/point --configuration quiet --finer 16 --out finer_case
-finer finer_case '"differs":{"finer":"16"}'
-holds 0 "a problem takes finer steps" "$validate" "$example" --finer 16 --out finer_problem
-finer finer_problem '"dt":"1.25e-05"'
-holds 0 "another engine takes finer steps" "$validate" --engine plain --case incline/below/stop/point --finer 16 --out finer_plain
-finer finer_plain '"finer":"16"'
-holds 0 "a perturbed case takes finer steps" \
-  "$validate" --case incline/below/stop/point --configuration quiet --perturb turned/1 --finer 16 --out finer_turned
-finer finer_turned '"dt":"1.25e-05"'
-holds 0 "a look at a problem tells its finer steps" "$validate" "$example" --finer 16 --check-only --out look
-grep -q 'steps of 0.0125 ms' out || failed "a look at a problem" "it tells other steps: $(cat out)"
 holds 2 "no steps at all" "$validate" --finer 0
 refuses "--quick with --full" "--quick and --full exclude each other" "$validate" --quick --full
 refuses "a missing problem" "cannot read 'missing.toml'" "$validate" missing.toml

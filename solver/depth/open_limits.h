@@ -17,7 +17,7 @@ namespace stiction {
 /// up to the load's share of gΔt; an elastic body swings by that times T, however short the step is.
 /// With 20 Δt alone the offset clamp of Fig. 3 rests at Δt = 0.2 ms and not at half of it, where one
 /// vertex touches and leaves every 42 steps; it takes more than 20 Δt there and 60 Δt at a quarter,
-/// and T is 122 and 245. Half of T and twice T do as well. T is of the whole scene, as Δt is: a slow
+/// and T is 122 and 245 Δt. Half of T and twice T do as well. T is of the whole scene, as Δt is: a slow
 /// body widens the gaps of the others. Where nothing weighs, whatever presses, no gap is kept; and
 /// slender bodies bend more slowly than a wave passes them.
 struct OpenLimits {

@@ -19,6 +19,7 @@ BodyDescription cube(int cells) {
   return test::elastic_body(test::cube_mesh(cells), {.density = 500.0, .youngs_modulus = 8e5});
 }
 
+// Tolerances are a few roundings of coordinates of some metres, of times of some 0.05 s.
 TEST(SwingTime, IsTheSizeOverTheSpeedOfWaves) {
   EXPECT_NEAR(swing_time_of(cube(1)), std::sqrt(3.0) / 40.0, 1e-15);
 }

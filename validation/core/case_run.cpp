@@ -102,8 +102,6 @@ void CaseRun::show(Claim claim, double value, std::string worst) {
 void CaseRun::refine_time(int finer) {
   finer_ = finer;
   record_.variant.clear();  // the steps are the user's own
-  record_.differs[kFinerSetting] = fmt::format("{}", finer);
-  record_.settings[kFinerSetting] = record_.differs[kFinerSetting];
   note(finer_sentence(finer));
 }
 
@@ -128,7 +126,6 @@ void CaseRun::started(const Engine& engine) {
     const auto found = settings_.find(name);
     if (found != settings_.end()) record_.settings[name] = found->second;
   }
-  if (finer_ != 1) record_.settings[kFinerSetting] = record_.differs[kFinerSetting];
   settings_resolved_ = true;
 }
 
@@ -208,6 +205,9 @@ void CaseRun::passed(const std::vector<std::string>& passages, bool noted) {
 
 Record CaseRun::record() const {
   Record record = record_;
+  if (finer_ != 1) {
+    record.settings[kFinerSetting] = record.differs[kFinerSetting] = fmt::format("{}", finer_);
+  }
   if (timed_contacts_ > 0.0) {
     const auto mean = [this](const ContactTime& sum) -> ContactTime {
       return {sum.median / timed_contacts_, sum.lower / timed_contacts_,

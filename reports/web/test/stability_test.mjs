@@ -129,6 +129,10 @@ test("a point is rerun by its perturbation, in its configuration, on its engine"
     exact_command(record({ case: "ladder/a/b=1" })),
     "./stiction validate --case 'ladder/a/b=1'",
   );
+  assert.match(
+    exact_command({ ...one, differs: { finer: "2", kappa: "0.7" } }),
+    /--configuration 'quiet' --finer '2' --set 'kappa=0.7'$/,
+  );
 });
 
 test("digits are never rounded up", () => {

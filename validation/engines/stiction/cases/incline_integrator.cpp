@@ -51,13 +51,11 @@ void run_stop(CaseRun& run, InclineSetup setup) {
     stopping.advance_to(1.1 * time);
     return {stopping.time_step(), stopping.travel()};
   };
-  constexpr double kUsual = 2e-4;  // s
-  const Stop usual = stop(kUsual);
-  const double finer = std::round(kUsual / usual.time_step);
+  const double at_default_step = stop(2e-4).distance;
   // Steps of which the same fraction is left when it stops: the error then falls smoothly.
   Series error{"distance error", "m", "time step", "s", {}, {}};
   for (const double steps : {1000.0, 2000.0, 4000.0}) {
-    const Stop one = stop(finer * time / (finer * steps + 0.25));
+    const Stop one = stop(run.finer() * time / (run.finer() * steps + 0.25));
     error.x.push_back(one.time_step);
     error.y.push_back(std::abs(one.distance - expected));
   }
@@ -71,7 +69,7 @@ void run_stop(CaseRun& run, InclineSetup setup) {
              .relative = true,
              .tolerance = 0.125 * deceleration * 2e-4 * 2e-4 / expected,
              .reason = "the step in which it stops: at most aΔt²/8"},
-            usual.distance);
+            at_default_step);
   constexpr double kRounding = 1e-13;  // m
   const Claim order{.quantity = "order in Δt of the stopping distance",
                     .unit = "1",

@@ -35,8 +35,9 @@ constexpr double kLeastSlip = 1e-17, kLeastEnergy = 1e-34;  // m/s, J: what roun
 // From the paper's method to quiet, one ingredient after another, then quiet without each. Three of
 // quiet's ingredients have no effect on rest in any pose tried (these, and 60 others: fixed and
 // random ones): hysteresis, that it is counted, and tetrahedral weights, whose purpose is angular
-// momentum (momentum/*). The tie margin only shows where the meshes are aligned, as a slip of
-// 3e-12 m/s. That is claimed here too, so that an effect would be noticed.
+// momentum (momentum/*); hysteresis is what the clamp of Fig. 3 rests by at half its step. The tie
+// margin only shows where the meshes are aligned, as a slip of 3e-12 m/s.
+// That is claimed here too, so that an effect would be noticed.
 std::vector<Ingredient> ingredients() {
   const Settings quiet{{"method", "quiet"}};
   const auto without = [&](const std::string& setting, const std::string& value) {
